@@ -1,0 +1,139 @@
+/* kit.h - the small embedder that the examples and the tests share. Not part of the library.
+
+   It brings what an engine already has: a headless GL context, meshes, pictures, a G-buffer; and what
+   only a laboratory needs: ray-traced truth and scores. One file a room:
+
+     util.c     errors, progress, threads, memory files
+     image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
+     mesh.c     triangles: OBJ and MTL reader, built-in scenes
+     truth.c    cameras, ray-traced truth, floor, both over ssgi.h's trace room
+     gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
+     gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
+     method.c   the table of methods: settings, passes, running and timing them
+
+   CONVENTIONS
+     errors    every function that can fail returns 0, or -1 with one line in the kit_error that names the file or
+               argument and what is wrong with it; outputs are then untouched and nothing needs freeing. err may be NULL.
+     pictures  planar floats, row 0 at the top
+     matrices  float[16], column-major, as in ssgi.h
+     world     right-handed; angles in degrees at this level (people type them), radians inside */
+#ifndef KIT_H
+#define KIT_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include "../../ssgi.h"
+#include "../../ssgi_gl.h"
+
+/* ---- >>util ------------------------------------------------------------------------------------------------- */
+
+typedef struct kit_error { char text[1024]; } kit_error;
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
+double kit_seconds(void);                                   /* monotonic clock */
+
+/* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
+   fraction 0 starts the clock, 1 clears the line. Call it as often as you like: it redraws at most ten times a second. */
+void   kit_progress(const char *what, double fraction);
+
+/* Calls job(context, i) for every i in [0, count) on as many threads as the machine has cores (KIT_THREADS in the
+   environment overrides), in blocks of at least 1, in no order. what: shown by kit_progress, NULL = quiet. */
+void   kit_parallel(const char *what, int count, void (*job)(void *context, int i), void *context);
+
+/* ---- >>image ------------------------------------------------------------------------------------------------ */
+
+#define KIT_MAX_CHANNELS 64
+typedef struct kit_image {
+    int    width, height, channels;
+    char   name[KIT_MAX_CHANNELS][32];     /* as in the EXR file: "Y", "R", "N.X", "layer1.Z" */
+    float *data;                           /* channel c, row y, column x: data[((size_t)c * height + y) * width + x] */
+} kit_image;
+
+int    kit_image_new(kit_image *image, int width, int height, const char *names, kit_error *err); /* names: "Z,N.X,N.Y,N.Z"; zeroed */
+void   kit_image_free(kit_image *image);                                 /* leaves it all zero; fine to call again */
+float *kit_image_channel(const kit_image *image, const char *name);      /* NULL if there is no such channel */
+
+/* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep and
+   subsampled files are refused). An EXR whose compression the C core lacks (DWAA/DWAB in 3.1) is a clear error. Files are
+   written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
+int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
+int    kit_hdr_read(kit_image *image, const char *path, kit_error *err); /* Radiance .hdr through stb: channels R,G,B */
+
+/* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values [0,1] are clamped,
+   NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them as they are (ambient visibility, colour maps). Same renaming. */
+int    kit_png_write(const kit_image *image, const char *names, int srgb, const char *path, kit_error *err);
+
+/* mask: width*height floats, a pixel counts where mask > 0; NULL = all. All figures are of (a - b). */
+typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_score;
+int    kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask, kit_error *err);
+
+/* Signed difference (a - b) of one channel as colours: a perceptually uniform diverging map, 0 is white-grey, blue where a is darker
+   than b, red where brighter; full colour at +-range. out: a new R,G,B picture. */
+int    kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range, kit_error *err);
+
+/* ---- >>mesh ------------------------------------------------------------------------------------------------- */
+
+/* A triangle soup: corner k of triangle t at index 3*t + k. */
+typedef struct kit_mesh {
+    size_t triangles;
+    float *position;                       /* 9 a triangle */
+    float *normal;                         /* 9 a triangle, unit; the face's where the file gives none */
+    float *albedo;                         /* 3 a triangle, linear, [0,1]; 0.8 grey where the file gives none */
+    float  lower[3], upper[3];             /* bounds */
+} kit_mesh;
+
+void   kit_mesh_free(kit_mesh *mesh);
+int    kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err);
+
+typedef struct kit_camera {
+    float eye[3], target[3], up[3];
+    float fovy;                            /* degrees, full vertical angle; 0 = orthographic */
+    float ortho_height;                    /* world units from bottom to top of the picture, when fovy is 0 */
+    float znear, zfar;                     /* 0 = from the scene's bounds (kit_camera_planes) */
+    int   width, height;
+    float shift[2];                        /* moves the projection's centre by so many pixels: off-centre frustum */
+    int   depth;                           /* how window depth is laid out */
+} kit_camera;
+enum { KIT_DEPTH_NORMAL, KIT_DEPTH_REVERSED, KIT_DEPTH_INFINITE /* reversed, far plane at infinity */ };
+
+typedef struct kit_scene {
+    const char *name;                      /* built-in name or path */
+    const char *about;                     /* one line */
+    kit_mesh    mesh;
+    kit_camera  camera;                    /* a view that shows something; width, height 1280 x 720 */
+    float       radius;                    /* a radius that suits it, world units */
+} kit_scene;
+
+/* name_or_path: a built-in scene ("room") or an OBJ file. OBJ: the camera looks at the bounds from the front, above and to the side so that
+   all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at its lowest y, five diagonals wide. */
+int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
+void        kit_scene_free(kit_scene *scene);
+const char *kit_scene_builtin(int i, const char **about);                 /* name of the i-th built-in scene, NULL past the last */
+
+/* ---- >>truth ------------------------------------------------------------------------------------------------ */
+
+void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh);         /* fills znear and zfar where they are 0 */
+/* world to view, view to clip as the depth layout wants it (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w, w]) */
+void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16]);
+/* the ray through the centre of the pixel in column x, row y counted from the TOP; direction is unit; origin is on the eye (perspective)
+   or on the plane of the eye (orthographic) */
+void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
+
+enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE };
+
+/* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's centre, then rays
+   cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by the nearest hit at t < radius with weight
+   1 - t/radius (LINEAR) or 1 (NONE). stride > 1 computes one pixel in every stride x stride block (its top-left one offset by stride/2) and leaves NaN
+   elsewhere. Same result for any number of threads. */
+int  kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+/* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render contract (view depth, view-space
+   normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres are joined where they lie on one surface) and traced likewise. */
+int  kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+/* ---- >>gl, >>gbuffer, >>method: see kit_gl.h ------------------------------------------------------------------- */
+#endif
