@@ -1,0 +1,585 @@
+/* test_files.c - files in and out, scores, threads: the kit's util.c, image.c and mesh.c. */
+#include "t.h"
+#include "../examples/kit/kit.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <openexr.h>
+#include <stdlib.h>
+#include <stb/stb_image.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char folder[512];
+
+static const char *in_folder(const char *name)  /* valid until the fourth next call */
+{
+    static char path[4][1024];
+    static int  turn;
+    turn = (turn + 1) % 4;
+    snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
+    return path[turn];
+}
+
+static void put(const char *name, const void *bytes, size_t size)
+{
+    FILE *file = fopen(in_folder(name), "wb");
+    if (!CHECK(file != NULL, "%s cannot be made", name)) return;
+    fwrite(bytes, 1, size, file);
+    fclose(file);
+}
+
+static size_t get(const char *name, char *bytes, size_t most)
+{
+    FILE *file = fopen(in_folder(name), "rb");
+    if (!file) return 0;
+    size_t size = fread(bytes, 1, most, file);
+    fclose(file);
+    return size;
+}
+
+static int files_in_folder(int delete_them)
+{
+    DIR *dir = opendir(folder);
+    int count = 0;
+    for (struct dirent *e; dir && (e = readdir(dir));)
+        if (e->d_name[0] != '.') {
+            ++count;
+            if (delete_them && remove(in_folder(e->d_name))) rmdir(in_folder(e->d_name));
+        }
+    if (dir) closedir(dir);
+    return count;
+}
+
+/* A failure says one line that names the file. */
+static void check_error(int result, const kit_error *err, const char *name, const char *about)
+{
+    CHECK(result == -1, "%s: accepted", about);
+    CHECK(strstr(err->text, name) != NULL, "%s: the error does not name %s: \"%s\"", about, name, err->text);
+    CHECK(strlen(err->text) > strlen(in_folder(name)) + 3 && !strchr(err->text, '\n'), "%s: not one clear line: \"%s\"", about, err->text);
+}
+
+/* ---- EXR ---------------------------------------------------------------------------------------------------- */
+
+static float sample(int c, int i)               /* any value that would show a mixed-up channel, row or bit */
+{
+    static const float odd[] = { 0, -0.0f, 1e-42f, 3.4e38f, -INFINITY, INFINITY };
+    if (i % 11 < 6) return odd[(i + c) % 6];
+    return (float)sin(i * 0.7 + c) * 100;
+}
+
+static void sample_image(kit_image *image, int width, int height, const char *names)
+{
+    kit_error err = {{0}};
+    if (!CHECK(!kit_image_new(image, width, height, names, &err), "%s", err.text)) exit(1);
+    for (int c = 0; c < image->channels; ++c)
+        for (int i = 0; i < width * height; ++i) image->data[c * width * height + i] = i == 5 + c ? NAN : sample(c, i);
+}
+
+static void exr_round_trip(void)
+{
+    static const char *const names[] = { "Z", "N.Y", "A", "layer1.N.X", "R", "G", "B" };  /* not in the file's order */
+    kit_image a, b = { 0 };
+    kit_error err = {{0}};
+    size_t size = 53 * 37 * sizeof(float);      /* 37: the last ZIP chunk has 5 rows */
+    sample_image(&a, 53, 37, "Z,N.Y,A,layer1.N.X,R,G,B");
+    CHECK(!kit_exr_write(&a, in_folder("a.exr"), &err), "%s", err.text);
+    if (!CHECK(!kit_exr_read(&b, in_folder("a.exr"), &err), "%s", err.text)) return;
+    CHECK(b.width == 53 && b.height == 37 && b.channels == 7, "%d x %d, %d channels", b.width, b.height, b.channels);
+    for (int c = 0; c < 7; ++c) {
+        const float *channel = kit_image_channel(&b, names[c]);
+        CHECK(channel && !memcmp(channel, kit_image_channel(&a, names[c]), size), "channel %s differs", names[c]);
+    }
+    CHECK(!kit_image_channel(&b, "N"), "a channel was found by half its name");
+    kit_image_free(&a);
+    kit_image_free(&b);
+    kit_image_free(&b);
+}
+
+/* What others write: tiles, half floats, whole numbers, a data window that does not start at 0. 21 x 13 in tiles of 8 x 8. */
+static void write_tiled(const char *path)
+{
+    enum { W = 21, H = 13, T = 8 };
+    static float    f[W * H];
+    static uint16_t h[W * H];
+    static uint32_t u[W * H];
+    exr_context_t context = NULL;
+    exr_attr_box2i_t window = {{ -3, 7 }, { -3 + W - 1, 7 + H - 1 }};
+    exr_attr_v2f_t centre = {{{ 0, 0 }}};
+    exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_chunk_info_t chunk;
+    int part, result = 0;
+    for (int i = 0; i < W * H; ++i) {
+        f[i] = (float)i / 7;
+        h[i] = (uint16_t)(0x3c00 + i % W);      /* 1 + (i % W)/1024 */
+        u[i] = 1000u * (uint32_t)i;
+    }
+    result |= exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, NULL);
+    result |= exr_add_part(context, "tiles", EXR_STORAGE_TILED, &part);
+    result |= exr_initialize_required_attr(context, 0, &window, &window, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_PIZ);
+    result |= exr_set_tile_descriptor(context, 0, T, T, EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN);
+    result |= exr_add_channel(context, 0, "f", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    result |= exr_add_channel(context, 0, "h", EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    result |= exr_add_channel(context, 0, "u", EXR_PIXEL_UINT, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+    result |= exr_write_header(context);
+    for (int y = 0; y < H && !result; y += T)
+        for (int x = 0; x < W && !result; x += T) {
+            int first = !x && !y;
+            result |= exr_write_tile_chunk_info(context, 0, x / T, y / T, 0, 0, &chunk);
+            result |= first ? exr_encoding_initialize(context, 0, &chunk, &encode) : exr_encoding_update(context, 0, &chunk, &encode);
+            for (int c = 0; c < 3; ++c) {
+                const void *from[3] = { f + y * W + x, h + y * W + x, u + y * W + x };
+                int bytes = c == 1 ? 2 : 4;
+                encode.channels[c].encode_from_ptr = from[c];
+                encode.channels[c].user_pixel_stride = bytes;
+                encode.channels[c].user_line_stride = W * bytes;
+            }
+            if (first) result |= exr_encoding_choose_default_routines(context, 0, &encode);
+            result |= exr_encoding_run(context, 0, &encode);
+        }
+    exr_encoding_destroy(context, &encode);
+    result |= exr_finish(&context);
+    CHECK(!result, "the tiled file could not be made: %s", exr_get_default_error_message(result));
+}
+
+static void exr_of_others(void)
+{
+    kit_image image;
+    kit_error err = {{0}};
+    write_tiled(in_folder("tiled.exr"));
+    if (!CHECK(!kit_exr_read(&image, in_folder("tiled.exr"), &err), "%s", err.text)) return;
+    const float *f = kit_image_channel(&image, "f"), *h = kit_image_channel(&image, "h"), *u = kit_image_channel(&image, "u");
+    if (CHECK(image.width == 21 && image.height == 13 && f && h && u, "%d x %d", image.width, image.height))
+        for (int i = 0; i < 21 * 13; ++i)
+            CHECK(f[i] == (float)i / 7 && h[i] == 1 + (float)(i % 21) / 1024 && u[i] == 1000.0f * (float)i, "pixel %d: %g %g %g", i, (double)f[i], (double)h[i], (double)u[i]);
+    kit_image_free(&image);
+}
+
+/* Reads what is left of the file name when cut after every step-th byte; whole: bytes that suffice. */
+static void exr_cut(const char *name, size_t step)
+{
+    static char bytes[65536];
+    kit_image untouched = { .width = -7 };
+    size_t size = get(name, bytes, sizeof bytes);
+    for (size_t n = 1; n < size; n += step) {
+        kit_error err = {{0}};
+        put("cut.exr", bytes, n);
+        int result = kit_exr_read(&untouched, in_folder("cut.exr"), &err);
+        check_error(result, &err, "cut.exr", "a cut EXR");
+        if (!CHECK(untouched.width == -7 && !untouched.data, "%zu of %zu bytes of %s: the picture was touched", n, size, name)) return;
+    }
+}
+
+static void exr_truncated(void)
+{
+    kit_image a;
+    sample_image(&a, 19, 40, "Y,Z");
+    CHECK(!kit_exr_write(&a, in_folder("a.exr"), NULL), "cannot write");
+    kit_image_free(&a);
+    exr_cut("a.exr", 7);
+    write_tiled(in_folder("tiled.exr"));
+    exr_cut("tiled.exr", 13);
+}
+
+static void exr_bad(void)
+{
+    static const char *const names[] = { "absent.exr", "folder.exr", "empty.exr", "garbage.exr", "deep.exr", "huge.exr" };
+    kit_image untouched = { .width = -7 };
+    char bytes[2000];
+    mkdir(in_folder("folder.exr"), 0777);
+    put("empty.exr", "", 0);
+    for (size_t i = 0; i < sizeof bytes; ++i) bytes[i] = (char)(i * i * 31 + 7);
+    put("garbage.exr", bytes, sizeof bytes);
+    int part;
+    for (int huge = 0; huge < 2; ++huge) {
+        exr_context_t context = NULL;
+        exr_start_write(&context, in_folder(huge ? "huge.exr" : "deep.exr"), EXR_WRITE_FILE_DIRECTLY, NULL);
+        exr_add_part(context, "x", huge ? EXR_STORAGE_SCANLINE : EXR_STORAGE_DEEP_SCANLINE, &part);
+        exr_initialize_required_attr_simple(context, 0, huge ? 1 << 30 : 4, huge ? 100 : 4, EXR_COMPRESSION_ZIPS);
+        exr_add_channel(context, 0, "Z", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1);
+        exr_write_header(context);
+        exr_finish(&context);
+    }
+    for (int i = 0; i < 6; ++i) {
+        kit_error err = {{0}};
+        check_error(kit_exr_read(&untouched, in_folder(names[i]), &err), &err, names[i], names[i]);
+        CHECK(untouched.width == -7, "%s: the picture was touched", names[i]);
+        check_error(kit_hdr_read(&untouched, in_folder(names[i]), &err), &err, names[i], names[i]);
+    }
+    kit_error err;
+    kit_exr_read(&untouched, in_folder("deep.exr"), &err);
+    CHECK(strstr(err.text, "deep EXR") != NULL, "a deep file: \"%s\"", err.text);
+}
+
+static void unwritable(void)
+{
+    kit_image a;
+    kit_error err = {{0}};
+    char bytes[16] = { 0 };
+    files_in_folder(1);
+    sample_image(&a, 8, 8, "Y");
+    check_error(kit_exr_write(&a, in_folder("none/a.exr"), &err), &err, "none/a.exr", "a folder that does not exist");
+    check_error(kit_png_write(&a, "Y", 0, in_folder("none/a.png"), &err), &err, "none/a.png", "a folder that does not exist");
+    put("old.png", "old", 3);
+    check_error(kit_png_write(&a, "Y,Q", 0, in_folder("old.png"), &err), &err, "old.png", "an absent channel");
+    check_error(kit_png_write(&a, "Y,Y", 0, in_folder("old.png"), &err), &err, "old.png", "two channels");
+    CHECK(get("old.png", bytes, 16) == 3 && !strcmp(bytes, "old"), "the old file is gone");
+    mkdir(in_folder("taken.exr"), 0777);
+    check_error(kit_exr_write(&a, in_folder("taken.exr"), &err), &err, "taken.exr", "a folder of that name");
+    CHECK(files_in_folder(0) == 2, "%d files instead of 2", files_in_folder(0));
+    if (!access("/dev/full", W_OK)) CHECK(kit_exr_write(&a, "/dev/full", &err) == -1, "/dev/full was replaced");
+    kit_image twice = a;                        /* OpenEXR itself refuses: one name for two channels */
+    twice.channels = 2;
+    memcpy(twice.name[1], twice.name[0], sizeof twice.name[0]);
+    put("old.exr", "old", 3);
+    check_error(kit_exr_write(&twice, in_folder("old.exr"), &err), &err, "old.exr", "a channel twice");
+    CHECK(get("old.exr", bytes, 16) == 3 && files_in_folder(0) == 3, "the old file is gone or another was left");
+    kit_image_free(&a);
+}
+
+/* ---- HDR and PNG -------------------------------------------------------------------------------------------- */
+
+static void hdr(void)
+{
+    /* two rows: 8 pixels run-length coded (a run of 8, 8 literals, two half runs, a run), then the same written flat would be a new file */
+    static const char head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
+    static const unsigned char coded[] = { 2, 2, 0, 8,  136, 128,  8, 0, 16, 32, 48, 64, 80, 96, 112,  132, 1, 132, 2,  136, 129 };
+    static const char flat_head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n";
+    static const unsigned char flat[] = { 128, 64, 32, 130,  0, 0, 0, 0 };
+    char bytes[256];
+    kit_image image, untouched = { .width = -7 };
+    kit_error err = {{0}};
+    for (int k = 0; k < 2; ++k) {
+        size_t h = k ? strlen(flat_head) : strlen(head), n = k ? sizeof flat : sizeof coded;
+        memcpy(bytes, k ? flat_head : head, h);
+        memcpy(bytes + h, k ? flat : coded, n);
+        put("a.hdr", bytes, h + n);
+        if (!CHECK(!kit_hdr_read(&image, in_folder("a.hdr"), &err), "%s", err.text)) continue;
+        const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"), *b = kit_image_channel(&image, "B");
+        if (k) {
+            CHECK(image.width == 1 && image.height == 2, "%d x %d", image.width, image.height);
+            CHECK(r[0] == 2 && g[0] == 1 && b[0] == 0.5f && r[1] == 0, "%g %g %g %g", (double)r[0], (double)g[0], (double)b[0], (double)r[1]);
+        } else {
+            CHECK(image.width == 8 && image.height == 1, "%d x %d", image.width, image.height);
+            CHECK(r[0] == 1 && r[7] == 1 && g[3] == 0.375f && b[3] == 1 / 128.0f && b[4] == 2 / 128.0f, "%g %g %g %g %g", (double)r[0], (double)r[7], (double)g[3], (double)b[3], (double)b[4]);
+        }
+        kit_image_free(&image);
+        for (size_t cut = 1; cut < h + n; ++cut) {
+            put("cut.hdr", bytes, cut);
+            check_error(kit_hdr_read(&untouched, in_folder("cut.hdr"), &err), &err, "cut.hdr", "a cut HDR");
+            CHECK(untouched.width == -7, "cut after %zu bytes: the picture was touched", cut);
+        }
+    }
+}
+
+static void png(void)
+{
+    static const unsigned char linear[] = { 0, 0, 128, 255, 255, 0 }, coded[] = { 0, 0, 188, 255, 255, 0 };
+    static const float values[] = { -1, 0, 0.5f, 1, INFINITY, NAN };
+    kit_image a;
+    kit_error err = {{0}};
+    static char bytes[4096];
+    int w, h, n;
+    kit_image_new(&a, 3, 2, "B,Y,R,G", NULL);
+    memcpy(kit_image_channel(&a, "Y"), values, sizeof values);
+    for (int i = 0; i < 6; ++i) kit_image_channel(&a, "R")[i] = 1;
+    kit_image_channel(&a, "G")[5] = 1;
+    for (int srgb = 0; srgb < 2; ++srgb) {
+        CHECK(!kit_png_write(&a, "Y", srgb, in_folder("a.png"), &err), "%s", err.text);
+        stbi_uc *read = stbi_load_from_memory((stbi_uc *)bytes, (int)get("a.png", bytes, sizeof bytes), &w, &h, &n, 0);
+        CHECK(read && w == 3 && h == 2 && n == 1 && !memcmp(read, srgb ? coded : linear, 6), "grey with srgb = %d differs", srgb);
+        stbi_image_free(read);
+    }
+    CHECK(!kit_png_write(&a, "R,G,B", 0, in_folder("a.png"), &err), "%s", err.text);
+    stbi_uc *read = stbi_load_from_memory((stbi_uc *)bytes, (int)get("a.png", bytes, sizeof bytes), &w, &h, &n, 0);
+    CHECK(read && n == 3 && read[0] == 255 && read[1] == 0 && read[2] == 0 && read[16] == 255, "rgb differs");
+    stbi_image_free(read);
+    kit_image_free(&a);
+}
+
+/* ---- scores ------------------------------------------------------------------------------------------------- */
+
+static void score(void)
+{
+    kit_image a, b, image;
+    kit_score s;
+    kit_error err = {{0}};
+    float mask[20];
+    kit_image_new(&a, 5, 4, "Y", NULL);
+    kit_image_new(&b, 5, 4, "Y", NULL);
+    for (int i = 0; i < 20; ++i) {              /* differences 0, 0.01 ... 0.19, the last one negative */
+        a.data[i] = 0.5f + 0.01f * (float)i;
+        b.data[i] = 0.5f;
+        mask[i] = i < 2 ? 1.0f : 0.0f;
+    }
+    a.data[19] = 0.5f - 0.19f;
+    CHECK(!kit_score_channel(&s, &a, &b, "Y", NULL, &err), "%s", err.text);
+    CHECK(fabs(s.rmse - sqrt(0.247 / 20)) < 1e-7, "rmse %.9g", s.rmse);        /* 0.01^2 (1 + 4 + ... + 19^2) = 0.247 */
+    CHECK(fabs(s.bias - (1.71 - 0.19) / 20) < 1e-7, "bias %.9g", s.bias);
+    CHECK(fabs(s.p95 - 0.18) < 1e-6 && s.pixels == 20, "p95 %.9g of %zu", s.p95, s.pixels);
+    CHECK(!kit_score_channel(&s, &a, &b, "Y", mask, &err) && s.pixels == 2 && fabs(s.bias - 0.005) < 1e-7, "masked: bias %.9g of %zu", s.bias, s.pixels);
+    a.data[0] = NAN;
+    b.data[3] = NAN;
+    a.data[4] = b.data[4] = INFINITY;
+    CHECK(!kit_score_channel(&s, &a, &b, "Y", NULL, &err) && s.pixels == 18, "%zu pixels are numbers", s.pixels);
+    CHECK(isfinite(s.rmse) && isfinite(s.ssim), "rmse %g, ssim %g", s.rmse, s.ssim);
+    mask[1] = 0;
+    s.pixels = 77;
+    CHECK(kit_score_channel(&s, &a, &b, "Y", mask, &err) == -1 && s.pixels == 77, "no pixel at all was accepted");
+    CHECK(kit_score_channel(&s, &a, &b, "Q", NULL, &err) == -1 && strstr(err.text, "Q"), "\"%s\"", err.text);
+    kit_image_new(&image, 4, 5, "Y", NULL);
+    CHECK(kit_score_channel(&s, &a, &image, "Y", NULL, &err) == -1 && strstr(err.text, "5 x 4"), "\"%s\"", err.text);
+    kit_image_free(&image);
+
+    b.data[0] = 0.5f;
+    CHECK(!kit_image_difference(&image, &a, &b, "Y", 0.1f, &err), "%s", err.text);
+    const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"), *bl = kit_image_channel(&image, "B");
+    CHECK(r[0] == 0 && g[0] == 0, "NaN is not black");
+    CHECK(r[4] > 0.9f && fabsf(r[4] - g[4]) < 0.01f && fabsf(r[4] - bl[4]) < 0.01f, "no difference is %g %g %g, not near-white", (double)r[4], (double)g[4], (double)bl[4]);
+    CHECK(r[15] > 2 * bl[15] && bl[19] > 2 * r[19], "brighter is not red or darker not blue");
+    CHECK(r[15] == r[14] && g[2] > g[7], "the range is not kept");
+    kit_image_free(&image);
+    CHECK(kit_image_difference(&image, &a, &b, "Y", 0, &err) == -1, "a range of 0 was accepted");
+    kit_image_free(&a);
+    kit_image_free(&b);
+}
+
+static double plain_ssim(const kit_image *a, const kit_image *b)               /* the definition, pixel by pixel */
+{
+    double total = 0;
+    int w = a->width, h = a->height;
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            double m[6] = { 0 };
+            for (int v = -5; v <= 5; ++v)
+                for (int u = -5; u <= 5; ++u) {
+                    if (x + u < 0 || x + u >= w || y + v < 0 || y + v >= h) continue;
+                    double g = exp(-(u * u + v * v) / 4.5), p = (double)a->data[(y + v) * w + x + u], q = (double)b->data[(y + v) * w + x + u];
+                    m[0] += g; m[1] += g * p; m[2] += g * q; m[3] += g * p * p; m[4] += g * q * q; m[5] += g * p * q;
+                }
+            for (int k = 1; k < 6; ++k) m[k] /= m[0];
+            total += (2 * m[1] * m[2] + 1e-4) / (m[1] * m[1] + m[2] * m[2] + 1e-4)
+                   * (2 * (m[5] - m[1] * m[2]) + 9e-4) / (m[3] - m[1] * m[1] + m[4] - m[2] * m[2] + 9e-4);
+        }
+    return total / w / h;
+}
+
+static void ssim(void)
+{
+    kit_image a, b;
+    kit_score s;
+    double before = 1;
+    kit_image_new(&a, 300, 40, "Y", NULL);      /* wider than one strip of columns */
+    kit_image_new(&b, 300, 40, "Y", NULL);
+    for (int k = 0; k < 3; ++k) {
+        uint32_t random = 1;
+        for (int i = 0; i < 300 * 40; ++i) {
+            random = random * 1664525u + 1013904223u;
+            a.data[i] = 0.5f + 0.3f * (float)sin(0.1 * (i % 300)) * (float)cos(0.2 * (i / 300));
+            b.data[i] = a.data[i] + 0.05f * (float)k * ((float)(random >> 8) / 8388608.0f - 1);
+        }
+        CHECK(!kit_score_channel(&s, &a, &b, "Y", NULL, NULL), "no score");
+        CHECK(k ? s.ssim < before - 0.05 : s.ssim == 1, "ssim %.9g after %.9g", s.ssim, before);
+        CHECK(fabs(s.ssim - plain_ssim(&a, &b)) < 1e-9, "ssim %.12g, by its definition %.12g", s.ssim, plain_ssim(&a, &b));
+        before = s.ssim;
+    }
+    kit_image_free(&a);
+    kit_image_free(&b);
+}
+
+/* ---- OBJ ---------------------------------------------------------------------------------------------------- */
+
+static int obj(kit_mesh *mesh, const char *text, kit_error *err)
+{
+    put("a.obj", text, strlen(text));
+    return kit_mesh_obj(mesh, in_folder("a.obj"), err);
+}
+
+static double area(const kit_mesh *m, size_t first, size_t end)
+{
+    double sum = 0;
+    for (size_t t = first; t < end; ++t) {
+        const float *p = m->position + 9 * t;
+        double u[3], v[3], n[3];
+        for (int i = 0; i < 3; ++i) { u[i] = (double)p[3 + i] - (double)p[i]; v[i] = (double)p[6 + i] - (double)p[i]; }
+        for (int i = 0; i < 3; ++i) n[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+        sum += 0.5 * sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    }
+    return sum;
+}
+
+static const char quirks[] =
+    "\xEF\xBB\xBF# C:\\scenes\\\r\n"                      /* a comment ends in a backslash: no continuation */
+    "mtllib my materials.mtl   # all of them\r\n"
+    "v\t0\t0  0\r\n"
+    "  v 1. +0 -.0e0 1.0\r\n"
+    "v 1e0 10E-1 0 0.5 0.5 0.5 # coloured\r\n"
+    "v 0 1.00000000000000000000000000000 0\r\n"
+    "vt 0 0\r\nvn 0 0 -2\r\nvn 0 0 0\r\n"
+    "usemtl Material #25\r\n"
+    "f 1/1/1 2//1 3/1/2 4/1#quad: 2 triangles\r\n"       /* normals given, given, of length 0, none */
+    "l 1 2\r\np 1\r\ng x\r\ns off\r\nnonsense \x01\xff\r\n"
+    "usemtl twice # the later one\r\n"
+    "f -4 \\\r\n -3 \\\n -2\r\n"                          /* continued */
+    "f 1 2 2\nf 1 1 1\n"                                  /* no area */
+    "usemtl nobody\n"
+    "f 5 6 7 8 9 10\n"                                    /* concave; its corners come later */
+    "v 0 0 5\nv 4 0 5\nv 4 4 5\nv 2 1 5\nv 1 1 5\nv 0 4 5\n"
+    "f -6 -5 -4";                                         /* no line end */
+
+static void obj_quirks(void)
+{
+    static const char mtl[] = "newmtl twice\nKd 1 1 1\nnewmtl Material #25\r\nmap_Kd x.png\r\nKd\t1.5 .25 -1 # clamped\r\n\nnewmtl twice\nKd 0.5\nnewmtl last";
+    static const float first[] = { 0, 0, 0, 1, 0, 0, 1, 1, 0 };
+    kit_mesh m;
+    kit_error err = {{0}};
+    put("my materials.mtl", mtl, strlen(mtl));
+    if (!CHECK(!obj(&m, quirks, &err), "%s", err.text)) return;
+    CHECK(m.triangles == 2 + 1 + 4 + 1, "%zu triangles, not 8", m.triangles);
+    if (m.triangles == 8) {
+        CHECK(!memcmp(m.position, first, sizeof first), "the first triangle differs");
+        const float *n = m.normal;
+        CHECK(n[2] == -1 && n[5] == -1 && n[8] == 1 && n[17] == 1, "normals %g %g (given) %g (length 0) %g (none)", (double)n[2], (double)n[5], (double)n[8], (double)n[17]);
+        CHECK(m.albedo[0] == 1 && m.albedo[1] == 0.25f && m.albedo[2] == 0, "Material #25 is %g %g %g", (double)m.albedo[0], (double)m.albedo[1], (double)m.albedo[2]);
+        CHECK(m.albedo[6] == 0.5f && m.albedo[8] == 0.5f, "twice is %g", (double)m.albedo[6]);
+        CHECK(m.albedo[9] == 0.8f, "an unknown material is %g", (double)m.albedo[9]);
+        CHECK(fabs(area(&m, 3, 7) - 8) < 1e-6, "the concave polygon covers %g instead of 8", area(&m, 3, 7));
+        for (size_t t = 3; t < 7; ++t) CHECK(m.normal[9 * t + 2] == 1, "triangle %zu of the concave polygon is turned over", t);
+        CHECK(m.lower[2] == 0 && m.upper[2] == 5 && m.upper[0] == 4, "bounds");
+    }
+    kit_mesh_free(&m);
+    CHECK(!m.position && !m.triangles, "something is left after kit_mesh_free");
+}
+
+static void obj_truncated(void)
+{
+    kit_mesh whole, m;
+    kit_error err = {{0}};
+    if (!CHECK(!obj(&whole, quirks, &err), "%s", err.text)) return;
+    for (size_t n = 1; n < sizeof quirks - 1; ++n) {
+        memset(&m, 0, sizeof m);
+        put("cut.obj", quirks, n);
+        int result = kit_mesh_obj(&m, in_folder("cut.obj"), &err);
+        if (result) {
+            check_error(result, &err, "cut.obj", "a cut OBJ");
+            CHECK(!m.position && !m.triangles, "cut after %zu bytes: the mesh was touched", n);
+        } else CHECK(m.triangles > 0 && m.triangles <= whole.triangles, "%zu triangles after %zu bytes", m.triangles, n);
+        kit_mesh_free(&m);
+    }
+    kit_mesh_free(&whole);
+}
+
+static void obj_bad(void)
+{
+#define CORNERS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    static const struct { const char *text, *says; } bad[] = {
+        { CORNERS "f 1 2\n", "line 4: a face needs at least 3 corners" },
+        { CORNERS "f 1 2 4\n", "line 4: there is no vertex 4" },
+        { CORNERS "f 1 2 0\n", "line 4: there is no vertex 0" },
+        { CORNERS "\\\n\nf -4 2 3\n", "line 6: there is no vertex -4" },  /* a continued empty line counts as two */
+        { CORNERS "f 1 2 99999999999999999999999\n", "line 4: there is no vertex" },
+        { CORNERS "f 1//1 2//1 3//1\n", "line 4: there is no vn 1" },
+        { CORNERS "f 1 2 3/", "line 4: a face needs corners such as" },
+        { CORNERS "f 1 2 3x\n", "line 4: a face needs corners such as" },
+        { "v 0 0\n", "line 1: v needs 3 numbers, but the line ends" },
+        { "v 0 0 nan\n", "line 1: v needs 3 numbers, not \"nan\"" },
+        { "v 0 0 1e39\n", "line 1: a number is too large" },
+        { "v 0 0 1,5\n", "line 1: v needs 3 numbers, not \"1,5\"" },
+        { "\nv 0 0 1e\n", "line 2: v needs 3 numbers" },
+        { "vn 0 inf 0\n", "line 1: vn needs 3 numbers" },
+        { CORNERS "mtllib bad.mtl\nf 1 2 3\n", "bad.mtl line 2: Kd needs 1 or 3 numbers" },
+        { CORNERS "l 1 2\n", "no triangles" },
+        { CORNERS "f 1 1 2\n", "no triangles" },
+        { "", "is empty" },
+    };
+    put("bad.mtl", "newmtl a\nKd 1 nan 1\n", 20);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        kit_mesh m = { .triangles = 77 };
+        kit_error err = {{0}};
+        int result = obj(&m, bad[i].text, &err);
+        CHECK(result == -1 && m.triangles == 77, "\"%s\" was accepted or the mesh touched", bad[i].text);
+        CHECK(strstr(err.text, folder) && strstr(err.text, bad[i].says), "\"%s\": \"%s\"", bad[i].text, err.text);
+        CHECK(kit_mesh_obj(&m, in_folder("a.obj"), NULL) == -1, "NULL for the error");
+    }
+    kit_mesh m;
+    kit_error err = {{0}};
+    check_error(kit_mesh_obj(&m, folder, &err), &err, "directory", "a directory");
+    check_error(kit_mesh_obj(&m, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
+    CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"", err.text);
+    kit_mesh_free(&m);
+}
+
+/* A comb: concave, with many corners on one line; what is cut off must add up. And a ring bridged by doubled corners. */
+static void obj_polygons(void)
+{
+    static char text[40000];
+    enum { TEETH = 100 };
+    size_t n = 0;
+    for (int k = 0; k < TEETH; ++k) n += (size_t)snprintf(text + n, sizeof text - n, "v %d 3 0\nv %d 1 0\nv %d 1 0\nv %d 3 0\n", 4 * k + 1, 4 * k + 1, 4 * k + 2, 4 * k + 2);
+    n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv 1 0 0\nf", 4 * TEETH - 2);
+    for (int k = 1; k <= 4 * TEETH + 2; ++k) n += (size_t)snprintf(text + n, sizeof text - n, " %d", k);
+    snprintf(text + n, sizeof text - n, "\nv 0 0 9\nv 3 0 9\nv 3 3 9\nv 0 3 9\nv 1 1 9\nv 1 2 9\nv 2 2 9\nv 2 1 9\nf -8 -7 -6 -5 -8 -4 -3 -2 -1 -4\n");
+    kit_mesh m;
+    kit_error err = {{0}};
+    if (!CHECK(!obj(&m, text, &err), "%s", err.text)) return;
+    size_t ring = 0, wrong = 0;
+    while (ring < m.triangles && m.position[9 * ring + 2] == 0) ++ring;
+    for (size_t t = 0; t < m.triangles; ++t) wrong += m.normal[9 * t + 2] != m.normal[t < ring ? 2 : 9 * ring + 2];
+    /* below y = 1: 1 x 397; teeth (the odd gaps are filled): between 2 and 5, 6 and 9 ... */
+    CHECK(fabs(area(&m, 0, ring) - (397 + 2 * 3 * (TEETH - 1))) < 1e-3, "the comb covers %g", area(&m, 0, ring));
+    CHECK(fabs(area(&m, ring, m.triangles) - 8) < 1e-6, "the ring covers %g instead of 8", area(&m, ring, m.triangles));
+    CHECK(wrong == 0, "%zu triangles are turned over", wrong);
+    kit_mesh_free(&m);
+}
+
+/* ---- threads ------------------------------------------------------------------------------------------------- */
+
+static void count_visit(void *context, int i) { ++((unsigned char *)context)[i]; }
+
+static void parallel(void)
+{
+    static const int counts[] = { 0, 1, 2, 7, 1000, 100003 };
+    static const char *const threads[] = { "1", "3", "16", "nonsense" };
+    static unsigned char visits[100003];
+    const char *old = getenv("KIT_THREADS");
+    char kept[32] = "";
+    if (old) snprintf(kept, sizeof kept, "%s", old);
+    for (int k = 0; k < 6; ++k)
+        for (int j = 0; j < 4; ++j) {
+            int wrong = 0;
+            memset(visits, 0, sizeof visits);
+            setenv("KIT_THREADS", threads[j], 1);
+            kit_parallel(j == 1 ? "counting" : NULL, counts[k], count_visit, visits);
+            for (int i = 0; i < 100003; ++i) wrong += visits[i] != (i < counts[k]);
+            CHECK(wrong == 0, "%d of %d indices were not visited once (KIT_THREADS=%s)", wrong, counts[k], threads[j]);
+        }
+    if (old) setenv("KIT_THREADS", kept, 1);
+    else unsetenv("KIT_THREADS");
+}
+
+void test_files(void)
+{
+    const char *tmp = getenv("TMPDIR");
+    snprintf(folder, sizeof folder, "%s/kit-test-XXXXXX", tmp && *tmp ? tmp : "/tmp");
+    if (!mkdtemp(folder)) {
+        printf("test_files: no folder for temporary files can be made: %s\n", folder);
+        exit(1);
+    }
+    RUN("an EXR read back is what was written: every bit, every channel", exr_round_trip);
+    RUN("EXR files of others are read: tiles, half floats, whole numbers, shifted window", exr_of_others);
+    RUN("an EXR cut off anywhere is one clear error", exr_truncated);
+    RUN("absent, empty, deep, huge and garbage pictures are clear errors", exr_bad);
+    RUN("what cannot be written leaves nothing behind and the old file alone", unwritable);
+    RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);
+    RUN("a PNG read back is what was written", png);
+    RUN("scores and difference colours agree with figures worked out by hand", score);
+    RUN("SSIM agrees with its definition", ssim);
+    RUN("an OBJ with every quirk gives exactly its triangles", obj_quirks);
+    RUN("an OBJ cut off anywhere is a smaller mesh or one clear error", obj_truncated);
+    RUN("a bad OBJ is an error that names file, line and fault", obj_bad);
+    RUN("concave polygons and bridged holes are covered once", obj_polygons);
+    RUN("threads visit each index exactly once", parallel);
+    files_in_folder(1);
+    rmdir(folder);
+}
