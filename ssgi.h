@@ -141,7 +141,53 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const 
 
 /* ==== >>trace ================================================================================================== */
 
-/*@TRACE_DECL@*/
+/* Rays against triangles: the nearest hit, or whether there is one. For baking fields and for ray-traced reference pictures.
+   Build once, trace from any number of threads. Triangles are two-sided; rays do not slip through shared edges.
+
+      size_t      size = ssgi_trace_size(triangles);
+      void       *memory = malloc(size);
+      ssgi_trace  trace;
+      const char *why;
+      if (ssgi_trace_build(&trace, memory, size, position, 3 * sizeof(float), NULL, triangles, &why) != SSGI_OK) puts(why);
+      if (ssgi_trace_any(&trace, origin, direction, 0.0f, 1.0f)) puts("something is in between");                         */
+
+typedef struct ssgi_trace {
+    const void *nodes, *blocks;       /* in the memory given to ssgi_trace_build */
+    uint32_t    node_count;           /* 0: nothing can be hit */
+    uint32_t    block_count;          /* four triangles each */
+    uint32_t    triangles, skipped;   /* as given, and how many of them were degenerate or out of range */
+} ssgi_trace;
+
+typedef struct ssgi_hit {
+    float    t;                       /* origin + t * direction is the point hit */
+    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1]; the first has 1 - u - v */
+    uint32_t triangle;
+} ssgi_hit;
+
+#define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
+
+/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 when triangles is 0 or above SSGI_TRACE_MAX_TRIANGLES, or when
+   size_t cannot hold the answer. */
+SSGI_DEF size_t ssgi_trace_size(size_t triangles);
+
+/* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
+   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are
+   memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it, do not move it.
+               position and index are not needed afterwards.
+   Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit.
+   SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside 1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below
+   12 or no multiple of 4. Then *why names the argument, and trace and memory are untouched. Indices are not checked.
+   O(n log n) but for contrived input; no allocation; recursion at most 62 deep, whatever the input. */
+SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position, size_t stride_bytes,
+                                      const uint32_t *index, size_t triangles, const char **why);
+
+/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be unit: t counts
+   in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
+SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax,
+                                ssgi_hit *hit);
+
+/* 1 if there is any hit in tmin < t < tmax, else 0. Stops at the first found. */
+SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax);
 
 #ifdef __cplusplus
 }
@@ -364,7 +410,433 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float low
 
 /* ==== >>trace (implementation) ================================================================================= */
 
-/*@TRACE_IMPL@*/
+/* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
+   operation. It comes from binary splits by surface area [Wald 2007], whose left side always gets a multiple of four
+   triangles: every leaf is then full, which bounds the memory exactly: with L leaves there are at most 2 L / 3 + 1 nodes,
+   as a node with fewer than four children has only leaves. */
+
+#define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
+#define SSGI__TRACE_LEAF   0x80000000u
+#define SSGI__TRACE_NONE   0xffffffffu
+#define SSGI__TRACE_BINS   16
+#define SSGI__TRACE_SAH    32                     /* binary levels split by area; below it by count: at most 30 more */
+#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_SAH + 30) + 4)
+
+typedef struct ssgi__trace_node {
+    float    bound[2][3][4];                      /* lower and upper; axis; child */
+    uint32_t child[4];                            /* node, or block + LEAF */
+} ssgi__trace_node;
+
+typedef struct ssgi__trace_block {
+    float    corner[3][3][4];                     /* corner; axis; triangle */
+    uint32_t triangle[4];
+} ssgi__trace_block;
+
+typedef struct ssgi__trace_item { float lower[3], upper[3]; uint32_t triangle; } ssgi__trace_item;
+
+typedef struct ssgi__trace_range {                /* items to become one child */
+    uint32_t first, count, depth;
+    float    lower[3], upper[3];                  /* bounds */
+    float    clower[3], cupper[3];                /* bounds of the centres, times two */
+} ssgi__trace_range;
+
+typedef struct ssgi__trace_job {
+    ssgi__trace_node  *nodes;
+    ssgi__trace_block *blocks;
+    ssgi__trace_item  *items;
+    uint32_t           node_count;
+    const char        *position;
+    size_t             stride;
+    const uint32_t    *index;
+} ssgi__trace_job;
+
+static float ssgi__trace_min(float a, float b) { return a < b ? a : b; }
+static float ssgi__trace_max(float a, float b) { return a > b ? a : b; }
+static float ssgi__trace_abs(float a) { return ssgi__trace_max(a, -a); }
+
+/* finite and within the limit, by the bits: -ffast-math may drop any comparison */
+static int ssgi__trace_sane(float x)
+{
+    const float limit = SSGI__TRACE_LIMIT;
+    uint32_t bits, most;
+    memcpy(&bits, &x, sizeof bits);
+    memcpy(&most, &limit, sizeof most);
+    return (bits & 0x7fffffffu) <= most;
+}
+
+static void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
+{
+    *blocks = (triangles + 3) / 4;
+    *nodes = *blocks * 2 / 3 + 1;
+}
+
+SSGI_DEF size_t ssgi_trace_size(size_t triangles)
+{
+    size_t blocks, nodes;
+    const size_t most = (size_t)-1;
+    if (triangles == 0 || triangles > SSGI_TRACE_MAX_TRIANGLES) return 0;
+    ssgi__trace_layout(triangles, &blocks, &nodes);
+    if (blocks > (most - 1024) / (sizeof(ssgi__trace_block) + sizeof(ssgi__trace_node))) return 0;
+    return 64 + blocks * sizeof(ssgi__trace_block) + nodes * sizeof(ssgi__trace_node);
+}
+
+static const float *ssgi__trace_corner(const ssgi__trace_job *job, uint32_t triangle, uint32_t corner)
+{
+    const size_t k = (size_t)triangle * 3 + corner;
+    return (const float *)(const void *)(job->position + (job->index ? (size_t)job->index[k] : k) * job->stride);
+}
+
+static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
+{
+    const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1), *c = ssgi__trace_corner(job, triangle, 2);
+    double e[3], f[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        if (!ssgi__trace_sane(a[i]) || !ssgi__trace_sane(b[i]) || !ssgi__trace_sane(c[i])) return 0;
+        item->lower[i] = ssgi__trace_min(a[i], ssgi__trace_min(b[i], c[i]));
+        item->upper[i] = ssgi__trace_max(a[i], ssgi__trace_max(b[i], c[i]));
+        e[i] = (double)b[i] - (double)a[i];
+        f[i] = (double)c[i] - (double)a[i];
+    }
+    item->triangle = triangle;
+    return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
+}
+
+static void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+{
+    uint32_t k;
+    int i;
+    for (i = 0; i < 3; i++) {
+        range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
+        range->upper[i] = range->cupper[i] = -4.0f * SSGI__TRACE_LIMIT;
+    }
+    for (k = range->first; k < range->first + range->count; k++)
+        for (i = 0; i < 3; i++) {
+            const float lower = items[k].lower[i], upper = items[k].upper[i], centre = lower + upper;
+            range->lower[i] = ssgi__trace_min(range->lower[i], lower);
+            range->upper[i] = ssgi__trace_max(range->upper[i], upper);
+            range->clower[i] = ssgi__trace_min(range->clower[i], centre);
+            range->cupper[i] = ssgi__trace_max(range->cupper[i], centre);
+        }
+}
+
+static float ssgi__trace_area(const float lower[3], const float upper[3])
+{
+    const float x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
+    return x * y + y * z + z * x;
+}
+
+/* puts the items with the smallest centres along axis into the first want of count places [Hoare 1961] */
+static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
+{
+    int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
+    while (lower < upper) {
+        const ssgi__trace_item *middle = &item[lower + (upper - lower) / 2];
+        const float pivot = middle->lower[axis] + middle->upper[axis];
+        int64_t i = lower, j = upper;
+        while (i <= j) {
+            while (i < upper && item[i].lower[axis] + item[i].upper[axis] < pivot) i++;
+            while (j > lower && item[j].lower[axis] + item[j].upper[axis] > pivot) j--;
+            if (i <= j) {
+                const ssgi__trace_item swap = item[i];
+                item[i++] = item[j];
+                item[j--] = swap;
+            }
+        }
+        if (goal <= j) upper = j;
+        else if (goal >= i) lower = i;
+        else return;
+    }
+}
+
+/* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
+static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3], int *axis, int *cut)
+{
+    float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
+    uint32_t count[3][SSGI__TRACE_BINS], k;
+    int a, b, i, found = 0;
+    for (a = 0; a < 3; a++)
+        for (b = 0; b < SSGI__TRACE_BINS; b++) {
+            count[a][b] = 0;
+            for (i = 0; i < 3; i++) {
+                lower[a][b][i] = 2.0f * SSGI__TRACE_LIMIT;
+                upper[a][b][i] = -2.0f * SSGI__TRACE_LIMIT;
+            }
+        }
+    for (k = 0; k < range->count; k++)
+        for (a = 0; a < 3; a++) {
+            b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
+            b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
+            count[a][b]++;
+            for (i = 0; i < 3; i++) {
+                lower[a][b][i] = ssgi__trace_min(lower[a][b][i], item[k].lower[i]);
+                upper[a][b][i] = ssgi__trace_max(upper[a][b][i], item[k].upper[i]);
+            }
+        }
+    for (a = 0; a < 3; a++) {
+        float    right[SSGI__TRACE_BINS], l[3], u[3];
+        uint32_t n = 0;
+        if (!(scale[a] > 0.0f)) continue;
+        for (i = 0; i < 3; i++) { l[i] = 2.0f * SSGI__TRACE_LIMIT; u[i] = -2.0f * SSGI__TRACE_LIMIT; }
+        for (b = SSGI__TRACE_BINS - 1; b > 0; b--) {
+            n += count[a][b];
+            for (i = 0; i < 3; i++) { l[i] = ssgi__trace_min(l[i], lower[a][b][i]); u[i] = ssgi__trace_max(u[i], upper[a][b][i]); }
+            right[b] = n ? ssgi__trace_area(l, u) * (float)((n + 3) / 4) : 0.0f;
+        }
+        n = 0;
+        for (i = 0; i < 3; i++) { l[i] = 2.0f * SSGI__TRACE_LIMIT; u[i] = -2.0f * SSGI__TRACE_LIMIT; }
+        for (b = 0; b + 1 < SSGI__TRACE_BINS; b++) {
+            float cost;
+            n += count[a][b];
+            for (i = 0; i < 3; i++) { l[i] = ssgi__trace_min(l[i], lower[a][b][i]); u[i] = ssgi__trace_max(u[i], upper[a][b][i]); }
+            if (n == 0 || n == range->count) continue;
+            cost = ssgi__trace_area(l, u) * (float)((n + 3) / 4) + right[b + 1];
+            if (!found || cost < best) { best = cost; *axis = a; *cut = b; found = 1; }
+        }
+    }
+    return found;
+}
+
+/* splits a range of more than four in two, the first with a multiple of four items */
+static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left, ssgi__trace_range *right)
+{
+    ssgi__trace_item *item = items + range->first;
+    const uint32_t n = range->count, last = (n - 1) / 4 * 4;
+    uint32_t have = n, want = (n / 2 + 3) / 4 * 4;
+    float scale[3], extent[3];
+    int axis = 0, cut = 0, i;
+    for (i = 0; i < 3; i++) {
+        extent[i] = range->cupper[i] - range->clower[i];
+        scale[i] = extent[i] > 1e-30f ? (float)SSGI__TRACE_BINS * 0.99999f / extent[i] : 0.0f;
+        if (extent[i] > extent[axis]) axis = i;
+    }
+    if (range->depth < SSGI__TRACE_SAH && ssgi__trace_cut(item, range, scale, &axis, &cut)) {
+        uint32_t k;
+        for (have = 0, k = 0; k < n; k++)
+            if ((int)((item[k].lower[axis] + item[k].upper[axis] - range->clower[axis]) * scale[axis]) <= cut) {
+                const ssgi__trace_item swap = item[k];
+                item[k] = item[have];
+                item[have++] = swap;
+            }
+        want = (have + 2) / 4 * 4;
+        want = want < 4 ? 4 : want;
+    }
+    want = want > last ? last : want;
+    if (want < have) ssgi__trace_select(item, have, want, axis);
+    if (want > have) ssgi__trace_select(item + have, n - have, want - have, axis);
+    left->first = range->first;
+    left->count = want;
+    right->first = range->first + want;
+    right->count = n - want;
+    left->depth = right->depth = range->depth + 1;
+    ssgi__trace_bound(items, left);
+    ssgi__trace_bound(items, right);
+}
+
+/* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
+static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
+{
+    uint32_t id[4], k, c;
+    ssgi__trace_block *block = job->blocks + range->first / 4;
+    for (k = 0; k < 4; k++) id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
+    memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
+    for (k = 0; k < 4; k++) {
+        block->triangle[k] = id[k];
+        for (c = 0; k < range->count && c < 3; c++) {
+            const float *p = ssgi__trace_corner(job, id[k], c);
+            block->corner[c][0][k] = p[0];
+            block->corner[c][1][k] = p[1];
+            block->corner[c][2][k] = p[2];
+        }
+    }
+}
+
+static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
+{
+    ssgi__trace_range range[4];
+    const uint32_t self = job->node_count++;
+    int count = 1, i, k;
+    range[0] = *whole;
+    while (count < 4) {
+        int widest = -1;
+        float most = 0.0f;
+        for (k = 0; k < count; k++) {
+            const float area = ssgi__trace_area(range[k].lower, range[k].upper);
+            if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
+        }
+        if (widest < 0) break;
+        for (k = count; k > widest + 1; k--) range[k] = range[k - 1];
+        {
+            const ssgi__trace_range both = range[widest];
+            ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
+        }
+        count++;
+    }
+    for (k = 0; k < 4; k++) {
+        ssgi__trace_node *node = job->nodes + self;
+        for (i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
+            node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
+            node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
+        }
+        node->child[k] = SSGI__TRACE_LEAF;
+        if (k >= count) continue;
+        if (range[k].count > 4) node->child[k] = ssgi__trace_node_set(job, &range[k]);
+        else {
+            ssgi__trace_block_set(job, &range[k]);
+            node->child[k] = SSGI__TRACE_LEAF | range[k].first / 4;
+        }
+    }
+    return self;
+}
+
+SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position, size_t stride_bytes,
+                                      const uint32_t *index, size_t triangles, const char **why)
+{
+    if (!trace) return ssgi__bad(why, "trace: must not be NULL");
+    if (!memory) return ssgi__bad(why, "memory: must not be NULL");
+    if (!position) return ssgi__bad(why, "position: must not be NULL");
+    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float)) return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
+    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    if (size < ssgi_trace_size(triangles)) {
+        ssgi__bad(why, "size: must be at least ssgi_trace_size(triangles)");
+        return SSGI_TOO_SMALL;
+    }
+    {
+        ssgi__trace_job job;
+        ssgi__trace_range all;
+        size_t blocks, nodes;
+        uint32_t k, count = 0;
+        char *base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
+        ssgi__trace_layout(triangles, &blocks, &nodes);
+        job.blocks = (ssgi__trace_block *)(void *)base;
+        job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
+        /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a block,
+           no item is overwritten before it is spent */
+        job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
+        job.node_count = 0;
+        job.position = (const char *)position;
+        job.stride = stride_bytes;
+        job.index = index;
+        for (k = 0; k < (uint32_t)triangles; k++) count += (uint32_t)ssgi__trace_item_set(&job, k, &job.items[count]);
+        if (count) {
+            all.first = all.depth = 0;
+            all.count = count;
+            ssgi__trace_bound(job.items, &all);
+            ssgi__trace_node_set(&job, &all);
+        }
+        trace->nodes = job.nodes;
+        trace->blocks = job.blocks;
+        trace->node_count = job.node_count;
+        trace->block_count = (count + 3) / 4;
+        trace->triangles = (uint32_t)triangles;
+        trace->skipped = (uint32_t)triangles - count;
+    }
+    return SSGI_OK;
+}
+
+/* distance[k] to each triangle of the block, negative for a miss; weight[c][k]: unnormalised barycentric weight of corner c. The weight
+   of a corner is the ray's side of the opposite edge. Two triangles compute the same side for the edge they share, up to sign: no
+   gap between them [Plucker coordinates; Shevtsov et al. 2007]. */
+static void ssgi__trace_block_hit(const ssgi__trace_block *block, const float o[3], const float d[3], float weight[3][4], float distance[4])
+{
+    const float ox = o[0], oy = o[1], oz = o[2], dx = d[0], dy = d[1], dz = d[2];
+    float beyond[4];
+    int k;
+    for (k = 0; k < 4; k++) {
+        const float ax = block->corner[0][0][k] - ox, ay = block->corner[0][1][k] - oy, az = block->corner[0][2][k] - oz;
+        const float bx = block->corner[1][0][k] - ox, by = block->corner[1][1][k] - oy, bz = block->corner[1][2][k] - oz;
+        const float cx = block->corner[2][0][k] - ox, cy = block->corner[2][1][k] - oy, cz = block->corner[2][2][k] - oz;
+        const float px = bx - ax, py = by - ay, pz = bz - az, qx = cx - bx, qy = cy - by, qz = cz - bz, rx = ax - cx, ry = ay - cy, rz = az - cz;
+        const float ux = bx + ax, uy = by + ay, uz = bz + az, vx = cx + bx, vy = cy + by, vz = cz + bz, wx = ax + cx, wy = ay + cy, wz = az + cz;
+        const float a = (qy * vz - qz * vy) * dx + (qz * vx - qx * vz) * dy + (qx * vy - qy * vx) * dz;
+        const float b = (ry * wz - rz * wy) * dx + (rz * wx - rx * wz) * dy + (rx * wy - ry * wx) * dz;
+        const float c = (py * uz - pz * uy) * dx + (pz * ux - px * uz) * dy + (px * uy - py * ux) * dz;
+        const float nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
+        const float facing = nx * dx + ny * dy + nz * dz, height = nx * ax + ny * ay + nz * az;
+        const float least = ssgi__trace_min(a, ssgi__trace_min(b, c)), most = ssgi__trace_max(a, ssgi__trace_max(b, c));
+        const float slack = ssgi__trace_abs(a + b + c) * 1.2e-7f;
+        const float outside = ssgi__trace_min(-slack - least, most - slack);      /* above 0: beyond an edge */
+        const float t = height / (facing + 1e-37f);                                     /* 0 / 0 for lanes that are empty */
+        weight[0][k] = a;
+        weight[1][k] = b;
+        weight[2][k] = c;
+        distance[k] = t;
+        beyond[k] = outside;
+    }
+    for (k = 0; k < 4; k++) distance[k] = beyond[k] > 0.0f ? -1.0f : distance[k];     /* in a loop of its own for gcc -O2 to use vectors */
+}
+
+/* hit NULL: any hit will do */
+static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax, ssgi_hit *hit)
+{
+    const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
+    const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
+    struct { uint32_t child; float t; } stack[SSGI__TRACE_STACK];
+    const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
+    float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
+    int sign[3], top = 0, found = 0, i, k;
+    for (i = 0; i < 3; i++) size += ssgi__trace_abs(o[i]) + ssgi__trace_abs(d[i]);
+    longest = ssgi__trace_max(ssgi__trace_abs(d[0]), ssgi__trace_max(ssgi__trace_abs(d[1]), ssgi__trace_abs(d[2])));
+    if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
+    for (i = 0; i < 3; i++) {                       /* no infinity: 0 * infinity would be NaN on the face of a box */
+        const float least = longest * 1e-12f;
+        sign[i] = d[i] < 0.0f;
+        inverse[i] = 1.0f / (sign[i] ? ssgi__trace_min(d[i], -least) : ssgi__trace_max(d[i], least));
+    }
+    tmin = tmin > 0.0f ? tmin : 0.0f;
+    stack[top].child = 0;
+    stack[top++].t = tmin;
+    while (top) {
+        const uint32_t child = stack[--top].child;
+        if (stack[top].t > tmax) continue;
+        if (child & SSGI__TRACE_LEAF) {
+            const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
+            ssgi__trace_block_hit(block, o, d, weight, enter);
+            for (k = 0; k < 4; k++)
+                if (enter[k] > tmin && enter[k] < tmax) {
+                    const float sum = weight[0][k] + weight[1][k] + weight[2][k];
+                    if (!(ssgi__trace_abs(sum) > 0.0f)) continue;                 /* the ray lies in the plane */
+                    if (!hit) return 1;
+                    found = 1;
+                    hit->t = tmax = enter[k];
+                    hit->u = ssgi__trace_min(1.0f, ssgi__trace_max(0.0f, weight[1][k] / sum));
+                    hit->v = ssgi__trace_min(1.0f - hit->u, ssgi__trace_max(0.0f, weight[2][k] / sum));
+                    hit->triangle = block->triangle[k];
+                }
+        } else {
+            const ssgi__trace_node *node = nodes + child;
+            const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
+            const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
+            const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
+            const int base = top;
+            for (k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
+                const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1], ez = (z0[k] - o[2]) * inverse[2];
+                const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1], lz = (z1[k] - o[2]) * inverse[2];
+                enter[k] = ssgi__trace_max(ssgi__trace_max(ex, ey), ssgi__trace_max(ez, tmin));
+                leave[k] = ssgi__trace_min(ssgi__trace_min(lx, ly), lz) * 1.0000006f;
+                leave[k] = ssgi__trace_min(leave[k], tmax);
+            }
+            for (k = 0; k < 4; k++)
+                if (enter[k] <= leave[k]) {
+                    int j = top++;
+                    for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
+                    stack[j].child = node->child[k];
+                    stack[j].t = enter[k];
+                }
+        }
+    }
+    return found;
+}
+
+SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax, ssgi_hit *hit)
+{
+    return ssgi__trace_walk(trace, origin, direction, tmin, tmax, hit);
+}
+
+SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax)
+{
+    return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
+}
 
 #ifdef __cplusplus
 }

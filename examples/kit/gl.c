@@ -309,6 +309,14 @@ int kit_texture_read(GLuint texture, int width, int height, int components, floa
     while (glGetError() != GL_NO_ERROR) {}
     if (is_depth) {
         glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, data);
+        if (glGetError() != GL_NO_ERROR) {                     /* GLES: integer depth only as integers */
+            glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, data);
+            for (size_t i = 0; i < texels; i++) {
+                uint32_t bits;
+                memcpy(&bits, data + i, sizeof bits);
+                data[i] = (float)((double)bits / 4294967295.0);
+            }
+        }
         for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
     } else {
         glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);

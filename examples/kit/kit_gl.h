@@ -166,4 +166,58 @@ int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const 
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
 
+/* ---- >>method ----------------------------------------------------------------------------------------------- */
+
+/* A setting of a method: what --set key=value takes. A choice takes one of its words, everything else a number in [least, most]. */
+typedef struct kit_setting {
+    const char *key, *about;
+    const char *choices;                   /* "slices march": words for 0, 1 ..; NULL = a number */
+    double      value, least, most;        /* value: the default */
+    int         whole;                     /* takes whole numbers only */
+} kit_setting;
+
+#define KIT_MAX_SETTINGS 24
+typedef struct kit_method {
+    const char *name, *about;
+    int         lit;                       /* 0: writes ambient visibility Y */
+    int         count;
+    kit_setting setting[KIT_MAX_SETTINGS];
+} kit_method;
+
+/* The i-th method with its settings at their defaults; 0 past the last. */
+int  kit_method_at(kit_method *method, int i);
+int  kit_method_find(kit_method *method, const char *name, kit_error *err);
+/* "key=value"; several separated by commas. On failure nothing has changed. */
+int  kit_method_set(kit_method *method, const char *text, kit_error *err);
+double kit_method_value(const kit_method *method, const char *key);
+
+#define KIT_MAX_PASSES 8
+typedef struct kit_pass {
+    ssgi_gl_desc desc;
+    GLuint       program, framebuffer, texture;
+    int          width, height;            /* of the target */
+    double       ms;                       /* of the last kit_run_draw that was timed */
+} kit_pass;
+
+/* A method made ready on one G-buffer: programs, targets, uniforms. The G-buffer stays the caller's and must outlive it. */
+typedef struct kit_run {
+    const kit_gbuffer *gbuffer;
+    ssgi_gl_frame      frame;              /* change it as you like before a draw, then kit_run_update */
+    int                passes;
+    kit_pass           pass[KIT_MAX_PASSES];
+    GLuint             block, noise;
+    int                fetches;            /* texel fetches a pixel, all passes */
+} kit_run;
+
+int  kit_run_open(kit_run *run, const kit_gbuffer *gbuffer, const kit_method *method, float radius, kit_error *err);
+void kit_run_update(kit_run *run);         /* uploads run->frame */
+void kit_run_draw(kit_run *run, int timed);
+double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
+int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);   /* the picture: Y */
+void kit_run_close(kit_run *run);
+
+/* Compiles both stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
+GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
+int    kit_dialect(void);
+
 #endif

@@ -458,6 +458,7 @@ static void build_colonnade(build *b)
     colour(b, 0.72, 0.70, 0.64);
     level(b, -4.4, end, 2.3, 6, 0);
     for (int i = 0; i < 4; i++) box(b, 2.3, -0.16 * (i + 1) - 0.02, end, 2.3 + 0.34 * (i + 1), -0.16 * i - (i ? 0 : 1e-3), 6);   /* steps, outside */
+    for (int i = 0; i < 3; i++) box(b, -1.33, 0.15 * i, end, 1.33, 0.15 * i + 0.15, end + 3.2 - 0.34 * i);                          /* and inside */
     colour(b, 0.42, 0.45, 0.36); level(b, 2.3, -40, 60, 40, -0.64);
     colour(b, 0.70, 0.58, 0.46); quad(b, wall); quad(b, back);
     for (int i = 0; i <= BAYS; i++)
@@ -493,9 +494,9 @@ static const struct builtin {
     { "colonnade", "columns, arches, coffered ceiling and steps", build_colonnade, {-0.75f, 1.75f, 2.9f}, {0.35f, 2.0f, -6}, 55, 0.05f, 0.8f },
     { "plane",     "one big square", build_plane, {0, 1.5f, 2}, {0, 0, 0}, 45, 0.1f, 0.5f },
     { "corner",    "floor (y = 0) and wall (x = 0) at a right angle", build_corner, {3.2f, 1.9f, 2.6f}, {0.4f, 0.5f, 0}, 40, 0.1f, 0.5f },
-    { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {1.3f, 2.4f, 2.6f}, {0, -0.4f, 0}, 40, 0.1f, 0.5f },
-    { "sphere",    "a sphere of radius 1 on a big plane", build_sphere, {1.6f, 2.4f, 5.2f}, {0, 0.75f, 0}, 40, 0.1f, 1 },
-    { "hole",      "a cubic hole in a plane, 1 wide and 1 deep", build_hole, {0.9f, 2.2f, 1.9f}, {0, -0.35f, 0}, 40, 0.1f, 0.5f },
+    { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {0.9f, 2.4f, 2.6f}, {0, -0.3f, 0}, 34, 0.1f, 0.5f },
+    { "sphere",    "a sphere of radius 1 on a big plane", build_sphere, {1.5f, 3.6f, 4.2f}, {0, 0.7f, 0}, 34, 0.1f, 1 },
+    { "hole",      "a cubic hole in a plane, 1 wide and 1 deep", build_hole, {0.9f, 2.2f, 1.9f}, {0, -0.3f, 0}, 30, 0.1f, 0.5f },
 };
 enum { BUILTINS = sizeof builtins / sizeof *builtins };
 

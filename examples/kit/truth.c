@@ -1,0 +1,470 @@
+/* truth.c - cameras, ray-traced ambient visibility and its floor: what one depth layer can know. */
+#include "kit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static int normalise(double v[3])                   /* 0 if v has no direction, then left as it is */
+{
+    const double length = sqrt(dot(v, v));
+    if (!(length > 0) || !isfinite(length)) return 0;
+    for (int i = 0; i < 3; ++i) v[i] /= length;
+    return 1;
+}
+
+/* ---- cameras ------------------------------------------------------------------------------------------------ */
+
+/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it, an eye on the target looks along -z. */
+static void camera_axes(const kit_camera *camera, double axes[3][3])
+{
+    double *right = axes[0], *up = axes[1], *back = axes[2], wish[3];
+    for (int i = 0; i < 3; ++i) {
+        back[i] = (double)camera->eye[i] - (double)camera->target[i];
+        wish[i] = (double)camera->up[i];
+    }
+    if (!normalise(back)) back[0] = back[1] = 0, back[2] = 1;
+    cross(wish, back, right);
+    if (dot(right, right) <= 1e-12 * dot(wish, wish) || !normalise(right)) {
+        int least = 0;
+        for (int i = 1; i < 3; ++i)
+            if (fabs(back[i]) < fabs(back[least])) least = i;
+        for (int i = 0; i < 3; ++i) wish[i] = i == least;
+        cross(wish, back, right);
+        normalise(right);
+    }
+    cross(back, right, up);
+}
+
+static void camera_half(const kit_camera *camera, double half[2])  /* half the picture's extent: at view depth 1, or orthographic in world units */
+{
+    half[1] = camera->fovy > 0 ? tan((double)camera->fovy * 3.14159265358979323846 / 360) : 0.5 * (double)camera->ortho_height;
+    half[0] = half[1] * camera->width / camera->height;
+}
+
+/* View-space ray through a pixel's centre: a point at view depth z is o + d z. shift counts in pixels, +x to the right, +y upward. */
+static void camera_view_ray(const kit_camera *camera, int x, int y, double o[3], double d[3])
+{
+    double half[2];
+    camera_half(camera, half);
+    const double at[2] = { half[0] * (2 * (x + 0.5 - (double)camera->shift[0]) / camera->width - 1),
+                           half[1] * (1 - 2 * (y + 0.5 + (double)camera->shift[1]) / camera->height) };
+    const int flat = !(camera->fovy > 0);
+    for (int i = 0; i < 2; ++i) {
+        o[i] = flat ? at[i] : 0;
+        d[i] = flat ? 0 : at[i];
+    }
+    o[2] = 0;
+    d[2] = -1;
+}
+
+/* The near plane lies a little before the bounds, but at a thousandth of the far plane at least: window depth must stay usable. */
+void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
+{
+    double axes[3][3], nearest = 1e300, farthest = 0;
+    camera_axes(camera, axes);
+    for (int corner = 0; mesh->triangles && corner < 8; ++corner) {
+        double depth = 0;
+        for (int i = 0; i < 3; ++i)
+            depth -= axes[2][i] * ((double)(corner >> i & 1 ? mesh->upper[i] : mesh->lower[i]) - (double)camera->eye[i]);
+        nearest = fmin(nearest, depth);
+        farthest = fmax(farthest, depth);
+    }
+    if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing before the camera */
+    if (!(camera->zfar > 0)) camera->zfar = (float)fmax(farthest * 1.01, (double)camera->znear * 2);
+    if (!(camera->znear > 0)) camera->znear = (float)fmin(fmax(nearest * 0.99, (double)camera->zfar * 1e-3), (double)camera->zfar * 0.9);
+}
+
+/* An orthographic camera has no far plane at infinity: INFINITE is REVERSED for it. */
+void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16])
+{
+    double axes[3][3], half[2], eye[3], p[16] = { 0 };
+    const double n = (double)camera->znear, f = (double)camera->zfar;
+    const double shift[2] = { 2 * (double)camera->shift[0] / camera->width, 2 * (double)camera->shift[1] / camera->height };
+    camera_axes(camera, axes);
+    camera_half(camera, half);
+    for (int i = 0; i < 3; ++i) eye[i] = (double)camera->eye[i];
+    memset(view, 0, 16 * sizeof *view);
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) view[4 * c + r] = (float)axes[r][c];
+        view[12 + r] = (float)-dot(axes[r], eye);
+    }
+    view[15] = 1;
+    p[0] = 1 / half[0];
+    p[5] = 1 / half[1];
+    if (camera->fovy > 0) {
+        p[8] = -shift[0];
+        p[9] = -shift[1];
+        p[11] = -1;
+        p[10] = camera->depth == KIT_DEPTH_NORMAL ? -(f + n) / (f - n) : camera->depth == KIT_DEPTH_REVERSED ? n / (f - n) : 0;
+        p[14] = camera->depth == KIT_DEPTH_NORMAL ? -2 * f * n / (f - n) : camera->depth == KIT_DEPTH_REVERSED ? f * n / (f - n) : n;
+    } else {
+        p[12] = shift[0];
+        p[13] = shift[1];
+        p[15] = 1;
+        p[10] = camera->depth == KIT_DEPTH_NORMAL ? -2 / (f - n) : 1 / (f - n);
+        p[14] = camera->depth == KIT_DEPTH_NORMAL ? -(f + n) / (f - n) : f / (f - n);
+    }
+    for (int i = 0; i < 16; ++i) projection[i] = (float)p[i];
+}
+
+void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3])
+{
+    double axes[3][3], o[3], d[3];
+    camera_axes(camera, axes);
+    camera_view_ray(camera, x, y, o, d);
+    normalise(d);
+    for (int i = 0; i < 3; ++i) {
+        origin[i] = (float)((double)camera->eye[i] + axes[0][i] * o[0] + axes[1][i] * o[1]);
+        direction[i] = (float)(axes[0][i] * d[0] + axes[1][i] * d[1] + axes[2][i] * d[2]);
+    }
+}
+
+/* ---- ambient visibility of a point ---------------------------------------------------------------------------- */
+
+typedef struct ambient {
+    ssgi_trace trace;
+    float      radius;
+    int        attenuation, rays;
+    uint32_t  *points;              /* Sobol's first two dimensions, bits reversed: 2 a ray */
+} ambient;
+
+static uint32_t reverse(uint32_t x)
+{
+    x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
+    x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
+    x = (x >> 4 & 0x0f0f0f0fu) | (x & 0x0f0f0f0fu) << 4;
+    x = (x >> 8 & 0x00ff00ffu) | (x & 0x00ff00ffu) << 8;
+    return x >> 16 | x << 16;
+}
+
+static uint32_t hash(uint32_t x)    /* PCG's [O'Neill 2014] */
+{
+    x = x * 747796405u + 2891336453u;
+    x = (x >> ((x >> 28) + 4) ^ x) * 277803737u;
+    return x >> 22 ^ x;
+}
+
+static float owen(uint32_t reversed, uint32_t seed)        /* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020], [0,1) */
+{
+    uint32_t x = reversed ^ reversed * 0x3d20adeau;
+    x += seed;
+    x *= seed >> 16 | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return (float)(reverse(x) >> 8) * (1.0f / 16777216.0f);
+}
+
+static int ambient_begin(ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err)
+{
+    memset(a, 0, sizeof *a);
+    if (!(radius > 0) || !isfinite(radius)) return kit_fail(err, "%s: radius %g: must be above 0 and finite", what, (double)radius);
+    if (attenuation != KIT_ATTENUATION_LINEAR && attenuation != KIT_ATTENUATION_NONE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
+    if (rays < 1 || rays > 65536) return kit_fail(err, "%s: rays %d: must be 1..65536", what, rays);
+    a->radius = radius;
+    a->attenuation = attenuation;
+    a->rays = rays;
+    a->points = malloc(2 * (size_t)rays * sizeof *a->points);
+    if (!a->points) return kit_fail(err, "%s: no memory for %d rays", what, rays);
+    for (uint32_t i = 0; i < (uint32_t)rays; ++i) {
+        uint32_t second = 0;
+        for (uint32_t v = 1u << 31, k = i; k; k >>= 1, v ^= v >> 1)
+            if (k & 1u) second ^= v;
+        a->points[2 * i] = i;
+        a->points[2 * i + 1] = reverse(second);
+    }
+    return 0;
+}
+
+/* Visibility at p, which lies at magnitude from the origin of coordinates; lift is the unit vector that leads off the surface, n the unit normal.
+   The lift is some ten times the rounding of points of that magnitude. */
+static float ambient_at(const ambient *a, uint32_t pixel, const float p[3], float magnitude, const float lift[3], const float n[3])
+{
+    const uint32_t seed = hash(pixel), other = hash(seed ^ 0x9e3779b9u);
+    /* a frame about n [Duff et al. 2017] */
+    const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
+    const float s[3] = { 1 + sign * n[0] * n[0] * k, sign * m, -sign * n[0] }, t[3] = { m, sign + n[1] * n[1] * k, -n[1] };
+    float origin[3];
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) origin[i] = p[i] + lift[i] * 4e-6f * magnitude;
+    for (int r = 0; r < a->rays; ++r) {
+        /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
+        const float u = 2 * owen(a->points[2 * r], seed) - 1, v = 2 * owen(a->points[2 * r + 1], other) - 1;
+        const int   wide = fabsf(u) > fabsf(v);
+        const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;
+        const float along = ring * cosf(turn), across = ring * sinf(turn);
+        const float x = wide ? along : across, y = wide ? across : along, z = sqrtf(fmaxf(0.0f, 1 - ring * ring));
+        float d[3];
+        ssgi_hit hit;
+        for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
+        if (a->attenuation == KIT_ATTENUATION_NONE) sum += ssgi_trace_any(&a->trace, origin, d, 0, a->radius);
+        else if (ssgi_trace_closest(&a->trace, origin, d, 0, a->radius, &hit)) sum += 1 - (double)(hit.t / a->radius);
+    }
+    return (float)(1 - sum / a->rays);
+}
+
+static int skipped(int x, int y, int stride) { return x % stride != stride / 2 || y % stride != stride / 2; }
+
+static int trace_new(ssgi_trace *trace, void **memory, const float *position, const uint32_t *index, size_t triangles, const char *what, kit_error *err)
+{
+    const char *why = "";
+    const size_t size = ssgi_trace_size(triangles);
+    *memory = size ? malloc(size) : NULL;
+    if (!*memory) return kit_fail(err, "%s: no memory to trace %zu triangles", what, triangles);
+    if (ssgi_trace_build(trace, *memory, size, position, 3 * sizeof(float), index, triangles, &why) == SSGI_OK) return 0;
+    free(*memory);
+    *memory = NULL;
+    return kit_fail(err, "%s: %s", what, why);
+}
+
+static int camera_check(const kit_camera *camera, const char *what, kit_error *err)
+{
+    if (camera->width < 1 || camera->height < 1) return kit_fail(err, "%s: camera of %d x %d pixels", what, camera->width, camera->height);
+    if (!(camera->fovy > 0 ? camera->fovy < 180 : camera->ortho_height > 0))
+        return kit_fail(err, "%s: camera: fovy %g must be below 180, or 0 with an ortho_height above 0 (%g)", what, (double)camera->fovy, (double)camera->ortho_height);
+    return 0;
+}
+
+/* ---- truth ---------------------------------------------------------------------------------------------------- */
+
+typedef struct truth {
+    ambient         ambient;
+    const kit_mesh *mesh;
+    kit_camera      camera;
+    float          *out;
+    int             stride;
+} truth;
+
+static float truth_pixel(const truth *job, int x, int y)
+{
+    float origin[3], direction[3], p[3], face[3], n[3], magnitude = 0;
+    double axes[3][3], d[3], e[3], f[3], normal[3], shading[3];
+    ssgi_hit hit;
+    camera_axes(&job->camera, axes);
+    kit_camera_ray(&job->camera, x, y, origin, direction);
+    for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
+    /* the planes cut as they do in the G-buffer */
+    const double slant = -dot(d, axes[2]);
+    const float  first = (float)((double)job->camera.znear / slant);
+    const float  last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0 ? 1e30f : (float)((double)job->camera.zfar / slant);
+    if (!ssgi_trace_closest(&job->ambient.trace, origin, direction, first, last, &hit)) return 1;
+    const float *c = job->mesh->position + 9 * (size_t)hit.triangle, *cn = job->mesh->normal + 9 * (size_t)hit.triangle;
+    const float w[3] = { 1 - hit.u - hit.v, hit.u, hit.v };
+    for (int i = 0; i < 3; ++i) {
+        p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more exact than origin + t direction */
+        shading[i] = (double)(w[0] * cn[i] + w[1] * cn[3 + i] + w[2] * cn[6 + i]);
+        e[i] = (double)c[3 + i] - (double)c[i];
+        f[i] = (double)c[6 + i] - (double)c[i];
+        magnitude = fmaxf(magnitude, fmaxf(fabsf(c[i]), fmaxf(fabsf(c[3 + i]), fabsf(c[6 + i]))));
+    }
+    cross(e, f, normal);
+    normalise(normal);
+    if (!normalise(shading)) memcpy(shading, normal, sizeof shading);
+    const double side = dot(normal, d) > 0 ? -1 : 1, turn = side * dot(shading, normal) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; ++i) {
+        face[i] = (float)(side * normal[i]);
+        n[i] = (float)(turn * shading[i]);
+    }
+    return ambient_at(&job->ambient, (uint32_t)y * (uint32_t)job->camera.width + (uint32_t)x, p, magnitude, face, n);
+}
+
+static void truth_row(void *context, int y)
+{
+    const truth *job = context;
+    for (int x = 0; x < job->camera.width; ++x) {
+        job->out[(size_t)y * (size_t)job->camera.width + (size_t)x] = skipped(x, y, job->stride) ? NAN : truth_pixel(job, x, y);
+    }
+}
+
+int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+{
+    truth job = { .mesh = &scene->mesh, .camera = *camera, .stride = stride };
+    kit_image image;
+    void *memory = NULL;
+    if (camera_check(camera, "truth", err)) return -1;
+    if (stride < 1) return kit_fail(err, "truth: stride %d: must be 1 or more", stride);
+    if (scene->mesh.triangles == 0) return kit_fail(err, "truth: the scene has no triangles");
+    kit_camera_planes(&job.camera, &scene->mesh);
+    if (ambient_begin(&job.ambient, radius, attenuation, rays, "truth", err)) return -1;
+    if (trace_new(&job.ambient.trace, &memory, scene->mesh.position, NULL, scene->mesh.triangles, "truth", err) ||
+        kit_image_new(&image, camera->width, camera->height, "Y", err)) {
+        free(job.ambient.points);
+        free(memory);
+        return -1;
+    }
+    job.out = image.data;
+    kit_parallel("truth", camera->height, truth_row, &job);
+    free(job.ambient.points);
+    free(memory);
+    *out = image;
+    return 0;
+}
+
+/* ---- floor ---------------------------------------------------------------------------------------------------- */
+
+typedef struct floor_job {
+    ambient      ambient;
+    kit_camera   camera;
+    int          width, height, stride;
+    const float *z, *n[3];
+    float       *position;          /* 3 a pixel, view space */
+    uint32_t    *index;             /* a row of 2x2 blocks has room for 2 (width - 1) triangles */
+    uint32_t    *count;             /* triangles of each row of blocks */
+    float       *out;
+} floor_job;
+
+static int surface(const floor_job *job, size_t pixel) { return job->z[pixel] > 0 && job->z[pixel] < SSGI_FAR; }
+
+/* unit, as the frame gives it; toward the viewer where it gives none */
+static void floor_normal(const floor_job *job, size_t pixel, const double ray[3], double n[3])
+{
+    for (int i = 0; i < 3; ++i) n[i] = (double)job->n[i][pixel];
+    if (normalise(n)) return;
+    for (int i = 0; i < 3; ++i) n[i] = -ray[i];
+    normalise(n);
+}
+
+/* How much the view depth grows from pixel a to pixel b on the tangent plane of a. Beyond 89 degrees (n within 1/64 of edge-on) the plane is turned back. */
+static double plane_step(const double a[3], double depth, const double n[3], const double o[3], const double d[3])
+{
+    double facing = dot(n, d), height = 0;
+    facing = fmin(facing, -sqrt(dot(d, d)) / 64);
+    for (int i = 0; i < 3; ++i) height += n[i] * (a[i] - o[i] - d[i] * depth);
+    return height / facing;
+}
+
+/* Whether two neighbouring pixels lie on one surface: the tangent planes must meet between them. So the step in depth from one to the other must lie between
+   the steps that either plane predicts, give or take half a pixel's footprint and half of the smaller step (normals are interpolated, surfaces bend). Planes stay
+   joined at any slant, creases too; silhouettes are cut, as what lies behind does not lead up to them. Where only one of the planes is steep, it predicts 16 footprints
+   at most: the rim of a ball in front of a wall looks like a crease to two pixels. */
+static int joined(const floor_job *job, int xa, int ya, int xb, int yb)
+{
+    const size_t a = (size_t)ya * (size_t)job->width + (size_t)xa, b = (size_t)yb * (size_t)job->width + (size_t)xb;
+    double oa[3], da[3], ob[3], db[3], na[3], nb[3], pa[3], pb[3], half[2];
+    if (!surface(job, a) || !surface(job, b)) return 0;
+    const double za = (double)job->z[a], zb = (double)job->z[b];
+    camera_half(&job->camera, half);
+    camera_view_ray(&job->camera, xa, ya, oa, da);
+    camera_view_ray(&job->camera, xb, yb, ob, db);
+    floor_normal(job, a, da, na);
+    floor_normal(job, b, db, nb);
+    for (int i = 0; i < 3; ++i) {
+        pa[i] = oa[i] + da[i] * za;
+        pb[i] = ob[i] + db[i] * zb;
+    }
+    const double footprint = 2 * half[1] / job->height * (job->camera.fovy > 0 ? fmin(za, zb) : 1);
+    double from_a = plane_step(pa, za, na, ob, db), from_b = -plane_step(pb, zb, nb, oa, da);
+    const double step = zb - za, least = fmin(fabs(from_a), fabs(from_b)), slack = 0.5 * (footprint + least), most = 16 * footprint + 2 * least;
+    from_a = fmax(-most, fmin(most, from_a));
+    from_b = fmax(-most, fmin(most, from_b));
+    return step >= fmin(from_a, from_b) - slack && step <= fmax(from_a, from_b) + slack;
+}
+
+static void floor_place(void *context, int y)
+{
+    const floor_job *job = context;
+    for (int x = 0; x < job->width; ++x) {
+        const size_t i = (size_t)y * (size_t)job->width + (size_t)x;
+        double o[3], d[3];
+        camera_view_ray(&job->camera, x, y, o, d);
+        for (int k = 0; k < 3; ++k) job->position[3 * i + (size_t)k] = surface(job, i) ? (float)(o[k] + d[k] * (double)job->z[i]) : 0;
+    }
+}
+
+/* Of the two diagonals of a block, the one that keeps more triangles, else the shorter in depth. Corners 0 1 over 2 3. */
+static void floor_join(void *context, int y)
+{
+    static const int edge[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 3 }, { 2, 3 }, { 0, 3 }, { 1, 2 } };
+    static const int triple[4][6] = { { 0, 2, 3, 1, 3, 4 }, { 0, 3, 1, 0, 2, 4 }, { 0, 2, 1, 0, 1, 5 }, { 1, 2, 3, 2, 3, 5 } };   /* corners; edges */
+    const floor_job *job = context;
+    uint32_t *index = job->index + 6 * (size_t)y * (size_t)(job->width - 1), count = 0;
+    for (int x = 0; x + 1 < job->width; ++x) {
+        const uint32_t first = (uint32_t)y * (uint32_t)job->width + (uint32_t)x;
+        const uint32_t corner[4] = { first, first + 1, first + (uint32_t)job->width, first + (uint32_t)job->width + 1 };
+        int on[6], whole[4];
+        for (int e = 0; e < 6; ++e)
+            on[e] = joined(job, x + (edge[e][0] & 1), y + (edge[e][0] >> 1), x + (edge[e][1] & 1), y + (edge[e][1] >> 1));
+        for (int t = 0; t < 4; ++t) whole[t] = on[triple[t][3]] && on[triple[t][4]] && on[triple[t][5]];
+        const int kept = whole[0] + whole[1] - whole[2] - whole[3];
+        const float down = fabsf(job->z[corner[0]] - job->z[corner[3]]), up = fabsf(job->z[corner[1]] - job->z[corner[2]]);
+        const int t0 = kept > 0 || (kept == 0 && down <= up) ? 0 : 2;
+        for (int t = t0; t < t0 + 2; ++t)
+            if (whole[t]) {
+                for (int k = 0; k < 3; ++k) index[3 * count + (uint32_t)k] = corner[triple[t][k]];
+                ++count;
+            }
+    }
+    job->count[y] = count;
+}
+
+static void floor_row(void *context, int y)
+{
+    const floor_job *job = context;
+    for (int x = 0; x < job->width; ++x) {
+        const size_t i = (size_t)y * (size_t)job->width + (size_t)x;
+        const float *p = job->position + 3 * i;
+        double o[3], d[3], normal[3];
+        job->out[i] = skipped(x, y, job->stride) ? NAN : 1;
+        if (skipped(x, y, job->stride) || !surface(job, i) || !job->ambient.trace.node_count) continue;
+        camera_view_ray(&job->camera, x, y, o, d);
+        floor_normal(job, i, d, normal);
+        const float n[3] = { (float)normal[0], (float)normal[1], (float)normal[2] };
+        job->out[i] = ambient_at(&job->ambient, (uint32_t)i, p, fmaxf(fabsf(p[2]), fmaxf(fabsf(p[0]), fabsf(p[1]))), n, n);
+    }
+}
+
+int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+{
+    static const char *const names[4] = { "Z", "N.X", "N.Y", "N.Z" };
+    floor_job job = { .camera = *camera, .width = frame->width, .height = frame->height, .stride = stride };
+    kit_image image = { 0 };
+    void *memory = NULL;
+    size_t triangles = 0;
+    int failed;
+    const float *channel[4];
+    if (camera_check(camera, "floor", err)) return -1;
+    if (stride < 1) return kit_fail(err, "floor: stride %d: must be 1 or more", stride);
+    if (frame->width != camera->width || frame->height != camera->height)
+        return kit_fail(err, "floor: the frame has %d x %d pixels, the camera %d x %d", frame->width, frame->height, camera->width, camera->height);
+    for (int i = 0; i < 4; ++i)
+        if (!(channel[i] = kit_image_channel(frame, names[i]))) return kit_fail(err, "floor: the frame has no channel %s", names[i]);
+    job.z = channel[0];
+    for (int i = 0; i < 3; ++i) job.n[i] = channel[1 + i];
+    if (ambient_begin(&job.ambient, radius, attenuation, rays, "floor", err)) return -1;
+    const size_t pixels = (size_t)job.width * (size_t)job.height, row = 2 * (size_t)(job.width - 1), blocks = (size_t)(job.height - 1);
+    job.position = malloc(3 * pixels * sizeof *job.position);
+    job.index = malloc((3 * row * blocks + 1) * sizeof *job.index);
+    job.count = malloc((blocks + 1) * sizeof *job.count);
+    failed = !job.position || !job.index || !job.count;
+    if (failed) kit_fail(err, "floor: no memory for %zu pixels", pixels);
+    if (!failed) {
+        kit_parallel(NULL, job.height, floor_place, &job);
+        kit_parallel(NULL, job.height - 1, floor_join, &job);
+        for (size_t y = 0; y < blocks; ++y) {           /* close the gaps between the rows */
+            memmove(job.index + 3 * triangles, job.index + 3 * row * y, 3 * job.count[y] * sizeof *job.index);
+            triangles += job.count[y];
+        }
+        failed = triangles && trace_new(&job.ambient.trace, &memory, job.position, job.index, triangles, "floor", err);
+    }
+    failed = failed || kit_image_new(&image, job.width, job.height, "Y", err);
+    if (!failed) {
+        job.out = image.data;
+        kit_parallel("floor", job.height, floor_row, &job);
+        *out = image;
+    }
+    free(job.ambient.points);
+    free(job.position);
+    free(job.index);
+    free(job.count);
+    free(memory);
+    return failed ? -1 : 0;
+}

@@ -1,0 +1,332 @@
+/* render.c - renders one picture of a scene, or of a captured frame, with one method; the truth of it; scores and times.
+
+      build/render SCENE.obj --method hsao --radius 0.5 --out ao.exr
+      build/render room --truth 256 --out truth.exr
+      build/render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20
+      build/render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png
+      build/render --list
+
+   Bad input: one line on stderr that names it, status 2, nothing written. */
+#include "kit/kit_gl.h"
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char usage[] =
+    "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
+    "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --fovy DEGREES | --ortho-height UNITS  --near N  --far F  --size WxH\n"
+    "  --ground            puts a square under the mesh\n"
+    "  --gbuffer F.exr     a captured frame: channels Z (positive view depth), N.X N.Y N.Z (view space)\n"
+    "  --method NAME       --list names all, with their settings   [hsao]\n"
+    "  --set key=value,..  settings of the method\n"
+    "  --radius R          farthest occluder, scene units   [the scene's own]\n"
+    "  --truth RAYS        ray-traced reference instead of the method\n"
+    "  --floor RAYS        exact answer from what the depth buffer holds, instead of the method\n"
+    "  --score REF.exr     prints RMSE, bias, p95, SSIM against a reference\n"
+    "  --time N            prints each pass's median GL time over N frames\n"
+    "  --out F.exr|F.png   the picture: channel Y = ambient visibility\n"
+    "  --save-gbuffer F.exr  the G-buffer as a frame that --gbuffer takes\n"
+    "  --json              prints machine-readable\n"
+    "  --context osmesa | egl | egl-es   [osmesa]\n";
+
+typedef struct options {
+    const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context;
+    int sets, ground, list, json, truth, floor, time, has_camera, has_up;
+    float camera[6], up[3];
+    double fovy, ortho_height, znear, zfar, radius;
+    int width, height;
+} options;
+
+static int fail(const char *text)
+{
+    fprintf(stderr, "render: %s\n", text);
+    return 2;
+}
+
+static int numbers(const char *name, const char *text, float *out, int count, kit_error *err)
+{
+    float v[8];
+    const char *at = text;
+    for (int i = 0; i < count; ++i) {
+        char *end;
+        v[i] = strtof(at, &end);
+        if (end == at || !isfinite(v[i]) || *end != (i + 1 < count ? ',' : 0)) return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
+        at = end + 1;
+    }
+    memcpy(out, v, (size_t)count * sizeof *v);
+    return 0;
+}
+
+static int number(const char *name, const char *text, double least, double most, double *out, kit_error *err)
+{
+    char *end;
+    double v = strtod(text, &end);
+    if (end == text || *end || !(v >= least && v <= most)) return kit_fail(err, "%s %s: must be a number in %g..%g", name, text, least, most);
+    *out = v;
+    return 0;
+}
+
+static int whole(const char *name, const char *text, int least, int most, int *out, kit_error *err)
+{
+    double v;
+    if (number(name, text, least, most, &v, err)) return -1;
+    if (v != floor(v)) return kit_fail(err, "%s %s: must be a whole number", name, text);
+    *out = (int)v;
+    return 0;
+}
+
+static int parse(options *o, int argc, char **argv, kit_error *err)
+{
+    memset(o, 0, sizeof *o);
+    o->method = "hsao";
+    for (int i = 1; i < argc; ++i) {
+        const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
+        int bad = 0, char_used = 0;
+        if (strncmp(a, "--", 2)) {
+            if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
+            o->scene = a;
+            continue;
+        }
+        if (!strcmp(a, "--list")) { o->list = 1; continue; }
+        if (!strcmp(a, "--json")) { o->json = 1; continue; }
+        if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
+        if (!v) return kit_fail(err, "%s: %s", a, strstr(usage, a) ? "needs a value" : "there is no such option (render alone prints them)");
+        ++i;
+        if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
+        else if (!strcmp(a, "--method")) o->method = v;
+        else if (!strcmp(a, "--score")) o->score = v;
+        else if (!strcmp(a, "--out")) o->out = v;
+        else if (!strcmp(a, "--save-gbuffer")) o->save = v;
+        else if (!strcmp(a, "--context")) o->context = v;
+        else if (!strcmp(a, "--set")) { if (o->sets == 32) return kit_fail(err, "--set %s: at most 32 of them", v); o->set[o->sets++] = v; }
+        else if (!strcmp(a, "--camera")) { bad = numbers(a, v, o->camera, 6, err); o->has_camera = 1; }
+        else if (!strcmp(a, "--up")) { bad = numbers(a, v, o->up, 3, err); o->has_up = 1; }
+        else if (!strcmp(a, "--fovy")) bad = number(a, v, 0.1, 179, &o->fovy, err);
+        else if (!strcmp(a, "--ortho-height")) bad = number(a, v, 1e-12, 1e12, &o->ortho_height, err);
+        else if (!strcmp(a, "--near")) bad = number(a, v, 1e-12, 1e12, &o->znear, err);
+        else if (!strcmp(a, "--far")) bad = number(a, v, 1e-12, 1e12, &o->zfar, err);
+        else if (!strcmp(a, "--radius")) bad = number(a, v, 1e-12, 1e12, &o->radius, err);
+        else if (!strcmp(a, "--truth")) bad = whole(a, v, 1, 65536, &o->truth, err);
+        else if (!strcmp(a, "--floor")) bad = whole(a, v, 1, 65536, &o->floor, err);
+        else if (!strcmp(a, "--time")) bad = whole(a, v, 1, 100000, &o->time, err);
+        else if (!strcmp(a, "--size")) {
+            if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1 || o->height < 1 || o->width > 16384 || o->height > 16384)
+                return kit_fail(err, "--size %s: must be WxH, each 1..16384", v);
+        } else return kit_fail(err, "%s: there is no such option (render alone prints them)", a);
+        if (bad) return -1;
+    }
+    if (o->list) return 0;
+    if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
+    if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
+    if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
+    if (o->gbuffer && o->truth) return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0)) return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
+    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "--gbuffer %s: needs --radius", o->gbuffer);
+    if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
+    if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
+    if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar)) return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
+    if ((o->truth || o->floor) && o->time) return kit_fail(err, "--time: only a method has GL times");
+    if (!o->out && !o->score && !o->time && !o->save) return kit_fail(err, "nothing to do: give --out, --score, --time or --save-gbuffer");
+    if (o->out) {
+        const char *dot = strrchr(o->out, '.');
+        if (!dot || (strcmp(dot, ".exr") && strcmp(dot, ".png"))) return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
+    }
+    return 0;
+}
+
+static void list_methods(void)
+{
+    kit_method m;
+    const char *about, *name;
+    for (int i = 0; kit_method_at(&m, i); ++i) {
+        printf("%-12s %s\n", m.name, m.about);
+        for (int k = 0; k < m.count; ++k) {
+            const kit_setting *s = &m.setting[k];
+            if (s->choices) printf("    %-16s %-26s %s\n", s->key, s->choices, s->about);
+            else printf("    %-16s %-5g in %g..%-12g %s\n", s->key, s->value, s->least, s->most, s->about);
+        }
+    }
+    printf("\nbuilt-in scenes\n");
+    for (int i = 0; (name = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", name, about);
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void camera_of(kit_camera *c, const options *o)
+{
+    if (o->has_camera) { memcpy(c->eye, o->camera, sizeof c->eye); memcpy(c->target, o->camera + 3, sizeof c->target); }
+    if (o->has_up) memcpy(c->up, o->up, sizeof c->up);
+    if (o->fovy > 0) { c->fovy = (float)o->fovy; c->ortho_height = 0; }
+    if (o->ortho_height > 0) { c->fovy = 0; c->ortho_height = (float)o->ortho_height; }
+    if (o->znear > 0) c->znear = (float)o->znear;
+    if (o->zfar > 0) c->zfar = (float)o->zfar;
+    if (o->width) { c->width = o->width; c->height = o->height; }
+}
+
+static int camera_check(const kit_camera *c, kit_error *err)
+{
+    float f[3], n = 0, u = 0, d = 0;
+    for (int i = 0; i < 3; ++i) { f[i] = c->target[i] - c->eye[i]; n += f[i] * f[i]; u += c->up[i] * c->up[i]; d += f[i] * c->up[i]; }
+    if (!(n > 0)) return kit_fail(err, "--camera: eye and target must differ");
+    if (!(u > 0) || d * d > n * u * 0.999999f) return kit_fail(err, "--up: must not be zero or along the view direction");
+    return 0;
+}
+
+/* The result, its foreground mask, and what was measured. */
+typedef struct result { kit_image picture, frame; const kit_run *run; double *ms; int frames; kit_score score; double nothing; } result;
+
+static int score_of(result *r, const char *path, kit_error *err)
+{
+    kit_image reference, open;
+    int status;
+    if (kit_exr_read(&reference, path, err)) return -1;
+    if (!kit_image_channel(&reference, "Y") || reference.width != r->picture.width || reference.height != r->picture.height) {
+        kit_fail(err, "--score %s: must have channel Y and %dx%d pixels", path, r->picture.width, r->picture.height);
+        kit_image_free(&reference);
+        return -1;
+    }
+    status = kit_score_channel(&r->score, &r->picture, &reference, "Y", kit_image_channel(&r->frame, "Z"), err);
+    if (!status && !kit_image_new(&open, reference.width, reference.height, "Y", err)) {
+        kit_score s;
+        for (size_t i = 0; i < (size_t)open.width * (size_t)open.height; ++i) open.data[i] = 1.0f;
+        status = kit_score_channel(&s, &open, &reference, "Y", kit_image_channel(&r->frame, "Z"), err);
+        r->nothing = s.rmse;
+        kit_image_free(&open);
+    }
+    kit_image_free(&reference);
+    return status;
+}
+
+static void print_string(const char *s)
+{
+    putchar('"');
+    for (; *s; ++s) {
+        if (*s == '"' || *s == '\\') putchar('\\');
+        if ((unsigned char)*s < 32) printf("\\u%04x", (unsigned)(unsigned char)*s); else putchar(*s);
+    }
+    putchar('"');
+}
+
+static void report(const options *o, const kit_method *m, const result *r, double radius)
+{
+    const char *what = o->truth ? "truth" : o->floor ? "floor" : m->name;
+    if (o->json) {
+        printf("{\"source\": ");
+        print_string(o->gbuffer ? o->gbuffer : o->scene);
+        printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width, r->picture.height);
+        if (r->run) {
+            printf(", \"settings\": {");
+            for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
+            printf("}, \"fetches\": %d, \"context\": ", r->run->fetches);
+            print_string(kit_gl_name());
+        }
+        if (o->time) {
+            printf(", \"frames\": %d, \"passes\": [", r->frames);
+            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            printf("]");
+        }
+        if (o->score) printf(", \"score\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"share\": %.4f, \"pixels\": %zu}", r->score.rmse, r->score.bias, r->score.p95, r->score.ssim, r->nothing > 0 ? r->score.rmse / r->nothing : 0.0, r->score.pixels);
+        printf("}\n");
+        return;
+    }
+    if (o->time) {
+        double sum = 0;
+        for (int i = 0; i < r->run->passes; ++i) {
+            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            sum += r->ms[i];
+        }
+        printf("%-8s %9.3f ms, %d fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
+    }
+    if (o->score) printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, r->score.rmse, r->nothing > 0 ? r->score.rmse / r->nothing : 0.0, r->score.bias, r->score.p95, r->score.ssim, r->score.pixels);
+}
+
+int main(int argc, char **argv)
+{
+    options o;
+    kit_error err = { "" };
+    kit_method method;
+    kit_scene scene;
+    kit_camera camera;
+    kit_gbuffer gbuffer;
+    kit_run run;
+    result r;
+    double radius;
+    int attenuation;
+    memset(&scene, 0, sizeof scene);
+    memset(&r, 0, sizeof r);
+    if (argc < 2) { fputs(usage, stderr); return 2; }
+    if (parse(&o, argc, argv, &err)) return fail(err.text);
+    if (o.list) { list_methods(); return 0; }
+    if (kit_method_find(&method, o.method, &err)) return fail(err.text);
+    for (int i = 0; i < o.sets; ++i) if (kit_method_set(&method, o.set[i], &err)) return fail(err.text);
+    if (kit_gl_open(o.context, &err)) return fail(err.text);
+
+    if (o.gbuffer) {
+        kit_image frame;
+        memset(&camera, 0, sizeof camera);
+        camera.target[2] = -1;
+        camera.up[1] = 1;
+        camera_of(&camera, &o);
+        if (camera_check(&camera, &err) || kit_exr_read(&frame, o.gbuffer, &err)) return fail(err.text);
+        camera.width = frame.width;
+        camera.height = frame.height;
+        if (kit_gbuffer_from_frame(&gbuffer, &frame, &camera, &err)) return fail(err.text);
+        kit_image_free(&frame);
+        radius = o.radius;
+    } else {
+        if (kit_scene_load(&scene, o.scene, o.ground, &err)) return fail(err.text);
+        camera = scene.camera;
+        camera_of(&camera, &o);
+        if (camera_check(&camera, &err)) return fail(err.text);
+        if (kit_gbuffer_from_scene(&gbuffer, &scene, &camera, NULL, &err)) return fail(err.text);
+        radius = o.radius > 0 ? o.radius : (double)scene.radius;
+    }
+    if (kit_gbuffer_read(&r.frame, &gbuffer, &err)) return fail(err.text);
+    if (o.save && kit_exr_write(&r.frame, o.save, &err)) return fail(err.text);
+
+    attenuation = kit_method_value(&method, "hard") > 0 ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
+    if (o.truth) {
+        if (kit_truth_ao(&r.picture, &scene, &gbuffer.camera, (float)radius, attenuation, o.truth, 1, &err)) return fail(err.text);
+    } else if (o.floor) {
+        if (kit_floor_ao(&r.picture, &r.frame, &gbuffer.camera, (float)radius, attenuation, o.floor, 1, &err)) return fail(err.text);
+    } else if (o.out || o.score || o.time) {
+        if (kit_run_open(&run, &gbuffer, &method, (float)radius, &err)) return fail(err.text);
+        kit_run_draw(&run, 0);
+        r.run = &run;
+        if (o.time) {
+            r.frames = o.time;
+            r.ms = calloc((size_t)run.passes * (size_t)(o.time + 1), sizeof *r.ms);
+            if (!r.ms) return fail("out of memory");
+            for (int f = 0; f < o.time; ++f) {
+                kit_run_draw(&run, 1);
+                for (int i = 0; i < run.passes; ++i) r.ms[run.passes + i * o.time + f] = run.pass[i].ms;
+            }
+            for (int i = 0; i < run.passes; ++i) {
+                double *t = r.ms + run.passes + i * o.time;
+                qsort(t, (size_t)o.time, sizeof *t, by_value);
+                r.ms[i] = t[o.time / 2];
+            }
+        }
+        if (kit_run_read(&r.picture, &run, &err)) return fail(err.text);
+    }
+    if (o.score && score_of(&r, o.score, &err)) return fail(err.text);
+    if (o.out) {
+        int png = !strcmp(strrchr(o.out, '.'), ".png");
+        if (png ? kit_png_write(&r.picture, "Y", 0, o.out, &err) : kit_exr_write(&r.picture, o.out, &err)) return fail(err.text);
+    }
+    report(&o, &method, &r, radius);
+    free(r.ms);
+    if (r.run) kit_run_close(&run);
+    kit_gbuffer_free(&gbuffer);
+    kit_image_free(&r.picture);
+    kit_image_free(&r.frame);
+    kit_scene_free(&scene);
+    kit_gl_close();
+    return 0;
+}

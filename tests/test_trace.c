@@ -1,0 +1,529 @@
+/* test_trace.c - the tracer against brute force, cameras, the ray-traced truth and its floor against closed forms. */
+#include "t.h"
+#include "../examples/kit/kit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint32_t random_state;
+
+static float uniform(float lower, float upper)
+{
+    random_state = random_state * 1664525u + 1013904223u;
+    return lower + (upper - lower) * (float)(random_state >> 8) * (1.0f / 16777216.0f);
+}
+
+static int build(ssgi_trace *trace, void **memory, const float *position, size_t triangles)
+{
+    const char *why = "";
+    const size_t size = ssgi_trace_size(triangles);
+    *memory = malloc(size + 1);
+    const int ok = *memory && ssgi_trace_build(trace, (char *)*memory + 1, size, position, 3 * sizeof(float), NULL, triangles, &why) == SSGI_OK;
+    CHECK(ok, "the tree of %zu triangles was not built: %s", triangles, why);
+    return ok;
+}
+
+/* Distance to triangle c in double, or -1; wide: how far beyond an edge, in barycentric weight, still counts. */
+static double brute(const float *c, const float o[3], const float d[3], double wide)
+{
+    double e[3], f[3], s[3], p[3], q[3], largest = 0;
+    for (int i = 0; i < 9; ++i) {
+        if (!(fabsf(c[i]) <= 1e12f)) return -1;
+        largest = fmax(largest, (double)fabsf(c[i]));
+    }
+    for (int i = 0; i < 3; ++i) {
+        e[i] = (double)c[3 + i] - (double)c[i];
+        f[i] = (double)c[6 + i] - (double)c[i];
+        s[i] = (double)o[i] - (double)c[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        p[i] = (double)d[j] * f[k] - (double)d[k] * f[j];
+        q[i] = s[j] * e[k] - s[k] * e[j];
+    }
+    const double det = e[0] * p[0] + e[1] * p[1] + e[2] * p[2];
+    if (det == 0) return -1;
+    const double u = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) / det, v = ((double)d[0] * q[0] + (double)d[1] * q[1] + (double)d[2] * q[2]) / det;
+    if (u < -wide || v < -wide || u + v > 1 + wide) return -1;
+    return (f[0] * q[0] + f[1] * q[1] + f[2] * q[2]) / det;
+}
+
+enum { SOUP = 3000, RAYS = 3000 };
+
+static void against_brute_force(void)
+{
+    static float soup[SOUP][9];
+    ssgi_trace trace;
+    void *memory;
+    int hits = 0;
+    random_state = 1;
+    for (int t = 0; t < SOUP; ++t) {
+        const float size = expf(uniform(-5, 0));
+        for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < 3; ++i) soup[t][3 * k + i] = (k ? soup[t][i] : uniform(-1, 1)) + (k ? uniform(-size, size) : 0);
+        if (t % 50 == 1) soup[t][t % 9] = NAN;
+        if (t % 50 == 2) soup[t][t % 9] = t & 1 ? INFINITY : -2e12f;
+        if (t % 50 == 3) memcpy(&soup[t][3], soup[t], 3 * sizeof(float));                       /* two corners the same */
+        if (t % 50 == 4) for (int i = 0; i < 3; ++i) soup[t][6 + i] = soup[t][i];
+        if (t % 50 == 5) memcpy(soup[t], soup[t - 5], sizeof soup[t]);                          /* the same again */
+        if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : uniform(-100, 100) * 1e6f;    /* huge, below the rest */
+    }
+    if (!build(&trace, &memory, soup[0], SOUP)) return;
+    CHECK(trace.skipped == 4 * SOUP / 50, "%u triangles were skipped, %d cannot be hit", trace.skipped, 4 * SOUP / 50);
+    for (int r = 0; r < RAYS; ++r) {
+        float o[3], d[3];
+        for (int i = 0; i < 3; ++i) {
+            o[i] = uniform(-1.4f, 1.4f);
+            d[i] = uniform(-3, 3) * (r % 7 == i ? 0.0f : 1.0f);
+        }
+        const float tmax = r % 3 ? uniform(0, 0.5f) : 1e9f, tmin = r % 4 ? 0 : uniform(0, 0.05f);
+        double sure = 1e30, possible = 1e30;
+        for (int t = 0; t < SOUP; ++t) {
+            const double narrow = brute(soup[t], o, d, -1e-3), wide = brute(soup[t], o, d, 1e-3);
+            if (narrow > (double)tmin + 1e-4 && narrow < (double)tmax - 1e-4) sure = fmin(sure, narrow);
+            if (wide > (double)tmin - 1e-4 && wide < (double)tmax + 1e-4) possible = fmin(possible, wide);
+        }
+        ssgi_hit hit = { -1, -1, -1, 0 };
+        const int found = ssgi_trace_closest(&trace, o, d, tmin, tmax, &hit), any = ssgi_trace_any(&trace, o, d, tmin, tmax);
+        CHECK(found == any, "ray %d: closest says %d, any says %d", r, found, any);
+        CHECK(found || sure > 1e29, "ray %d: the hit at %g was missed", r, sure);
+        CHECK(found || hit.t == -1, "ray %d: hit was written without a hit", r);
+        hits += found;
+        if (!found) continue;
+        const double t = (double)hit.t;
+        CHECK(t >= possible - 1e-4 * (1 + possible) && t <= sure + 1e-4 * (1 + sure), "ray %d: hit at %g, brute force between %g and %g", r, t, possible, sure);
+        CHECK(t > (double)tmin && t < (double)tmax, "ray %d: hit at %g outside (%g, %g)", r, t, (double)tmin, (double)tmax);
+        CHECK(hit.u >= 0 && hit.v >= 0 && hit.u + hit.v <= 1.000001f, "ray %d: weights %g %g", r, (double)hit.u, (double)hit.v);
+        for (int i = 0; i < 3 && hit.triangle < SOUP; ++i) {
+            const float *c = soup[hit.triangle];
+            const double on = (double)((1 - hit.u - hit.v) * c[i] + hit.u * c[3 + i] + hit.v * c[6 + i]), size = fabs((double)c[i]) + fabs((double)c[3 + i]);
+            CHECK(fabs(on - ((double)o[i] + t * (double)d[i])) < 1e-4 + 1e-5 * size, "ray %d: the weights lead to %g, the distance to %g", r, on, (double)o[i] + t * (double)d[i]);
+        }
+    }
+    CHECK(hits > RAYS / 4 && hits < RAYS, "%d of %d rays hit: no test", hits, RAYS);
+    const float o[3] = { 0, 0, 0 }, bad[3][3] = { { 0, 0, 0 }, { NAN, 0, 1 }, { 1, INFINITY, 0 } };
+    for (int k = 0; k < 3; ++k) CHECK(!ssgi_trace_any(&trace, o, bad[k], 0, 1e9f), "bad direction %d hits", k);
+    CHECK(!ssgi_trace_any(&trace, bad[1], soup[0], 0, 1e9f), "an origin that is not a number hits");
+    free(memory);
+}
+
+/* Nested shells shrink by a factor each: area would peel them off one by one. Then thousands that nothing can tell apart. */
+static void deep_trees(void)
+{
+    enum { SHELLS = 6000, SAME = 20000 };
+    float *soup = malloc((SHELLS + SAME) * 9 * sizeof *soup);
+    ssgi_trace trace;
+    void *memory;
+    for (int t = 0; t < SHELLS; ++t) {
+        const float s = powf(10, 10 - 30.0f * (float)t / SHELLS), c[9] = { s, -s, -s, s, s, -s, s, 0, s };
+        memcpy(soup + 9 * t, c, sizeof c);
+    }
+    for (int t = 0; t < SAME; ++t) {
+        const float c[9] = { -1, -1, -1, -1, 1, -1, -1, 0, 1 };
+        memcpy(soup + 9 * (SHELLS + t), c, sizeof c);
+    }
+    if (!build(&trace, &memory, soup, SHELLS + SAME)) { free(soup); return; }
+    const float o[3] = { 0, 0, 0 }, forth[3] = { 1, 0, 0 }, back[3] = { -1, 0, 0 };
+    float tmin = 0;
+    int counted = 0;
+    ssgi_hit hit;
+    while (counted <= SHELLS && ssgi_trace_closest(&trace, o, forth, tmin, 1e11f, &hit)) {
+        tmin = hit.t;
+        ++counted;
+    }
+    CHECK(counted == SHELLS, "%d of %d shells were hit one after the other", counted, SHELLS);
+    CHECK(ssgi_trace_closest(&trace, o, back, 0, 2, &hit) && hit.t == 1.0f, "coincident triangles: not hit at 1");
+    free(memory);
+    for (int i = 0; i < 9 * SAME; ++i) soup[i] = NAN;
+    if (build(&trace, &memory, soup, SAME)) CHECK(!ssgi_trace_any(&trace, o, back, 0, 2), "nothing but bad triangles, and a hit");
+    free(memory);
+    free(soup);
+}
+
+/* lumpy: the radius varies from place to place */
+static void ball(kit_mesh *mesh, int rings, const float centre[3], float radius, float lumpy)
+{
+    const int around = 2 * rings;
+    mesh->position = realloc(mesh->position, (mesh->triangles + (size_t)(2 * rings * around)) * 9 * sizeof(float));
+    mesh->normal = realloc(mesh->normal, (mesh->triangles + (size_t)(2 * rings * around)) * 9 * sizeof(float));
+    if (!mesh->position || !mesh->normal) exit(1);
+    for (int y = 0; y < rings; ++y)
+        for (int x = 0; x < around; ++x)
+            for (int k = 0; k < 6; ++k) {
+                static const int dx[6] = { 0, 1, 1, 0, 1, 0 }, dy[6] = { 0, 0, 1, 0, 1, 1 };
+                const double a = 6.283185307179586 * ((x + dx[k]) % around) / around, b = 3.141592653589793 * (y + dy[k]) / rings;
+                const double n[3] = { sin(b) * cos(a), cos(b), sin(b) * sin(a) };
+                for (int i = 0; i < 3; ++i) {
+                    const size_t at = 9 * (mesh->triangles + (size_t)(2 * (y * around + x) + k / 3)) + (size_t)(3 * (k % 3) + i);
+                    mesh->normal[at] = (float)n[i];
+                    mesh->position[at] = centre[i] + (float)((double)radius * n[i] * (1 + (double)lumpy * sin(40 * n[0]) * sin(37 * n[1]) * sin(31 * n[2])));
+                }
+            }
+    mesh->triangles += (size_t)(2 * rings * around);
+}
+
+/* A parallelogram of n x n x 2 triangles with the corner p and the sides a, b. */
+static void sheet(kit_mesh *mesh, int n, const float p[3], const float a[3], const float b[3])
+{
+    const size_t more = (size_t)(2 * n * n);
+    mesh->position = realloc(mesh->position, (mesh->triangles + more) * 9 * sizeof(float));
+    mesh->normal = realloc(mesh->normal, (mesh->triangles + more) * 9 * sizeof(float));
+    if (!mesh->position || !mesh->normal) exit(1);
+    float normal[3], length = 0;
+    for (int i = 0; i < 3; ++i) {
+        normal[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+        length += normal[i] * normal[i];
+    }
+    float *to = mesh->position + 9 * mesh->triangles, *up = mesh->normal + 9 * mesh->triangles;
+    for (int q = 0; q < n * n; ++q)
+        for (int k = 0; k < 6; ++k) {
+            static const int da[6] = { 0, 1, 1, 0, 1, 0 }, db[6] = { 0, 0, 1, 0, 1, 1 };
+            for (int i = 0; i < 3; ++i) {
+                *to++ = p[i] + a[i] * (float)(q % n + da[k]) / (float)n + b[i] * (float)(q / n + db[k]) / (float)n;
+                *up++ = normal[i] / sqrtf(length);
+            }
+        }
+    mesh->triangles += more;
+}
+
+static void bounds(kit_mesh *mesh)
+{
+    for (int i = 0; i < 3; ++i) mesh->lower[i] = mesh->upper[i] = mesh->position[i];
+    for (size_t k = 0; k < 9 * mesh->triangles; ++k) {
+        mesh->lower[k % 3] = fminf(mesh->lower[k % 3], mesh->position[k]);
+        mesh->upper[k % 3] = fmaxf(mesh->upper[k % 3], mesh->position[k]);
+    }
+}
+
+static void no_cracks(void)
+{
+    kit_mesh mesh = { 0 };
+    const float middle[3] = { 0.1f, 0.2f, -0.3f };
+    ball(&mesh, 60, middle, 1, 0.2f);
+    ssgi_trace trace;
+    void *memory;
+    int missed = 0, shot = 0;
+    if (!build(&trace, &memory, mesh.position, mesh.triangles)) return;
+    random_state = 7;
+    for (size_t t = 0; t < mesh.triangles; ++t)
+        for (int k = 0; k < 6; ++k, ++shot) {                               /* at corners, and along edges */
+            const float *p = mesh.position + 9 * t + 3 * (k % 3), *q = mesh.position + 9 * t + 3 * ((k + 1) % 3);
+            float o[3], d[3], along = k < 3 ? 0 : uniform(0, 1);
+            for (int i = 0; i < 3; ++i) {
+                o[i] = middle[i] + uniform(-0.5f, 0.5f);
+                d[i] = p[i] + along * (q[i] - p[i]) - o[i];
+            }
+            missed += !ssgi_trace_any(&trace, o, d, 0, 1e9f);
+        }
+    CHECK(missed == 0, "%d of %d rays slipped through edges or corners of a closed surface", missed, shot);
+    free(memory);
+    kit_mesh_free(&mesh);
+}
+
+static void bad_arguments(void)
+{
+    static const float triangle[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+    static unsigned char memory[2048], before[2048];
+    const size_t size = ssgi_trace_size(1);
+    ssgi_trace trace, same;
+    if (!CHECK(size > 0 && size <= sizeof memory, "one triangle needs %zu bytes", size)) return;
+    memset(memory, 0x5a, sizeof memory);
+    memcpy(before, memory, sizeof memory);
+    memset(&trace, 0x5a, sizeof trace);
+    memcpy(&same, &trace, sizeof trace);
+    for (int k = 0; k < 8; ++k) {
+        static const char *const names[8] = { "trace", "memory", "position", "stride_bytes", "stride_bytes", "triangles", "triangles", "size" };
+        const char *why = "";
+        const size_t many = SSGI_TRACE_MAX_TRIANGLES;
+        const ssgi_result result = ssgi_trace_build(k == 0 ? NULL : &trace, k == 1 ? NULL : memory, k == 7 ? size - 1 : size, k == 2 ? NULL : triangle,
+                                                    k == 3 ? 8 : k == 4 ? 14 : 12, NULL, k == 5 ? 0 : k == 6 ? many + 1 : 1, &why);
+        CHECK(result == (k == 7 ? SSGI_TOO_SMALL : SSGI_BAD_ARGUMENT), "bad %s: result %d", names[k], (int)result);
+        CHECK(!strncmp(why, names[k], strlen(names[k])), "bad %s: \"%s\"", names[k], why);
+    }
+    CHECK(!memcmp(memory, before, sizeof memory) && !memcmp(&trace, &same, sizeof trace), "a refused build wrote something");
+    CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
+    for (size_t n = 1; n < 40; ++n) {                                       /* the size named suffices: nothing is written beyond it */
+        static float soup[40][9];
+        for (size_t t = 0; t < n; ++t)
+            for (int i = 0; i < 9; ++i) soup[t][i] = triangle[i] + (i % 3 ? 0 : (float)(t * t));
+        const size_t all = ssgi_trace_size(n);
+        unsigned char *exact = malloc(all + 64);
+        if (!exact) return;
+        memset(exact, 0x5a, all + 64);
+        CHECK(ssgi_trace_build(&trace, exact, all, soup[0], 12, NULL, n, NULL) == SSGI_OK, "%zu triangles were refused", n);
+        for (size_t i = all; i < all + 64; ++i) CHECK(exact[i] == 0x5a, "%zu triangles: byte %zu of %zu was written", n, i, all);
+        free(exact);
+    }
+}
+
+/* ---- cameras --------------------------------------------------------------------------------------------------- */
+
+static void transform(const float m[16], const double in[4], double out[4])
+{
+    for (int r = 0; r < 4; ++r) out[r] = (double)m[r] * in[0] + (double)m[4 + r] * in[1] + (double)m[8 + r] * in[2] + (double)m[12 + r] * in[3];
+}
+
+static void cameras(void)
+{
+    for (int k = 0; k < 24; ++k) {
+        kit_camera camera = { .eye = { 3, 2, 5 }, .target = { -0.5f, 0.25f, 1 }, .up = { 0.1f, 1, 0.2f }, .fovy = k & 1 ? 0.0f : 55.0f, .ortho_height = 4, .znear = 0.5f,
+                              .zfar = 20, .width = 97, .height = 64, .shift = { k & 2 ? 20.25f : 0.0f, k & 2 ? 11.5f : 0.0f }, .depth = k / 4 % 3 };
+        if (k >= 12) camera.up[0] = camera.eye[0] - camera.target[0], camera.up[1] = camera.eye[1] - camera.target[1], camera.up[2] = camera.eye[2] - camera.target[2];
+        float view[16], projection[16], o[3], d[3];
+        const double top = camera.depth == KIT_DEPTH_NORMAL ? -1 : 1, bottom = camera.depth == KIT_DEPTH_NORMAL ? 1 : 0;
+        const int endless = camera.depth == KIT_DEPTH_INFINITE && camera.fovy > 0;
+        kit_camera_matrices(&camera, view, projection);
+        for (int i = 0; i < 60; ++i) {
+            const int x = i * 37 % camera.width, y = i * 23 % camera.height;
+            kit_camera_ray(&camera, x, y, o, d);
+            for (int plane = 0; plane < 2; ++plane) {
+                double p[4] = { 0, 0, 0, 1 }, v[4], c[4], axis[4];
+                for (int j = 0; j < 3; ++j) p[j] = (double)d[j];
+                p[3] = 0;
+                transform(view, p, axis);                                   /* the ray's slope: how far to a plane */
+                const double depth = plane ? (endless ? 1e7 : 20.0) : 0.5;
+                for (int j = 0; j < 3; ++j) p[j] = (double)o[j] + (double)d[j] * depth / -axis[2];
+                p[3] = 1;
+                transform(view, p, v);
+                transform(projection, v, c);
+                const double px = (c[0] / c[3] * 0.5 + 0.5) * camera.width, py = (0.5 - c[1] / c[3] * 0.5) * camera.height, z = c[2] / c[3];
+                CHECK(fabs(px - x - 0.5) < 1e-3 && fabs(py - y - 0.5) < 1e-3, "camera %d: the ray of pixel %d, %d comes out at %.4f, %.4f", k, x, y, px, py);
+                CHECK(fabs(z - (plane ? bottom : top)) < 1e-4, "camera %d: the %s plane has depth %g", k, plane ? "far" : "near", z);
+            }
+            CHECK(fabs((double)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - 1) < 1e-6, "camera %d: direction is not unit", k);
+        }
+        const double target[4] = { -0.5, 0.25, 1, 1 };
+        double v[4], c[4];
+        transform(view, target, v);
+        transform(projection, v, c);
+        const double px = (c[0] / c[3] * 0.5 + 0.5) * 97, py = (0.5 - c[1] / c[3] * 0.5) * 64;
+        CHECK(fabs(px - 48.5 - (double)camera.shift[0]) < 1e-3 && fabs(py - 32 + (double)camera.shift[1]) < 1e-3, "camera %d: the target is seen at %g, %g", k, px, py);
+    }
+}
+
+/* ---- truth and floor ------------------------------------------------------------------------------------------- */
+
+static double corner_occlusion(double c, int attenuation)      /* of a wall at the distance c radii */
+{
+    const double s = sqrt(fmax(0, 1 - c * c));
+    if (c >= 1) return 0;
+    if (attenuation == KIT_ATTENUATION_NONE) return (acos(c) - c * s) / 3.141592653589793;
+    return (acos(c) + c * s - (c > 0 ? 2 * c * log((1 + s) / c) : 0)) / 3.141592653589793;
+}
+
+static void compare(const char *what, const kit_image *y, const double *expected, double rmse, double most)    /* expected < 0: not counted */
+{
+    double sum = 0, worst = 0;
+    int n = 0;
+    for (int i = 0; i < y->width * y->height; ++i)
+        if (expected[i] >= 0) {
+            const double e = (double)y->data[i] - expected[i];
+            sum += e * e;
+            worst = fmax(worst, fabs(e));
+            ++n;
+        }
+    const double found = sqrt(sum / (n + !n));
+    CHECK(n > y->width * y->height / 10, "%s: only %d pixels count", what, n);
+    CHECK(found <= rmse && worst <= most, "%s: RMSE %.4f (at most %.4f), worst pixel %.4f (at most %.4f)", what, found, rmse, worst, most);
+    t_note("%s: RMSE %.5f, worst pixel %.4f", what, found, worst);
+}
+
+static void bare_plane(void)
+{
+    static const float p[3] = { 100, 200, -50 }, a[3] = { 7, 3, -2 }, b[3] = { 1, -4, 6 };
+    for (int k = 0; k < 4; ++k) {
+        kit_scene scene = { 0 };
+        kit_image y;
+        kit_error err = { "" };
+        kit_camera camera = { .eye = { 104, 199.5f, -48 }, .target = { 103.5f, 199.4f, -48.3f }, .up = { 0, 1, 0 }, .fovy = k & 2 ? 0.0f : 60.0f, .ortho_height = 2, .width = 48, .height = 32 };
+        for (int i = 0; i < 3; ++i) camera.eye[i] = p[i] + 0.5f * (a[i] + b[i]) + 0.3f * (i == 0 ? 10.0f : i == 1 ? -44.0f : -31.0f) / 54.7f, camera.target[i] = p[i] + 0.55f * (a[i] + b[i]);
+        sheet(&scene.mesh, k & 1 ? 40 : 1, p, a, b);
+        bounds(&scene.mesh);
+        if (!CHECK(!kit_truth_ao(&y, &scene, &camera, 2, k & 1, 64, 1, &err), "%s", err.text)) return;
+        int shaded = 0;
+        for (int i = 0; i < 48 * 32; ++i) shaded += y.data[i] != 1.0f;
+        CHECK(shaded == 0, "%d pixels of a bare plane are not exactly open (camera %d)", shaded, k);
+        kit_image_free(&y);
+        kit_mesh_free(&scene.mesh);
+    }
+}
+
+/* the plane y = 0 or x = 0 of the corner that a ray meets first: 1 floor, 2 wall, 0 none; at: where */
+static int corner_hit(const float o[3], const float d[3], double at[3])
+{
+    const double down = d[1] < 0 ? (double)-o[1] / (double)d[1] : 1e30, side = d[0] < 0 ? (double)-o[0] / (double)d[0] : 1e30, t = fmin(down, side);
+    for (int i = 0; i < 3; ++i) at[i] = (double)o[i] + t * (double)d[i];
+    return t > 40 ? 0 : down < side ? 1 : 2;
+}
+
+static void corner(void)
+{
+    static const float p[3] = { 0, 0, -50 }, x[3] = { 50, 0, 0 }, y[3] = { 0, 50, 0 }, z[3] = { 0, 0, 100 };
+    static double expected[80 * 60];
+    kit_scene scene = { 0 };
+    sheet(&scene.mesh, 1, p, z, x);
+    sheet(&scene.mesh, 1, p, y, z);
+    bounds(&scene.mesh);
+    for (int k = 0; k < 4; ++k) {
+        kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.3f, 0.3f, 0 }, .up = { 0, 1, 0 }, .fovy = k & 2 ? 0.0f : 40.0f, .ortho_height = 4, .width = 80, .height = 60 };
+        kit_image out;
+        kit_error err = { "" };
+        for (int i = 0; i < 80 * 60; ++i) {
+            float o[3], d[3];
+            double at[3];
+            kit_camera_ray(&camera, i % 80, i / 80, o, d);
+            const int plane = corner_hit(o, d, at);
+            expected[i] = plane ? 1 - corner_occlusion(at[plane == 1 ? 0 : 1], k & 1) : -1;
+        }
+        if (!CHECK(!kit_truth_ao(&out, &scene, &camera, 1, k & 1, 256, 1, &err), "%s", err.text)) break;
+        compare(k & 1 ? "corner, 256 rays, hard" : "corner, 256 rays, linear", &out, expected, 0.004, 0.02);
+        kit_image_free(&out);
+    }
+    kit_mesh_free(&scene.mesh);
+}
+
+static void ball_on_plane(void)
+{
+    static const float p[3] = { -30, 0, -30 }, z[3] = { 0, 0, 60 }, x[3] = { 60, 0, 0 }, middle[3] = { 0, 1, 0 };
+    static double expected[64 * 64];
+    kit_scene scene = { 0 };
+    kit_camera camera = { .eye = { 0, 5, 0 }, .up = { 0, 0, -1 }, .ortho_height = 7, .width = 64, .height = 64 };
+    kit_image out;
+    kit_error err = { "" };
+    sheet(&scene.mesh, 1, p, z, x);
+    ball(&scene.mesh, 100, middle, 1, 0);
+    bounds(&scene.mesh);
+    for (int i = 0; i < 64 * 64; ++i) {
+        const double u = (i % 64 + 0.5) * 7 / 64 - 3.5, v = (i / 64 + 0.5) * 7 / 64 - 3.5, rho = u * u + v * v;
+        expected[i] = rho < 1.02 ? -1 : 1 - pow(1 + rho, -1.5);
+    }
+    if (CHECK(!kit_truth_ao(&out, &scene, &camera, 1000, KIT_ATTENUATION_NONE, 256, 1, &err), "%s", err.text)) {
+        compare("ball resting on a plane, 256 rays", &out, expected, 0.004, 0.02);
+        kit_image_free(&out);
+    }
+    kit_mesh_free(&scene.mesh);
+}
+
+static void threads(void)
+{
+    static const float p[3] = { -3, 0, -3 }, z[3] = { 0, 0, 6 }, x[3] = { 6, 0, 0 }, middle[3] = { 0, 1, 0 };
+    const char *old = getenv("KIT_THREADS");
+    char kept[32] = "";
+    kit_scene scene = { 0 };
+    kit_camera camera = { .eye = { 3, 3, 4 }, .target = { 0, 0.5f, 0 }, .up = { 0, 1, 0 }, .fovy = 40, .width = 61, .height = 47, .depth = KIT_DEPTH_INFINITE };
+    kit_image out[3];
+    if (old) snprintf(kept, sizeof kept, "%s", old);
+    sheet(&scene.mesh, 3, p, z, x);
+    ball(&scene.mesh, 20, middle, 1, 0.1f);
+    bounds(&scene.mesh);
+    int ok = 1;
+    for (int k = 0; k < 3; ++k) {
+        setenv("KIT_THREADS", k ? "2" : "1", 1);
+        ok = ok && !kit_truth_ao(&out[k], &scene, &camera, 1, KIT_ATTENUATION_LINEAR, 16, k == 2 ? 4 : 1, NULL);
+    }
+    if (old) setenv("KIT_THREADS", kept, 1);
+    else unsetenv("KIT_THREADS");
+    if (!CHECK(ok, "no truth")) return;
+    int shaded = 0, wrong = 0;
+    CHECK(!memcmp(out[0].data, out[1].data, 61 * 47 * sizeof(float)), "1 and 2 threads differ");
+    for (int i = 0; i < 61 * 47; ++i) {
+        const int kept_pixel = i % 61 % 4 == 2 && i / 61 % 4 == 2;
+        shaded += out[0].data[i] < 0.99f;
+        wrong += kept_pixel ? out[2].data[i] != out[0].data[i] : !isnan(out[2].data[i]);
+    }
+    CHECK(shaded > 100, "only %d pixels are shaded: no test", shaded);
+    CHECK(wrong == 0, "stride 4: %d pixels are neither the full picture's nor NaN where they should be", wrong);
+    CHECK(kit_truth_ao(&out[0], &scene, &camera, -1, KIT_ATTENUATION_LINEAR, 16, 1, NULL) == -1, "a negative radius passes");
+    for (int k = 0; k < 3; ++k) kit_image_free(&out[k]);
+    kit_mesh_free(&scene.mesh);
+}
+
+/* ray and ball of radius 1: the nearer distance, or 1e30 */
+static double ball_hit(const float o[3], const float d[3], const double middle[3])
+{
+    double b = 0, c = -1;
+    for (int i = 0; i < 3; ++i) {
+        const double s = (double)o[i] - middle[i];
+        b += s * (double)d[i];
+        c += s * s;
+    }
+    return b * b < c ? 1e30 : -b - sqrt(b * b - c);
+}
+
+/* Frames worked out by hand: 0 a plane to the horizon, 1 a corner, 2 a corner with its floor seen at a grazing angle, 3 a ball far before a wall. */
+static void floors(void)
+{
+    enum { W = 160, H = 120 };
+    static double expected[W * H];
+    for (int k = 0; k < 8; ++k) {
+        const int what = k % 4, flat = k / 4;
+        kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.3f, 0.3f, 0 }, .up = { 0, 1, 0 }, .fovy = flat ? 0.0f : 40.0f, .ortho_height = 3, .width = W, .height = H };
+        const float eyes[4][3] = { { 4, 3, 2 }, { 4, 3, 2 }, { 5, 0.9f, 1 }, { 0, 0, 10 } }, targets[4][3] = { { 0, 2.8f, 0 }, { 0.3f, 0.3f, 0 }, { 0, 0.5f, 0 }, { 0, 0, 0 } };
+        const double middle[3] = { 0, 0, 5 };
+        kit_image frame, out;
+        kit_error err = { "" };
+        float view[16], projection[16];
+        memcpy(camera.eye, eyes[what], sizeof camera.eye);
+        memcpy(camera.target, targets[what], sizeof camera.target);
+        camera.znear = 0.1f, camera.zfar = 100;
+        kit_camera_matrices(&camera, view, projection);
+        if (!CHECK(!kit_image_new(&frame, W, H, "Z,N.X,N.Y,N.Z", &err), "%s", err.text)) return;
+        for (int i = 0; i < W * H; ++i) {
+            float o[3], d[3];
+            double at[4] = { 0, 0, 0, 1 }, n[4] = { 0, 0, 0, 0 }, v[4];
+            int hit = 1;
+            kit_camera_ray(&camera, i % W, i / W, o, d);
+            expected[i] = 1;
+            if (what == 3) {
+                const double t = fmin(ball_hit(o, d, middle), (double)(-o[2] / d[2]));
+                for (int j = 0; j < 3; ++j) at[j] = (double)o[j] + t * (double)d[j];
+                for (int j = 0; j < 3; ++j) n[j] = at[2] > 1 ? at[j] - middle[j] : j == 2;
+            } else if (what == 0) {
+                hit = d[1] < 0;
+                for (int j = 0; j < 3; ++j) at[j] = (double)o[j] - (double)d[j] * (double)o[1] / (double)d[1];
+                n[1] = 1;
+            } else {
+                hit = corner_hit(o, d, at);
+                n[hit == 1] = 1;
+                if (hit) expected[i] = 1 - corner_occlusion(at[hit == 1 ? 0 : 1], KIT_ATTENUATION_LINEAR);
+            }
+            transform(view, at, v);
+            frame.data[i] = hit ? (float)-v[2] : i & 1 ? INFINITY : 0;
+            transform(view, n, v);
+            for (int j = 0; j < 3; ++j) frame.data[(j + 1) * W * H + i] = (float)v[j];
+            /* what occludes must be in view, a radius around */
+            if (what && what < 3 && (i % W < W / 3 || i % W > 2 * W / 3 || i / W < H / 4 || i / W > 3 * H / 4)) expected[i] = -1;
+        }
+        const float radius = what == 3 ? 3.5f : what == 0 ? 2 : 0.5f;
+        if (what == 1 || what == 2)
+            for (int i = 0; i < W * H; ++i)
+                if (expected[i] >= 0) {
+                    float o[3], d[3];
+                    double at[3];
+                    kit_camera_ray(&camera, i % W, i / W, o, d);
+                    const int hit = corner_hit(o, d, at);
+                    expected[i] = hit ? 1 - corner_occlusion(at[hit == 1 ? 0 : 1] / (double)radius, KIT_ATTENUATION_LINEAR) : -1;
+                }
+        if (CHECK(!kit_floor_ao(&out, &frame, &camera, radius, KIT_ATTENUATION_LINEAR, what == 1 || what == 2 ? 128 : 32, 1, &err), "%s", err.text)) {
+            static const char *const names[4] = { "floor: a plane to the horizon", "floor: a corner", "floor: a corner at a grazing angle", "floor: a ball far before a wall" };
+            compare(names[what], &out, expected, what == 0 || what == 3 ? 0 : 0.015, what == 0 || what == 3 ? 0 : 0.1);
+            kit_image_free(&out);
+        }
+        kit_image_free(&frame);
+    }
+}
+
+void test_trace(void)
+{
+    RUN("the tree finds what brute force finds, among broken, huge and doubled triangles", against_brute_force);
+    RUN("triangles that coincide or shrink without end keep the tree shallow", deep_trees);
+    RUN("no ray slips between triangles that share an edge", no_cracks);
+    RUN("bad arguments are named and leave everything as it was", bad_arguments);
+    RUN("camera rays and matrices agree, in every depth layout", cameras);
+    RUN("truth: a bare plane is exactly open", bare_plane);
+    RUN("truth: a corner agrees with its closed form", corner);
+    RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
+    RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
+    RUN("floor: planes are open, creases closed, silhouettes cut", floors);
+}
