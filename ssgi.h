@@ -174,7 +174,8 @@ SSGI_DEF size_t ssgi_trace_size(size_t triangles);
    position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are
    memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it, do not move it.
                position and index are not needed afterwards.
-   Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit.
+   Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller than
+   about 1e-18 may be missed.
    SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside 1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below
    12 or no multiple of 4. Then *why names the argument, and trace and memory are untouched. Indices are not checked.
    O(n log n) but for contrived input; no allocation; recursion at most 62 deep, whatever the input. */
@@ -734,36 +735,50 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
     return SSGI_OK;
 }
 
-/* distance[k] to each triangle of the block, negative for a miss; weight[c][k]: unnormalised barycentric weight of corner c. The weight
-   of a corner is the ray's side of the opposite edge. Two triangles compute the same side for the edge they share, up to sign: no
-   gap between them [Plucker coordinates; Shevtsov et al. 2007]. */
-static void ssgi__trace_block_hit(const ssgi__trace_block *block, const float o[3], const float d[3], float weight[3][4], float distance[4])
+typedef struct ssgi__trace_ray {
+    float origin[3], slope[2];                    /* x, y, z permuted so that z is the direction's longest axis */
+    int   axis[3];
+} ssgi__trace_ray;
+
+/* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses it. The corners are
+   sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners, which triangles share: neither edges nor
+   corners leave gaps [Woop, Benthin, Wald 2013]. */
+static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4], float outside[4])
 {
-    const float ox = o[0], oy = o[1], oz = o[2], dx = d[0], dy = d[1], dz = d[2];
-    float beyond[4];
+    const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
+    const float *x0 = block->corner[0][ray->axis[0]], *y0 = block->corner[0][ray->axis[1]], *z0 = block->corner[0][ray->axis[2]];
+    const float *x1 = block->corner[1][ray->axis[0]], *y1 = block->corner[1][ray->axis[1]], *z1 = block->corner[1][ray->axis[2]];
+    const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]], *z2 = block->corner[2][ray->axis[2]];
     int k;
     for (k = 0; k < 4; k++) {
-        const float ax = block->corner[0][0][k] - ox, ay = block->corner[0][1][k] - oy, az = block->corner[0][2][k] - oz;
-        const float bx = block->corner[1][0][k] - ox, by = block->corner[1][1][k] - oy, bz = block->corner[1][2][k] - oz;
-        const float cx = block->corner[2][0][k] - ox, cy = block->corner[2][1][k] - oy, cz = block->corner[2][2][k] - oz;
-        const float px = bx - ax, py = by - ay, pz = bz - az, qx = cx - bx, qy = cy - by, qz = cz - bz, rx = ax - cx, ry = ay - cy, rz = az - cz;
-        const float ux = bx + ax, uy = by + ay, uz = bz + az, vx = cx + bx, vy = cy + by, vz = cz + bz, wx = ax + cx, wy = ay + cy, wz = az + cz;
-        const float a = (qy * vz - qz * vy) * dx + (qz * vx - qx * vz) * dy + (qx * vy - qy * vx) * dz;
-        const float b = (ry * wz - rz * wy) * dx + (rz * wx - rx * wz) * dy + (rx * wy - ry * wx) * dz;
-        const float c = (py * uz - pz * uy) * dx + (pz * ux - px * uz) * dy + (px * uy - py * ux) * dz;
-        const float nx = py * qz - pz * qy, ny = pz * qx - px * qz, nz = px * qy - py * qx;
-        const float facing = nx * dx + ny * dy + nz * dz, height = nx * ax + ny * ay + nz * az;
+        const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
+        const float bz = z1[k] - oz, bx = x1[k] - ox - sx * bz, by = y1[k] - oy - sy * bz;
+        const float cz = z2[k] - oz, cx = x2[k] - ox - sx * cz, cy = y2[k] - oy - sy * cz;
+        const float a = cx * by - cy * bx, b = ax * cy - ay * cx, c = bx * ay - by * ax;
         const float least = ssgi__trace_min(a, ssgi__trace_min(b, c)), most = ssgi__trace_max(a, ssgi__trace_max(b, c));
-        const float slack = ssgi__trace_abs(a + b + c) * 1.2e-7f;
-        const float outside = ssgi__trace_min(-slack - least, most - slack);      /* above 0: beyond an edge */
-        const float t = height / (facing + 1e-37f);                                     /* 0 / 0 for lanes that are empty */
         weight[0][k] = a;
         weight[1][k] = b;
         weight[2][k] = c;
-        distance[k] = t;
-        beyond[k] = outside;
+        outside[k] = ssgi__trace_min(-least, most);
     }
-    for (k = 0; k < 4; k++) distance[k] = beyond[k] > 0.0f ? -1.0f : distance[k];     /* in a loop of its own for gcc -O2 to use vectors */
+}
+
+/* where the ray meets the plane of triangle k, -1 if it lies in the plane; in double, or a ball on a wide floor would sink in */
+static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
+{
+    double e[3], f[3], facing = 0.0, height = 0.0;
+    int i;
+    for (i = 0; i < 3; i++) {
+        e[i] = (double)block->corner[1][i][k] - (double)block->corner[0][i][k];
+        f[i] = (double)block->corner[2][i][k] - (double)block->corner[0][i][k];
+    }
+    for (i = 0; i < 3; i++) {
+        const int p = i < 2 ? i + 1 : 0, q = i > 0 ? i - 1 : 2;
+        const double normal = e[p] * f[q] - e[q] * f[p];
+        facing += normal * (double)d[i];
+        height += normal * ((double)block->corner[0][i][k] - (double)o[i]);
+    }
+    return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
 /* hit NULL: any hit will do */
@@ -773,6 +788,7 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
     struct { uint32_t child; float t; } stack[SSGI__TRACE_STACK];
     const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
+    ssgi__trace_ray ray;
     float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
     int sign[3], top = 0, found = 0, i, k;
     for (i = 0; i < 3; i++) size += ssgi__trace_abs(o[i]) + ssgi__trace_abs(d[i]);
@@ -783,6 +799,11 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
         sign[i] = d[i] < 0.0f;
         inverse[i] = 1.0f / (sign[i] ? ssgi__trace_min(d[i], -least) : ssgi__trace_max(d[i], least));
     }
+    ray.axis[2] = longest > ssgi__trace_abs(d[0]) ? longest > ssgi__trace_abs(d[1]) ? 2 : 1 : 0;
+    ray.axis[0] = (ray.axis[2] + 1) % 3;
+    ray.axis[1] = (ray.axis[2] + 2) % 3;
+    for (i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
+    for (i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
     tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
@@ -791,18 +812,20 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
         if (stack[top].t > tmax) continue;
         if (child & SSGI__TRACE_LEAF) {
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
-            ssgi__trace_block_hit(block, o, d, weight, enter);
-            for (k = 0; k < 4; k++)
-                if (enter[k] > tmin && enter[k] < tmax) {
-                    const float sum = weight[0][k] + weight[1][k] + weight[2][k];
-                    if (!(ssgi__trace_abs(sum) > 0.0f)) continue;                 /* the ray lies in the plane */
-                    if (!hit) return 1;
-                    found = 1;
-                    hit->t = tmax = enter[k];
-                    hit->u = ssgi__trace_min(1.0f, ssgi__trace_max(0.0f, weight[1][k] / sum));
-                    hit->v = ssgi__trace_min(1.0f - hit->u, ssgi__trace_max(0.0f, weight[2][k] / sum));
-                    hit->triangle = block->triangle[k];
-                }
+            ssgi__trace_block_hit(block, &ray, weight, enter);
+            for (k = 0; k < 4; k++) {
+                float t, sum;
+                if (enter[k] > 0.0f) continue;
+                t = ssgi__trace_distance(block, k, o, d);
+                sum = weight[0][k] + weight[1][k] + weight[2][k];
+                if (!(t > tmin && t < tmax && ssgi__trace_abs(sum) > 0.0f)) continue;
+                if (!hit) return 1;
+                found = 1;
+                hit->t = tmax = t;
+                hit->u = ssgi__trace_min(1.0f, ssgi__trace_max(0.0f, weight[1][k] / sum));
+                hit->v = ssgi__trace_min(1.0f - hit->u, ssgi__trace_max(0.0f, weight[2][k] / sum));
+                hit->triangle = block->triangle[k];
+            }
         } else {
             const ssgi__trace_node *node = nodes + child;
             const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];

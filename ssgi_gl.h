@@ -86,7 +86,8 @@ typedef struct ssgi_gl_desc {
     int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s */
     int normal_rays;        /* hsao, march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;               /* hsao   [limit: 0..1]  1: no attenuation, all within the radius occludes fully */
-    int solid;              /* hsao slices, ssao   [limit: 0..1]  1: what is seen extends away from the viewer without end; 0: frame.thickness */
+    int thin;               /* ssao, hsao   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
+    int half;               /* all   [limit: 0..1]  1: ssao and hsao draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
     int filter;             /* blur   SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;      /* blur   [limit: 0..4] [default: 2]  pixels: 2 is 5x5 */
     int filter_normals;     /* blur   [limit: 0..1]  1: neighbours' normals are compared too, 1 more fetch each */
@@ -142,10 +143,10 @@ typedef struct ssgi_gl_frame {
     float   decode[4];      /* depth[0], depth[1], clear, 0 */
     int32_t origin[2];      /* [units: texels]  first texel of the picture in the G-buffer's textures */
     int32_t size[2];        /* [units: pixels]  of the picture */
-    int32_t target[2];      /* [units: texels]  first texel of the picture in the targets, and in textures that earlier passes wrote */
+    int32_t target[2];      /* [units: texels]  first texel of the picture in the targets, and in textures that earlier passes wrote; half of it in those of half size */
     float   radius;         /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;         /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal: ssao and hsao march, for nearest fetches */
-    float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken to reach (desc.solid = 0) */
+    float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken to reach (desc.thin) */
     float   phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame when frames are averaged */
     float   unused[2];
     float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals); identity by default */
@@ -197,6 +198,8 @@ extern "C" {
 #define SSGI_GL__BILATERAL       ((uint64_t)1 << 23)
 #define SSGI_GL__GAUSSIAN        ((uint64_t)1 << 24)
 #define SSGI_GL__F_NORMALS       ((uint64_t)1 << 25)   /* blur compares normals */
+#define SSGI_GL__FULL            ((uint64_t)1 << 27)
+#define SSGI_GL__HALF            ((uint64_t)1 << 28)
 #define SSGI_GL__NORMALS         ((uint64_t)1 << 26)   /* normals are read at all */
 
 typedef struct ssgi_gl__chunk { int line; uint64_t need; const char *text; } ssgi_gl__chunk;
@@ -247,8 +250,8 @@ static const ssgi_gl__chunk ssgi_gl__far = { __LINE__ + 1, 0,
 static const ssgi_gl__chunk ssgi_gl__decode_perspective = { __LINE__ + 1, SSGI_GL__D_WINDOW | SSGI_GL__PERSPECTIVE,
     "float ssgi_decode(float d)\n"
     "{\n"
-    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d);\n"
-    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
+    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR;\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__decode_orthographic = { __LINE__ + 1, SSGI_GL__D_WINDOW | SSGI_GL__ORTHOGRAPHIC,
@@ -326,7 +329,7 @@ static const ssgi_gl__chunk ssgi_gl__footprint_orthographic = { __LINE__ + 1, SS
 static const ssgi_gl__chunk ssgi_gl__inside = { __LINE__ + 1, 0,
     "bool ssgi_inside(ivec2 p)\n"
     "{\n"
-    "    return p.x >= 0 && p.y >= 0 && p.x < u_ssgi_size.x && p.y < u_ssgi_size.y;\n"
+    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__toward_perspective = { __LINE__ + 1, SSGI_GL__TOWARD | SSGI_GL__PERSPECTIVE,
@@ -476,9 +479,8 @@ static const ssgi_gl__chunk ssgi_gl__kernel = { __LINE__ + 1, 0, "" };   /* prin
 
 static const ssgi_gl__chunk ssgi_gl__gather_points = { __LINE__ + 1, 0,
     "// occlusion from point samples: directions by the cosine, lengths uniform, so that it converges to linear attenuation\n"
-    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 n)\n"
+    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 n, vec2 xi)\n"
     "{\n"
-    "    vec2 xi = ssgi_noise(p);\n"
     "    float a = 6.28318531 * xi.x, c = cos(a), s = sin(a), sum = 0.0;\n"
     "    mat3 basis = ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);\n"
     "    vec3 start = ssgi_lift(P, n);\n"
@@ -554,9 +556,8 @@ static const ssgi_gl__chunk ssgi_gl__above_rays = { __LINE__ + 1, SSGI_GL__RAYS,
 
 static const ssgi_gl__chunk ssgi_gl__gather_march_head = { __LINE__ + 1, 0,
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
-    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 n)\n"
+    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 n, vec2 xi)\n"
     "{\n"
-    "    vec2 xi = ssgi_noise(p);\n"
     "    mat3 basis = ssgi_basis(n);\n"
     "    vec3 start = ssgi_lift(P, n);\n"
     "    float sum = 0.0;\n"
@@ -575,65 +576,12 @@ static const ssgi_gl__chunk ssgi_gl__gather_march_tail = { __LINE__ + 1, 0,
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__arc = { __LINE__ + 1, 0,
-    "// Occlusion of a slice's arc from the tangent plane up to elevation e, from c = cos e: the integral of sin x cos(g - x), where g is the signed\n"
-    "// angle from the view direction to the projected normal (cosg, sing).\n"
-    "float ssgi_arc(float c, float cosg, float sing)\n"
+    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c and sines s: the integral of sin x cos(g - x), where\n"
+    "// g is the signed angle from the view direction to the projected normal; half its cosine and +-half its sine are given.\n"
+    "vec2 ssgi_arc(vec2 c, vec2 s, float cosg, vec2 sing)\n"
     "{\n"
-    "    float x = abs(c), ss = 1.0 - c * c;\n"
-    "    float e = sqrt(1.0 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x))); // acos, error < 7e-5\n"
-    "    e = c < 0.0 ? 3.14159265 - e : e;\n"
-    "    return 0.5 * (cosg * ss + sing * (e - sqrt(ss) * c));\n"
-    "}\n" };
-
-static const ssgi_gl__chunk ssgi_gl__side_solid = { __LINE__ + 1, SSGI_GL__SOLID,
-    "// Occlusion of one side of a slice. step_: the side's direction on the screen, pixels per radius; t: its tangent, unit; n: the projected normal\n"
-    "// over its length squared, so that dot(d, n) is the height over the tangent plane within the slice: exactly 0 on a plane, wherever texels lie.\n"
-    "float ssgi_side(vec2 pixel, vec3 P, vec3 V, vec2 step_, vec3 t, vec3 n, float cosg, float sing, float xi)\n"
-    "{\n"
-    "    float low = 1.0, below = 0.0, sum = 0.0;\n"
-    "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
-    "        float u = (float(i) + xi) / float(SSGI_STEPS);\n"
-    "        ivec2 q = ivec2(floor(pixel + step_ * (u * u)));\n"
-    "        if (!ssgi_inside(q)) break;\n"
-    "        vec3 d = ssgi_position(vec2(q) + 0.5, ssgi_depth(q)) - P;\n"
-    "        float x = dot(d, t), y = dot(d, n), l = length(d);\n"
-    "        float c = x * inversesqrt(x * x + y * y);\n"
-    "        if (y > 0.0 && c < low && l < u_ssgi_radius) {\n"
-    "            float above = ssgi_arc(c, cosg, sing);\n"
-    "            sum += (above - below) * ssgi_attenuation(l);\n"
-    "            low = c;\n"
-    "            below = above;\n"
-    "        }\n"
-    "    }\n"
-    "    return sum;\n"
-    "}\n" };
-
-static const ssgi_gl__chunk ssgi_gl__side_thin = { __LINE__ + 1, SSGI_GL__THIN,
-    "// Occlusion of one side of a slice. step_: the side's direction on the screen, pixels per radius; t: its tangent, unit; n: the projected normal\n"
-    "// over its length squared, so that dot(d, n) is the height over the tangent plane within the slice: exactly 0 on a plane, wherever texels lie.\n"
-    "// What is seen reaches u_ssgi_thickness away from the viewer: light passes between its back and the horizon found before it.\n"
-    "float ssgi_side(vec2 pixel, vec3 P, vec3 V, vec2 step_, vec3 t, vec3 n, float cosg, float sing, float xi)\n"
-    "{\n"
-    "    float low = 1.0, below = 0.0, sum = 0.0, tv = dot(t, V) * u_ssgi_thickness, nv = dot(n, V) * u_ssgi_thickness;\n"
-    "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
-    "        float u = (float(i) + xi) / float(SSGI_STEPS);\n"
-    "        ivec2 q = ivec2(floor(pixel + step_ * (u * u)));\n"
-    "        if (!ssgi_inside(q)) break;\n"
-    "        vec3 d = ssgi_position(vec2(q) + 0.5, ssgi_depth(q)) - P;\n"
-    "        float x = dot(d, t), y = dot(d, n), l = length(d);\n"
-    "        float c = x * inversesqrt(x * x + y * y);\n"
-    "        if (y > 0.0 && c < low && l < u_ssgi_radius) {\n"
-    "            float above = ssgi_arc(c, cosg, sing), xb = x - tv, yb = y - nv;\n"
-    "            if (yb > 0.0) {\n"
-    "                float cb = xb * inversesqrt(xb * xb + yb * yb);\n"
-    "                if (cb < low) below = ssgi_arc(cb, cosg, sing);\n"
-    "            }\n"
-    "            sum += (above - below) * ssgi_attenuation(l);\n"
-    "            low = c;\n"
-    "            below = above;\n"
-    "        }\n"
-    "    }\n"
-    "    return sum;\n"
+    "    vec2 x = abs(c), e = sqrt(1.0 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x))); // acos, error < 7e-5\n"
+    "    return cosg * s * s + sing * (mix(e, 3.14159265 - e, lessThan(c, vec2(0.0))) - s * c);\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__screen_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
@@ -650,90 +598,159 @@ static const ssgi_gl__chunk ssgi_gl__screen_orthographic = { __LINE__ + 1, SSGI_
     "    return t.xy * u_ssgi_project.xy;\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__gather_slices = { __LINE__ + 1, 0,
-    "// occlusion: horizons on both sides of SSGI_DIRECTIONS planes through the view direction\n"
-    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 n)\n"
+static const ssgi_gl__chunk ssgi_gl__slices_head = { __LINE__ + 1, 0,
+    "// Occlusion: horizons on both sides (.x, .y) of SSGI_DIRECTIONS planes through the view direction. n over the length l of its projection makes\n"
+    "// dot(d, n) the height over the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. Each rise of a horizon is attenuated\n"
+    "// by the mean distance of the taps that it lies between.\n"
+    "float ssgi_occlusion(ivec2 p, vec3 P, vec3 normal, vec2 xi)\n"
     "{\n"
-    "    vec2 xi = ssgi_noise(p), pixel = vec2(p) + 0.5;\n"
+    "    vec2 pixel = vec2(p) + 0.5;\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
-    "    float sum = 0.0;\n"
+    "    float total = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = 3.14159265 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 t = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
-    "        float a = dot(n, t), b = dot(n, V), l = max(sqrt(a * a + b * b), 1e-4), cosg = b / l, sing = a / l;\n"
-    "        vec2 step_ = ssgi_screen(P, t) * u_ssgi_radius;\n"
-    "        vec3 tangent = t * cosg - V * sing, m = n / l;\n"
-    "        sum += l * (ssgi_side(pixel, P, V, step_, tangent, m, cosg, sing, xi.y) + ssgi_side(pixel, P, V, -step_, -tangent, m, cosg, -sing, 1.0 - xi.y));\n"
+    "        vec3 slice = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
+    "        float a = dot(normal, slice), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4), cosg = b / l, sing = a / l;\n"
+    "        vec2 pixels = ssgi_screen(P, slice) * u_ssgi_radius;\n"
+    "        vec3 t = slice * cosg - V * sing, n = normal / l;\n"
+    "        vec2 low = vec2(1.0), below = vec2(0.0), last = vec2(0.0), sum = vec2(0.0), sings = vec2(0.5, -0.5) * sing;\n"
+    "        cosg *= 0.5;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_thin = { __LINE__ + 1, SSGI_GL__THIN,
+    "        vec3 back = vec3(dot(t, V) * vec2(1.0, -1.0), dot(n, V)) * u_ssgi_thickness; // what is seen reaches so far away from the viewer\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_loop = { __LINE__ + 1, 0,
+    "        for (int k = 0; k < SSGI_STEPS; ++k) {\n"
+    "            vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
+    "            u *= u;\n"
+    "            ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
+    "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, ssgi_depth(q0)) - P, d1 = ssgi_position(vec2(q1) + 0.5, ssgi_depth(q1)) - P;\n"
+    "            vec2 x = vec2(dot(d0, t), -dot(d1, t)), y = vec2(dot(d0, n), dot(d1, n));\n"
+    "            vec2 far = sqrt(vec2(dot(d0, d0), dot(d1, d1))), r = inversesqrt(x * x + y * y), c = x * r, above = ssgi_arc(c, y * r, cosg, sings);\n"
+    "            bvec2 rises = bvec2(y.x > 0.0 && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
+    "                                y.y > 0.0 && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_gap = { __LINE__ + 1, SSGI_GL__THIN,
+    "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb; // light passes between its back and low\n"
+    "            below = mix(below, ssgi_arc(cb, yb * rb, cosg, sings), bvec2(yb.x > 0.0 && cb.x < low.x, yb.y > 0.0 && cb.y < low.y));\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_tail = { __LINE__ + 1, 0,
+    "            sum += mix(vec2(0.0), (above - below) * (1.0 - 0.5 * (far + last) / u_ssgi_radius), rises);\n"
+    "            low = mix(low, c, rises);\n"
+    "            below = mix(below, above, rises);\n"
+    "            last = min(far, u_ssgi_radius);\n"
+    "        }\n"
+    "        total += l * (sum.x + sum.y);\n"
     "    }\n"
-    "    return sum / float(SSGI_DIRECTIONS);\n"
+    "    return total / float(SSGI_DIRECTIONS);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__ao_main = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__main_full = { __LINE__ + 1, SSGI_GL__FULL,
     "void main()\n"
     "{\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    vec2 xi = ssgi_noise(p);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__main_half = { __LINE__ + 1, SSGI_GL__HALF,
+    "void main() // one pixel of every 2x2\n"
+    "{\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
+    "    vec2 xi = ssgi_noise(p);\n"
+    "    p *= 2;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__main_ao = { __LINE__ + 1, 0,
     "    float z = ssgi_depth(p);\n"
     "    o_ssgi_ao = vec2(1.0, SSGI_FAR);\n"
     "    if (z < SSGI_FAR) {\n"
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        o_ssgi_ao = vec2(clamp(1.0 - ssgi_occlusion(p, P, ssgi_normal(p, P)), 0.0, 1.0), z);\n"
+    "        o_ssgi_ao = vec2(clamp(1.0 - ssgi_occlusion(p, P, ssgi_normal(p, P), xi), 0.0, 1.0), z);\n"
     "    }\n"
     "}\n" };
 
 /* ==== >>filter ==================================================================================================== */
 
-static const ssgi_gl__chunk ssgi_gl__weight_gaussian = { __LINE__ + 1, SSGI_GL__GAUSSIAN,
-    "// weight of the neighbour at offset o: Gaussian over its depth difference, softened by a pixel's footprint [HSAO08 4.1.3]\n"
-    "float ssgi_weight(ivec2 o, ivec2 q, vec3 P, float z)\n"
+static const ssgi_gl__chunk ssgi_gl__plane_perspective = { __LINE__ + 1, SSGI_GL__BILATERAL | SSGI_GL__PERSPECTIVE,
+    "// dot(k, vec3(o, 1)) * z - dot(n, P): how far the point seen o pixels from P at depth z lies off the plane through P\n"
+    "vec3 ssgi_plane(vec3 P, vec3 n)\n"
     "{\n"
-    "    float f = ssgi_footprint(-P.z), s = float(SSGI_FILTER_RADIUS) * 0.5 + 0.25;\n"
-    "    return exp(-0.5 * float(o.x * o.x + o.y * o.y) / (s * s)) * f / (f + abs(z + P.z));\n"
+    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z);\n"
+    "}\n"
+    "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z)\n"
+    "{\n"
+    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__weight_bilateral = { __LINE__ + 1, SSGI_GL__BILATERAL,
-    "// weight of the neighbour at offset o: a box that covers one tile of noise, times its nearness to the tangent plane of the centre\n"
-    "float ssgi_weight(ivec2 o, ivec2 q, vec3 P, vec3 n, float z)\n"
+static const ssgi_gl__chunk ssgi_gl__plane_orthographic = { __LINE__ + 1, SSGI_GL__BILATERAL | SSGI_GL__ORTHOGRAPHIC,
+    "// how far the point seen o pixels from P at depth z lies off the plane through P\n"
+    "vec3 ssgi_plane(vec3 P, vec3 n)\n"
     "{\n"
-    "    float d = abs(dot(n, ssgi_position(vec2(q) + 0.5, z) - P));\n"
-    "    float w = max(1.0 - d / (0.05 * u_ssgi_radius + ssgi_footprint(-P.z)), 0.0);\n"
-    "    if (abs(o.x) == SSGI_FILTER_RADIUS && SSGI_FILTER_RADIUS > 1) w *= 0.5;\n"
-    "    if (abs(o.y) == SSGI_FILTER_RADIUS && SSGI_FILTER_RADIUS > 1) w *= 0.5;\n"
-    "    return w;\n"
+    "    return vec3(n.xy * u_ssgi_unproject.xy, n.z);\n"
+    "}\n"
+    "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z)\n"
+    "{\n"
+    "    return abs(dot(k.xy, o) - k.z * (z + P.z));\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__blur_head = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__blur_full = { __LINE__ + 1, SSGI_GL__FULL,
     "void main()\n"
     "{\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    vec2 centre = texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).xy;\n"
-    "    o_ssgi_ao = 1.0;\n"
-    "    if (!(centre.y < SSGI_FAR)) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, centre.y);\n" };
+    "    vec2 centre = texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).xy, sum = vec2(centre.x, 1.0);\n"
+    "    float z = centre.y;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blur_half = { __LINE__ + 1, SSGI_GL__HALF,
+    "void main()\n"
+    "{\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    vec2 sum = vec2(0.0);\n"
+    "    float z = ssgi_depth(p);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blur_centre = { __LINE__ + 1, 0,
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "    float footprint = ssgi_footprint(z);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__blur_normal = { __LINE__ + 1, SSGI_GL__BILATERAL,
-    "    vec3 n = ssgi_normal(p, P);\n" };
+    "    vec3 n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + footprint);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__blur_loop = { __LINE__ + 1, 0,
-    "    vec2 sum = vec2(0.0);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
-    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "            ivec2 o = ivec2(x, y), q = p + o;\n"
-    "            if (!ssgi_inside(q)) continue;\n"
-    "            vec2 s = texelFetch(t_ssgi_ao, q + u_ssgi_target, 0).xy;\n"
-    "            if (!(s.y < SSGI_FAR)) continue;\n" };
+    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n" };
 
-static const ssgi_gl__chunk ssgi_gl__blur_tap_gaussian = { __LINE__ + 1, SSGI_GL__GAUSSIAN,
-    "            float w = ssgi_weight(o, q, P, s.y);\n" };
-static const ssgi_gl__chunk ssgi_gl__blur_tap_bilateral = { __LINE__ + 1, SSGI_GL__BILATERAL,
-    "            float w = ssgi_weight(o, q, P, n, s.y);\n" };
-static const ssgi_gl__chunk ssgi_gl__blur_tap_normals = { __LINE__ + 1, SSGI_GL__F_NORMALS,
-    "            w *= max(dot(n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, s.y))), 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__blur_tap_full = { __LINE__ + 1, SSGI_GL__FULL,
+    "            if (x == 0 && y == 0) continue;\n"
+    "            ivec2 o = ivec2(x, y), q = p + o;\n"
+    "            vec2 s = texelFetch(t_ssgi_ao, q + u_ssgi_target, 0).xy;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blur_tap_half = { __LINE__ + 1, SSGI_GL__HALF,
+    "            ivec2 h = p / 2 + ivec2(x, y), q = h * 2, o = q - p;\n"
+    "            vec2 s = texelFetch(t_ssgi_ao, h + u_ssgi_target / 2, 0).xy;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__weight_gaussian = { __LINE__ + 1, SSGI_GL__GAUSSIAN,
+    "            // Gaussian over its depth difference, softened by a pixel's footprint [HSAO08 4.1.3]\n"
+    "            float w = exp(-0.5 * float(x * x + y * y) / (0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25)) * footprint / (footprint + abs(s.y - z));\n" };
+
+static const ssgi_gl__chunk ssgi_gl__weight_bilateral = { __LINE__ + 1, SSGI_GL__BILATERAL,
+    "            // nearness to the tangent plane of the centre\n"
+    "            float off = ssgi_off_plane(plane, vec2(o), P, s.y) * near;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__weight_box = { __LINE__ + 1, SSGI_GL__BILATERAL | SSGI_GL__FULL,
+    "            float w = max(1.0 - off, 0.0); // a box that covers one tile of noise\n"
+    "            if (SSGI_FILTER_RADIUS > 1 && abs(x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
+    "            if (SSGI_FILTER_RADIUS > 1 && abs(y) == SSGI_FILTER_RADIUS) w *= 0.5;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__weight_tent = { __LINE__ + 1, SSGI_GL__BILATERAL | SSGI_GL__HALF,
+    "            vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(o));\n"
+    "            float w = tent.x * tent.y * max(1.0 - off, 1e-3 / (1.0 + off)); // never 0: where nothing fits, the nearest\n" };
+
+static const ssgi_gl__chunk ssgi_gl__weight_normals = { __LINE__ + 1, SSGI_GL__F_NORMALS,
+    "            w *= max(dot(n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, s.y))), 1e-3);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, 0,
-    "            sum += vec2(s.x, 1.0) * w;\n"
+    "            if (ssgi_inside(q) && s.y < SSGI_FAR) sum += vec2(s.x, 1.0) * w;\n"
     "        }\n"
-    "    o_ssgi_ao = sum.y > 0.0 ? sum.x / sum.y : centre.x;\n"
+    "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "}\n" };
 
 /* ==== >>passes: what each is made of ============================================================================== */
@@ -752,25 +769,27 @@ static const ssgi_gl__chunk *const ssgi_gl__vertex_chunks[] = { &ssgi_gl__triang
 static const ssgi_gl__row *const ssgi_gl__vertex_rows[] = { NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__ssao_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__kernel, &ssgi_gl__gather_points, &ssgi_gl__ao_main, NULL };
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__kernel, &ssgi_gl__gather_points, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__ssao_rows[] = {
     &ssgi_gl__c_samples, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__slices_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__side_solid, &ssgi_gl__side_thin, &ssgi_gl__gather_slices, &ssgi_gl__ao_main, NULL };
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__slices_head, &ssgi_gl__slices_thin, &ssgi_gl__slices_loop, &ssgi_gl__slices_gap,
+    &ssgi_gl__slices_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__slices_rows[] = {
     &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__march_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__march, &ssgi_gl__normal_ray, &ssgi_gl__above_rays,
-    &ssgi_gl__gather_march_head, &ssgi_gl__gather_march_rays, &ssgi_gl__gather_march_tail, &ssgi_gl__ao_main, NULL };
+    &ssgi_gl__gather_march_head, &ssgi_gl__gather_march_rays, &ssgi_gl__gather_march_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__march_rows[] = {
     &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__c_rays, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS,
     &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__weight_gaussian, &ssgi_gl__weight_bilateral, &ssgi_gl__blur_head, &ssgi_gl__blur_normal, &ssgi_gl__blur_loop,
-    &ssgi_gl__blur_tap_gaussian, &ssgi_gl__blur_tap_bilateral, &ssgi_gl__blur_tap_normals, &ssgi_gl__blur_tail, NULL };
+    SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), &ssgi_gl__blur_full, &ssgi_gl__blur_half, &ssgi_gl__blur_centre, &ssgi_gl__blur_normal,
+    &ssgi_gl__blur_loop, &ssgi_gl__blur_tap_full, &ssgi_gl__blur_tap_half, &ssgi_gl__weight_gaussian, &ssgi_gl__weight_bilateral, &ssgi_gl__weight_box, &ssgi_gl__weight_tent,
+    &ssgi_gl__weight_normals, &ssgi_gl__blur_tail, NULL };
 static const ssgi_gl__row *const ssgi_gl__blur_rows[] = {
     &ssgi_gl__c_filter, SSGI_GL__READS, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__blurred_out, NULL };
 
@@ -823,7 +842,8 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(steps, 64, "0..64"),
     SSGI_GL__F(normal_rays, 8, "0..8"),
     SSGI_GL__F(hard, 1, "0 or 1"),
-    SSGI_GL__F(solid, 1, "0 or 1"),
+    SSGI_GL__F(thin, 1, "0 or 1"),
+    SSGI_GL__F(half, 1, "0 or 1"),
     SSGI_GL__F(filter, SSGI_GL_GAUSSIAN, "SSGI_GL_BILATERAL or SSGI_GL_GAUSSIAN"),
     SSGI_GL__F(filter_radius, 4, "0..4"),
     SSGI_GL__F(filter_normals, 1, "0 or 1"),
@@ -849,6 +869,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.normal_rays: slices see what is above the horizon themselves; only SSGI_GL_MARCH has normal rays");
     if (desc->world_normals && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
         return ssgi_gl__bad(why, "desc.world_normals: normals from depth are in view space");
+    if (desc->half && desc->pass == SSGI_GL_BLUR && desc->filter == SSGI_GL_GAUSSIAN)
+        return ssgi_gl__bad(why, "desc.filter: only SSGI_GL_BILATERAL brings half size to full");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM))
         return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth or ssgi_custom_normal when depth or normal is CUSTOM");
     return SSGI_OK;
@@ -869,7 +891,8 @@ static uint64_t ssgi_gl__features(const ssgi_gl_desc *d)
 {
     uint64_t f = d->orthographic ? SSGI_GL__ORTHOGRAPHIC : SSGI_GL__PERSPECTIVE;
     int blur = d->pass == SSGI_GL_BLUR, march = d->pass == SSGI_GL_HSAO && d->search == SSGI_GL_MARCH, slices = d->pass == SSGI_GL_HSAO && !march;
-    int normals = !blur || d->filter == SSGI_GL_BILATERAL, depth = !blur || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
+    int normals = !blur || d->filter == SSGI_GL_BILATERAL, depth = !blur || d->half || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
+    f |= d->half ? SSGI_GL__HALF : SSGI_GL__FULL;
     if (depth) {
         f |= d->depth == SSGI_GL_DEPTH_WINDOW ? SSGI_GL__D_WINDOW : d->depth == SSGI_GL_DEPTH_LINEAR ? SSGI_GL__D_LINEAR : SSGI_GL__D_CUSTOM;
         if (d->depth != SSGI_GL_DEPTH_CUSTOM) f |= SSGI_GL__D_TEXTURE;
@@ -884,7 +907,7 @@ static uint64_t ssgi_gl__features(const ssgi_gl_desc *d)
     if (slices) f |= SSGI_GL__TOWARD;
     if (march || slices) f |= d->hard ? SSGI_GL__HARD : SSGI_GL__LINEAR;
     if (march && d->normal_rays) f |= SSGI_GL__RAYS;
-    if (d->pass == SSGI_GL_SSAO || slices || (f & SSGI_GL__RAYS)) f |= d->solid ? SSGI_GL__SOLID : SSGI_GL__THIN;
+    if (d->pass == SSGI_GL_SSAO || slices || (f & SSGI_GL__RAYS)) f |= d->thin ? SSGI_GL__THIN : SSGI_GL__SOLID;
     if (blur) f |= d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL;
     if (blur && d->filter == SSGI_GL_BILATERAL && d->filter_normals) f |= SSGI_GL__F_NORMALS;
     return f;
@@ -922,7 +945,7 @@ SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
     case SSGI_GL_HSAO: return n + 1 + d.directions * d.steps * (d.search == SSGI_GL_SLICES ? 2 : 1 + d.normal_rays);
     default: {
         int side = 2 * d.filter_radius + 1;
-        return n + side * side + (f & SSGI_GL__F_NORMALS ? n * (side * side - 1) : 0);
+        return n + side * side + (d.half ? 1 : 0) + (f & SSGI_GL__F_NORMALS ? n * (side * side - 1) : 0);
     } }
 }
 

@@ -2,8 +2,8 @@
 #include "kit.h"
 
 #include <math.h>
-#include <openexr.h>
-#include <ImfCRgbaFile.h>
+#include <OpenEXR/ImfCRgbaFile.h>
+#include <OpenEXR/openexr.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -297,6 +297,9 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
     memory_file file = { 0 };
     exr_context_t context = NULL;
     int part;
+    for (int c = 0; c < image->channels; ++c)                                  /* 3.1 hangs after it has refused a channel */
+        if (!image->name[c][0] || kit_image_channel(image, image->name[c]) != image->data + (size_t)c * image_pixels(image))
+            return kit_fail(err, "%s: channel name \"%s\" is empty or comes twice", path, image->name[c]);
     exr_context_initializer_t start = exr_initializer(&file);
     start.write_fn = exr_memory_write;
     start.zip_level = 4;                   /* a few per cent larger than the default 6, twice as fast */
@@ -320,16 +323,18 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
 
 typedef struct hdr_source { const char *data; int size, at, starved; } hdr_source;
 
-/* stb takes missing bytes for zeros. It asks for 128 when its buffer is empty and for exact small numbers otherwise, so a reply
-   of nothing, or of less than was asked in a small request, means that the file is cut off. */
+/* stb takes missing bytes for zeros, or waits for ever for others (2.28: a run of none). It asks for 128 when its buffer is empty and
+   for exact small numbers otherwise: a reply of nothing, or of part of a small request, means that the file is cut off. */
 static int hdr_read(void *user, char *data, int size)
 {
     hdr_source *s = user;
     int n = s->size - s->at < size ? s->size - s->at : size;
-    if (n == 0 || (n < size && size < 128)) s->starved = 1;
     memcpy(data, s->data + s->at, (size_t)n);
     s->at += n;
-    return n;
+    if (n > 0 && (n == size || size >= 128)) return n;
+    s->starved = 1;
+    memset(data + n, '\n', (size_t)(size - n));  /* ends a header, and every loop over pixels */
+    return size;
 }
 static void hdr_skip(void *user, int n) { ((hdr_source *)user)->at += n; }
 static int  hdr_end(void *user) { return ((hdr_source *)user)->at >= ((hdr_source *)user)->size; }
@@ -347,7 +352,8 @@ int kit_hdr_read(kit_image *image, const char *path, kit_error *err)
     if (!is_hdr) failed = kit_fail(err, "%s: is not a Radiance HDR picture", path);
     else if (source.starved) failed = kit_fail(err, "%s: the file ends too early", path);
     else if (!rgb) failed = kit_fail(err, "%s: %s", path, stbi_failure_reason());
-    else failed = kit_image_new(image, width, height, "R,G,B", err);
+    else failed = image_alloc(image, width, height, 3, path, err);
+    for (int c = 0; c < 3 && !failed; ++c) image->name[c][0] = "RGB"[c];
     if (!failed)
         for (size_t i = 0, n = image_pixels(image); i < n; ++i)
             for (size_t c = 0; c < 3; ++c) image->data[c * n + i] = rgb[3 * i + c];

@@ -40,9 +40,10 @@ typedef struct text {
 static int blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f' || c == CONTINUED; }
 
 /* A backslash at the end of a line continues it; not in a comment, where Windows paths may end so. */
-static void join_lines(char *data, size_t size)
+static void prepare(char *data, size_t size)
 {
     char *start = data, *end = data + size;
+    if (size >= 3 && !memcmp(data, "\xEF\xBB\xBF", 3)) memset(data, ' ', 3);      /* byte order mark */
     while (start < end) {
         char *stop = memchr(start, '\n', (size_t)(end - start));
         if (!stop) stop = end;
@@ -59,9 +60,7 @@ static void join_lines(char *data, size_t size)
 
 static text text_start(const char *path, const char *data, size_t size, kit_error *err)
 {
-    text t = { .path = path, .next = data, .last = data + size, .following = 1, .err = err };
-    if (size >= 3 && !memcmp(data, "\xEF\xBB\xBF", 3)) t.next += 3;             /* byte order mark */
-    return t;
+    return (text){ .path = path, .next = data, .last = data + size, .following = 1, .err = err };
 }
 
 static void skip_blanks(text *t) { while (t->at < t->end && blank(*t->at)) ++t->at; }
@@ -131,11 +130,6 @@ static int number(text *t, float *out, const char *what)
     return 0;
 }
 
-static int numbers3(text *t, float out[3], const char *what)
-{
-    return number(t, &out[0], what) || number(t, &out[1], what) || number(t, &out[2], what) ? -1 : 0;
-}
-
 /* ---- growing arrays ------------------------------------------------------------------------------------------ */
 
 typedef struct array { void *data; size_t count, capacity; } array;
@@ -195,7 +189,7 @@ static int materials_read(array *materials, const char *path, kit_error *err)
     char *data;
     size_t size;
     if (kit_file_read(&data, &size, path, NULL)) return 0;                      /* grey, as if there were none */
-    join_lines(data, size);
+    prepare(data, size);
     int failed = 0;
     material *now = NULL;
     for (text t = text_start(path, data, size, err); !failed && next_line(&t);) {
@@ -214,7 +208,7 @@ static int materials_read(array *materials, const char *path, kit_error *err)
             if (t.end - t.at >= 3 && (!memcmp(t.at, "xyz", 3) || !memcmp(t.at, "spe", 3))) continue; /* "xyz", "spectral": no rgb */
             failed = number(&t, &kd[0], what);
             kd[1] = kd[2] = kd[0];
-            if (!failed && at_value(&t)) failed = number(&t, &kd[1], what) || number(&t, &kd[2], what) ? -1 : 0;
+            if (!failed && at_value(&t) && (number(&t, &kd[1], what) || number(&t, &kd[2], what))) failed = -1;
             for (int k = 0; k < 3 && !failed; ++k) now->albedo[k] = fmaxf(0, fminf(1, kd[k]));
         }
     }
@@ -222,27 +216,19 @@ static int materials_read(array *materials, const char *path, kit_error *err)
     return failed;
 }
 
-/* mtllib: one name that may hold blanks, or, if there is no such file, several between blanks. */
 static int mtllib_read(array *materials, const text *t, const char *name, size_t length)
 {
     const char *slash = strrchr(t->path, '/');
-    size_t folder = slash && *name != '/' ? (size_t)(slash - t->path) + 1 : 0;
+    size_t folder = slash && *name != '/' ? (size_t)(slash - t->path) + 1 : 0, bare = without_comment(name, length);
     char *path = malloc(folder + length + 1);
     if (!path) return kit_fail(t->err, "%s: no memory", t->path);
     memcpy(path, t->path, folder);
     memcpy(path + folder, name, length);
     path[folder + length] = 0;
     for (char *p = path + folder; *p; ++p) if (*p == '\\') *p = '/';            /* as Windows writes it */
-    int here = !access(path, F_OK), failed = here ? materials_read(materials, path, t->err) : 0;
+    if (access(path, F_OK)) path[folder + bare] = 0;
+    int failed = materials_read(materials, path, t->err);
     free(path);
-    if (here) return failed;
-    size_t bare = without_comment(name, length), i = 0, j;
-    if (bare < length) return mtllib_read(materials, t, name, bare);
-    for (; i < length && !failed; i = j) {
-        while (i < length && blank(name[i])) ++i;
-        for (j = i; j < length && !blank(name[j]);) ++j;
-        if (j > i && j - i < length) failed = mtllib_read(materials, t, name + i, j - i);
-    }
     return failed;
 }
 
@@ -288,6 +274,11 @@ static double turn(const corner *a, const corner *b, const corner *c) /* > 0: le
     return (b->flat[0] - a->flat[0]) * (c->flat[1] - b->flat[1]) - (b->flat[1] - a->flat[1]) * (c->flat[0] - b->flat[0]);
 }
 
+static int turn_back(const corner *a, const corner *b, const corner *c)
+{
+    return (b->flat[0] - a->flat[0]) * (c->flat[0] - b->flat[0]) + (b->flat[1] - a->flat[1]) * (c->flat[1] - b->flat[1]) < 0;
+}
+
 static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat[0] && a->flat[1] == b->flat[1]; }
 
 /* Turns the polygon counter-clockwise in a plane; says whether it is strictly convex. */
@@ -317,7 +308,9 @@ static int flatten(corner *c, int count)
 
 static int is_ear(const corner *c, int a, int b, int d)
 {
-    if (!(turn(&c[a], &c[b], &c[d]) > 0)) return 0;
+    double left = turn(&c[a], &c[b], &c[d]);
+    if (left == 0 && turn_back(&c[a], &c[b], &c[d])) return 1;                  /* a spike without area */
+    if (!(left > 0)) return 0;
     for (int k = c[d].next; k != a; k = c[k].next)
         if (turn(&c[a], &c[b], &c[k]) >= 0 && turn(&c[b], &c[d], &c[k]) >= 0 && turn(&c[d], &c[a], &c[k]) >= 0
             && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d])) return 0;   /* holes are bridged by doubled corners */
@@ -390,7 +383,7 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
         int normal = 0;
         if (keyword(&t, "v") || (normal = keyword(&t, "vn"))) {
             if (!(v = array_add(normal ? &o->normals : &o->vertices, 3, sizeof *v, &t))) return -1;
-            if (numbers3(&t, v, normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
+            for (int i = 0; i < 3; ++i) if (number(&t, &v[i], normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
         } else if (keyword(&t, "mtllib")) {
             size_t length = rest(&t);
             if (length && mtllib_read(&o->materials, &t, t.at, length)) return -1;
@@ -417,7 +410,7 @@ int kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err)
     obj o;
     memset(&o, 0, sizeof o);
     if (kit_file_read(&data, &size, path, err)) return -1;
-    join_lines(data, size);
+    prepare(data, size);
     int failed = obj_read(&o, path, data, size, err);
     free(data);
     for (size_t i = 0; i < o.materials.count; ++i) free(((material *)o.materials.data)[i].name);

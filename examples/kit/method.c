@@ -7,16 +7,18 @@
 
 /* ---- >>settings: one row a setting; where it goes is its place in a desc or in the frame ----------------------- */
 
-enum { IN_AO, IN_BLUR, IN_FRAME /* times the radius */, IN_FRAME_PLAIN, IN_PLAN /* the method's own */ };
+enum { IN_AO, IN_BLUR, IN_BOTH, IN_FRAME /* times the radius */, IN_FRAME_PLAIN, IN_PLAN /* the method's own */ };
 
 typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define AO(field)    IN_AO, offsetof(ssgi_gl_desc, field)
+#define BOTH(field)  IN_BOTH, offsetof(ssgi_gl_desc, field)
 #define BLUR(field)  IN_BLUR, offsetof(ssgi_gl_desc, field)
 
 static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "tile gradient texture", 0, 0, 2, 1 }, AO(noise) };
 static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, IN_PLAN, 1 };
 static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
-static const row solid_row     = { { "solid", "1: things reach away from the viewer without end", NULL, 0, 0, 1, 1 }, AO(solid) };
+static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, AO(thin) };
+static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, BOTH(half) };
 static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, AO(hard) };
 static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, offset) };
 static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 2, 0, 4, 1 }, IN_PLAN, 0 };
@@ -33,11 +35,11 @@ static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon
 typedef struct plan { const char *name, *about; int pass, search; const row *rows[KIT_MAX_SETTINGS]; } plan;
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0,
-      { &samples_row, &thickness_row, &solid_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+      { &samples_row, &thickness_row, &thin_row, &half_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
     { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES,
-      { &slices_row, &steps_row, &thickness_row, &solid_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+      { &slices_row, &steps_row, &thickness_row, &thin_row, &half_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
     { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH,
-      { &dirs_row, &steps_row, &rays_row, &thickness_row, &solid_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
+      { &dirs_row, &steps_row, &rays_row, &thickness_row, &thin_row, &half_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -195,14 +197,15 @@ int kit_run_open(kit_run *run, const kit_gbuffer *g, const kit_method *method, f
         double v = method->setting[i].value;
         int whole = (int)v;
         float real = (float)(w->where == IN_FRAME ? v * (double)radius : v);
-        if (w->where == IN_AO) memcpy((char *)&ao + w->offset, &whole, sizeof whole);
-        if (w->where == IN_BLUR) memcpy((char *)&blur + w->offset, &whole, sizeof whole);
+        if (w->where == IN_AO || w->where == IN_BOTH) memcpy((char *)&ao + w->offset, &whole, sizeof whole);
+        if (w->where == IN_BLUR || w->where == IN_BOTH) memcpy((char *)&blur + w->offset, &whole, sizeof whole);
         if (w->where == IN_FRAME || w->where == IN_FRAME_PLAIN) memcpy((char *)&r.frame + w->offset, &real, sizeof real);
         if (w == &blur_row) blur_radius = whole;
         if (w == &normal_row) ao.normal = blur.normal = whole ? SSGI_GL_NORMAL_FROM_DEPTH : SSGI_GL_NORMAL_SIGNED;
     }
     blur.filter_radius = blur_radius;
-    if (add_pass(&r, &ao, width, height, GL_RG32F, err) || (blur_radius && add_pass(&r, &blur, width, height, GL_R32F, err))) { kit_run_close(&r); return -1; }
+    if (ao.half && !blur_radius) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (add_pass(&r, &ao, ao.half ? (width + 1) / 2 : width, ao.half ? (height + 1) / 2 : height, GL_RG32F, err) || (blur_radius && add_pass(&r, &blur, width, height, GL_R32F, err))) { kit_run_close(&r); return -1; }
     if (ao.noise == SSGI_GL_NOISE_TEXTURE) {
         float tile[4 * 16];
         ssgi_jitter_tile(tile, 4, ao.directions ? ao.directions : 1, NULL);
@@ -242,7 +245,8 @@ void kit_run_draw(kit_run *run, int timed)
                 glBindTexture(GL_TEXTURE_2D, texture_of(run, i, io[k].name));
             }
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-        glViewport(run->frame.target[0], run->frame.target[1], run->frame.size[0], run->frame.size[1]);
+        if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(run->frame.target[0] / 2, run->frame.target[1] / 2, (run->frame.size[0] + 1) / 2, (run->frame.size[1] + 1) / 2);
+        else glViewport(run->frame.target[0], run->frame.target[1], run->frame.size[0], run->frame.size[1]);
         glUseProgram(p->program);
         if (timed) kit_timer_begin();
         glDrawArrays(GL_TRIANGLES, 0, 3);
