@@ -60,8 +60,8 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,    /* xyz in [-1,1] (any float or snorm textur
        SSGI_GL_NORMAL_FROM_DEPTH,    /* no texture: from the nearer depth neighbours, 4 more fetches */
        SSGI_GL_NORMAL_CUSTOM };      /* your GLSL in desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: what decorrelates neighbouring pixels */
-enum { SSGI_GL_NOISE_TILE4 = 0,      /* 4x4 tile computed from the pixel: 16 directions x 4 offsets; blur radius 2 averages exactly one tile */
-       SSGI_GL_NOISE_GRADIENT,       /* interleaved gradient noise */
+enum { SSGI_GL_NOISE_GRADIENT = 0,   /* interleaved gradient noise: suits a filter of 3x3 */
+       SSGI_GL_NOISE_TILE4,          /* 4x4 tile computed from the pixel: 16 directions x 4 offsets; filter_radius 2 averages exactly one tile */
        SSGI_GL_NOISE_TEXTURE };      /* your texture, tiled: x, y, b, c as ssgi_jitter_tile makes it; 1 more fetch */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,           /* hsao: planes through the view direction, both sides in one walk on the screen: the fast way */
@@ -79,7 +79,7 @@ typedef struct ssgi_gl_desc {
     int depth;              /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;             /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;      /* [limit: 0..1]  1: the normals are in world space; frame.rotation turns them into view space */
-    int noise;              /* SSGI_GL_NOISE_TILE4 .. */
+    int noise;              /* SSGI_GL_NOISE_GRADIENT .. */
     int samples;            /* ssao   [limit: 0..64] [default: 16]  points per pixel */
     int search;             /* hsao   SSGI_GL_SLICES, SSGI_GL_MARCH */
     int directions;         /* hsao   [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
@@ -89,12 +89,20 @@ typedef struct ssgi_gl_desc {
     int thin;               /* ssao, hsao   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
     int half;               /* all   [limit: 0..1]  1: ssao and hsao draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
     int filter;             /* blur   SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;      /* blur   [limit: 0..4] [default: 2]  pixels: 2 is 5x5 */
+    int filter_radius;      /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels: 1 is 3x3; of half-size pixels when half is 1 */
     int filter_normals;     /* blur   [limit: 0..1]  1: neighbours' normals are compared too, 1 more fetch each */
     int lines;              /* [limit: 0..1]  1: #line directives, so that a compiler's "0:N" is line N of this header */
     const char *version;    /* your first line(s) instead of "#version ..", verbatim; NULL = ours. The dialect still decides the rest. */
     const char *fetch;      /* your GLSL, verbatim before ours, for the CUSTOM choices; NULL = none */
 } ssgi_gl_desc;
+
+/* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost for accuracy (and the filter's,
+   so that the same desc serves blur), leaves the others alone.
+     hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)    hsao march   4x6, 6x9 + 1 normal ray, 8x18 + 2
+     ssao          8, 16, 32 points, thin
+   Bad input leaves desc as it is. */
+enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
@@ -614,11 +622,14 @@ static const ssgi_gl__chunk ssgi_gl__slices_head = { __LINE__ + 1, 0,
     "        float a = dot(normal, slice), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4), cosg = b / l, sing = a / l;\n"
     "        vec2 pixels = ssgi_screen(P, slice) * u_ssgi_radius;\n"
     "        vec3 t = slice * cosg - V * sing, n = normal / l;\n"
-    "        vec2 low = vec2(1.0), below = vec2(0.0), last = vec2(0.0), sum = vec2(0.0), sings = vec2(0.5, -0.5) * sing;\n"
+    "        vec2 low = vec2(1.0), below = vec2(0.0), sum = vec2(0.0), sings = vec2(0.5, -0.5) * sing;\n"
     "        cosg *= 0.5;\n" };
 
 static const ssgi_gl__chunk ssgi_gl__slices_thin = { __LINE__ + 1, SSGI_GL__THIN,
     "        vec3 back = vec3(dot(t, V) * vec2(1.0, -1.0), dot(n, V)) * u_ssgi_thickness; // what is seen reaches so far away from the viewer\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_last = { __LINE__ + 1, SSGI_GL__LINEAR,
+    "        vec2 last = vec2(0.0);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__slices_loop = { __LINE__ + 1, 0,
     "        for (int k = 0; k < SSGI_STEPS; ++k) {\n"
@@ -635,11 +646,16 @@ static const ssgi_gl__chunk ssgi_gl__slices_gap = { __LINE__ + 1, SSGI_GL__THIN,
     "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb; // light passes between its back and low\n"
     "            below = mix(below, ssgi_arc(cb, yb * rb, cosg, sings), bvec2(yb.x > 0.0 && cb.x < low.x, yb.y > 0.0 && cb.y < low.y));\n" };
 
-static const ssgi_gl__chunk ssgi_gl__slices_tail = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__slices_linear = { __LINE__ + 1, SSGI_GL__LINEAR,
     "            sum += mix(vec2(0.0), (above - below) * (1.0 - 0.5 * (far + last) / u_ssgi_radius), rises);\n"
+    "            last = min(far, u_ssgi_radius);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_hard = { __LINE__ + 1, SSGI_GL__HARD,
+    "            sum += mix(vec2(0.0), above - below, rises);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__slices_tail = { __LINE__ + 1, 0,
     "            low = mix(low, c, rises);\n"
     "            below = mix(below, above, rises);\n"
-    "            last = min(far, u_ssgi_radius);\n"
     "        }\n"
     "        total += l * (sum.x + sum.y);\n"
     "    }\n"
@@ -760,7 +776,7 @@ static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, 0,
 #define SSGI_GL__FETCH  &ssgi_gl__far, &ssgi_gl__inside, SSGI_GL__PROJECTIONS(decode), &ssgi_gl__depth_window, &ssgi_gl__depth_linear, &ssgi_gl__depth_custom, \
                         SSGI_GL__PROJECTIONS(position), SSGI_GL__PROJECTIONS(toward), &ssgi_gl__unit, &ssgi_gl__raw_signed, &ssgi_gl__raw_unsigned, \
                         &ssgi_gl__raw_octahedral, &ssgi_gl__raw_custom, &ssgi_gl__normal_view, &ssgi_gl__normal_world, &ssgi_gl__normal_from_depth
-#define SSGI_GL__GATHER &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, &ssgi_gl__attenuation_linear, &ssgi_gl__attenuation_hard, &ssgi_gl__basis
+#define SSGI_GL__GATHER &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, &ssgi_gl__basis
 #define SSGI_GL__POINTS SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__blocked_solid, &ssgi_gl__blocked_thin
 #define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target, &ssgi_gl__radius
 #define SSGI_GL__MAPS   &ssgi_gl__rotation, &ssgi_gl__depth_tex, &ssgi_gl__normal_tex, &ssgi_gl__noise_tex
@@ -774,13 +790,13 @@ static const ssgi_gl__row *const ssgi_gl__ssao_rows[] = {
     &ssgi_gl__c_samples, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__slices_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__slices_head, &ssgi_gl__slices_thin, &ssgi_gl__slices_loop, &ssgi_gl__slices_gap,
-    &ssgi_gl__slices_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__slices_head, &ssgi_gl__slices_thin, &ssgi_gl__slices_last, &ssgi_gl__slices_loop,
+    &ssgi_gl__slices_gap, &ssgi_gl__slices_linear, &ssgi_gl__slices_hard, &ssgi_gl__slices_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__slices_rows[] = {
     &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__march_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__march, &ssgi_gl__normal_ray, &ssgi_gl__above_rays,
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__attenuation_linear, &ssgi_gl__attenuation_hard, &ssgi_gl__march, &ssgi_gl__normal_ray, &ssgi_gl__above_rays,
     &ssgi_gl__gather_march_head, &ssgi_gl__gather_march_rays, &ssgi_gl__gather_march_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__march_rows[] = {
     &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__c_rays, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS,
@@ -835,7 +851,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH_WINDOW, _LINEAR or _CUSTOM"),
     SSGI_GL__F(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL_SIGNED, _UNSIGNED, _OCTAHEDRAL, _FROM_DEPTH or _CUSTOM"),
     SSGI_GL__F(world_normals, 1, "0 or 1"),
-    SSGI_GL__F(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE_TILE4, _GRADIENT or _TEXTURE"),
+    SSGI_GL__F(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE_GRADIENT, _TILE4 or _TEXTURE"),
     SSGI_GL__F(samples, 64, "0..64"),
     SSGI_GL__F(search, SSGI_GL_MARCH, "SSGI_GL_SLICES or SSGI_GL_MARCH"),
     SSGI_GL__F(directions, 32, "0..32"),
@@ -876,6 +892,31 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     return SSGI_OK;
 }
 
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
+{
+    static const unsigned char ssao[] = { 8, 16, 32 };
+    static const struct { unsigned char half, directions, steps, rays; } slices[] = { { 1, 1, 3, 0 }, { 1, 2, 6, 0 }, { 0, 3, 8, 0 } },
+                                                                        march[] = { { 0, 4, 6, 0 }, { 0, 6, 9, 1 }, { 0, 8, 18, 2 } };
+    ssgi_result r = ssgi_gl_check(desc, why);
+    if (r != SSGI_OK) return r;
+    if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
+    desc->filter = SSGI_GL_BILATERAL;
+    desc->filter_radius = 1;
+    desc->noise = SSGI_GL_NOISE_GRADIENT;
+    desc->half = desc->thin = 0;
+    if (desc->pass == SSGI_GL_SSAO) {
+        desc->samples = ssao[preset];
+        desc->thin = 1;
+    } else {
+        int is_march = desc->search == SSGI_GL_MARCH;
+        desc->half = is_march ? march[preset].half : slices[preset].half;
+        desc->directions = is_march ? march[preset].directions : slices[preset].directions;
+        desc->steps = is_march ? march[preset].steps : slices[preset].steps;
+        desc->normal_rays = is_march ? march[preset].rays : slices[preset].rays;
+    }
+    return SSGI_OK;
+}
+
 /* The desc with its defaults in place. */
 static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
 {
@@ -883,7 +924,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.samples) d.samples = 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = 6;
-    if (!d.filter_radius) d.filter_radius = 2;
+    if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     return d;
 }
 

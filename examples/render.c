@@ -223,7 +223,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         if (r->run) {
             printf(", \"settings\": {");
             for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
-            printf("}, \"fetches\": %d, \"context\": ", r->run->fetches);
+            printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
             print_string(kit_gl_name());
         }
         if (o->time) {
@@ -241,7 +241,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
-        printf("%-8s %9.3f ms, %d fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
+        printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }
     if (o->score) printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, r->score.rmse, r->nothing > 0 ? r->score.rmse / r->nothing : 0.0, r->score.bias, r->score.p95, r->score.ssim, r->score.pixels);
 }

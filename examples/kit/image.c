@@ -29,8 +29,6 @@
 #pragma GCC diagnostic pop
 #endif
 
-int kit_file_read(char **data, size_t *size, const char *path, kit_error *err);               /* util.c */
-int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
 
 /* ---- pictures ----------------------------------------------------------------------------------------------- */
 

@@ -33,6 +33,8 @@ typedef struct kit_error { char text[1024]; } kit_error;
 __attribute__((format(printf, 2, 3)))
 #endif
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
+int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);   /* regular files; a 0 follows the last byte; free(data) */
+int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* whole or not at all: beside it, then renamed */
 double kit_seconds(void);                                   /* monotonic clock */
 
 /* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
@@ -57,8 +59,8 @@ void   kit_image_free(kit_image *image);                                 /* leav
 float *kit_image_channel(const kit_image *image, const char *name);      /* NULL if there is no such channel */
 
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep and
-   subsampled files are refused). An EXR whose compression the C core lacks (DWAA/DWAB in 3.1) is a clear error. Files are
-   written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+   subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1) goes through OpenEXR's
+   older C interface when it is R, G, B, A, else it is a clear error. Files are written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 int    kit_hdr_read(kit_image *image, const char *path, kit_error *err); /* Radiance .hdr through stb: channels R,G,B */
@@ -72,7 +74,7 @@ typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_sc
 int    kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask, kit_error *err);
 
 /* Signed difference (a - b) of one channel as colours: a perceptually uniform diverging map, 0 is white-grey, blue where a is darker
-   than b, red where brighter; full colour at +-range. out: a new R,G,B picture. */
+   than b, red where brighter; full colour at +-range. out: a new R,G,B picture, sRGB-encoded already (write it with srgb 0). */
 int    kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range, kit_error *err);
 
 /* ---- >>mesh ------------------------------------------------------------------------------------------------- */

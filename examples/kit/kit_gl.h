@@ -206,7 +206,7 @@ typedef struct kit_run {
     int                passes;
     kit_pass           pass[KIT_MAX_PASSES];
     GLuint             block, noise;
-    int                fetches;            /* texel fetches a pixel, all passes */
+    double             fetches;            /* texel fetches a pixel of the picture, all passes */
 } kit_run;
 
 int  kit_run_open(kit_run *run, const kit_gbuffer *gbuffer, const kit_method *method, float radius, kit_error *err);

@@ -13,7 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-int kit_file_read(char **data, size_t *size, const char *path, kit_error *err);               /* util.c */
 
 #define CONCAVE_MOST 1000
 

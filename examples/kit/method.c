@@ -14,14 +14,14 @@ typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define BOTH(field)  IN_BOTH, offsetof(ssgi_gl_desc, field)
 #define BLUR(field)  IN_BLUR, offsetof(ssgi_gl_desc, field)
 
-static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "tile gradient texture", 0, 0, 2, 1 }, AO(noise) };
+static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient tile texture", 0, 0, 2, 1 }, AO(noise) };
 static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, IN_PLAN, 1 };
 static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
 static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, AO(thin) };
 static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, BOTH(half) };
 static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, AO(hard) };
 static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, offset) };
-static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 2, 0, 4, 1 }, IN_PLAN, 0 };
+static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, IN_PLAN, 0 };
 static const row filter_row    = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR(filter) };
 static const row compare_row   = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 }, BLUR(filter_normals) };
 static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, phase) };
@@ -30,27 +30,41 @@ static const row samples_row   = { { "samples", "points per pixel", NULL, 16, 1,
 static const row slices_row    = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 }, AO(directions) };
 static const row dirs_row      = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 }, AO(directions) };
 static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1 }, AO(steps) };
-static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 1, 0, 8, 1 }, AO(normal_rays) };
+static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 }, AO(normal_rays) };
 
-typedef struct plan { const char *name, *about; int pass, search; const row *rows[KIT_MAX_SETTINGS]; } plan;
+typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
+#define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
 static const plan plans[] = {
-    { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0,
-      { &samples_row, &thickness_row, &thin_row, &half_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
-    { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES,
-      { &slices_row, &steps_row, &thickness_row, &thin_row, &half_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
-    { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH,
-      { &dirs_row, &steps_row, &rays_row, &thickness_row, &thin_row, &half_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
+    { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
+      { &samples_row, &half_row, &thin_row, &thickness_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+    { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SLICES },
+    { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
+    { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
+    { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH, SSGI_GL_BALANCED,
+      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &thickness_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
 int kit_method_at(kit_method *method, int i)
 {
     kit_method m;
+    ssgi_gl_desc desc;
     if (i < 0 || i >= PLANS) return 0;
     memset(&m, 0, sizeof m);
     m.name = plans[i].name;
     m.about = plans[i].about;
-    while (plans[i].rows[m.count]) { m.setting[m.count] = plans[i].rows[m.count]->setting; ++m.count; }
+    memset(&desc, 0, sizeof desc);
+    desc.pass = plans[i].pass;
+    desc.search = plans[i].search;
+    ssgi_gl_preset(&desc, plans[i].preset, NULL);
+    for (; plans[i].rows[m.count]; ++m.count) {            /* what the preset sets, the setting starts from */
+        const row *w = plans[i].rows[m.count];
+        int value = 0;
+        m.setting[m.count] = w->setting;
+        if (w->where == IN_AO || w->where == IN_BOTH) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
+        if (value) m.setting[m.count].value = value;
+        if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
+    }
     *method = m;
     return 1;
 }
@@ -164,7 +178,7 @@ static int add_pass(kit_run *run, const ssgi_gl_desc *desc, int width, int heigh
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, p->texture, 0);
     glDrawBuffers(1, &buffer);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return kit_fail(err, "the context cannot draw into a target of format 0x%x", format);
-    run->fetches += ssgi_gl_fetches(desc);
+    run->fetches += ssgi_gl_fetches(desc) * (double)width * height / ((double)run->frame.size[0] * run->frame.size[1]);
     return 0;
 }
 
