@@ -98,7 +98,7 @@ typedef struct ssgi_gl_desc {
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost for accuracy (and the filter's,
    so that the same desc serves blur), leaves the others alone.
-     hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)    hsao march   4x6, 6x9 + 1 normal ray, 8x18 + 2
+     hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)    hsao march   4x6, 6x9 + 1 normal ray, 8x18 + 2, thin
      ssao          8, 16, 32 points, thin
    Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
@@ -588,7 +588,7 @@ static const ssgi_gl__chunk ssgi_gl__arc = { __LINE__ + 1, 0,
     "// g is the signed angle from the view direction to the projected normal; half its cosine and +-half its sine are given.\n"
     "vec2 ssgi_arc(vec2 c, vec2 s, float cosg, vec2 sing)\n"
     "{\n"
-    "    vec2 x = abs(c), e = sqrt(1.0 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x))); // acos, error < 7e-5\n"
+    "    vec2 x = abs(c), e = sqrt(max(1.0 - x, 0.0)) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x))); // acos, error < 7e-5\n"
     "    return cosg * s * s + sing * (mix(e, 3.14159265 - e, lessThan(c, vec2(0.0))) - s * c);\n"
     "}\n" };
 
@@ -903,10 +903,10 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     desc->filter = SSGI_GL_BILATERAL;
     desc->filter_radius = 1;
     desc->noise = SSGI_GL_NOISE_GRADIENT;
-    desc->half = desc->thin = 0;
+    desc->half = 0;
+    desc->thin = desc->pass == SSGI_GL_SSAO || desc->search == SSGI_GL_MARCH;   /* rays past a solid foreground would all end on it */
     if (desc->pass == SSGI_GL_SSAO) {
         desc->samples = ssao[preset];
-        desc->thin = 1;
     } else {
         int is_march = desc->search == SSGI_GL_MARCH;
         desc->half = is_march ? march[preset].half : slices[preset].half;

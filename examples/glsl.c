@@ -1,0 +1,77 @@
+/* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for reading, diffing and validating.
+
+      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; and so on
+
+   One file a text: a choice that changes nothing in a pass makes no file. */
+#include "../ssgi_gl.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const char custom[] =
+    "uniform sampler2D my_gbuffer;\n"
+    "float ssgi_custom_depth(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w; }\n"
+    "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n";
+
+typedef struct choice { const char *name; size_t offset; int value; } choice;
+#define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
+static const choice choices[] = {
+    { "", 0, 0 }, CHOICE("orthographic", orthographic, 1), CHOICE("linear", depth, SSGI_GL_DEPTH_LINEAR), CHOICE("customdepth", depth, SSGI_GL_DEPTH_CUSTOM),
+    CHOICE("unsigned", normal, SSGI_GL_NORMAL_UNSIGNED), CHOICE("octahedral", normal, SSGI_GL_NORMAL_OCTAHEDRAL), CHOICE("fromdepth", normal, SSGI_GL_NORMAL_FROM_DEPTH),
+    CHOICE("customnormal", normal, SSGI_GL_NORMAL_CUSTOM), CHOICE("world", world_normals, 1), CHOICE("tile", noise, SSGI_GL_NOISE_TILE4), CHOICE("jitter", noise, SSGI_GL_NOISE_TEXTURE),
+    CHOICE("march", search, SSGI_GL_MARCH), CHOICE("rays", normal_rays, 1), CHOICE("hard", hard, 1), CHOICE("thin", thin, 1), CHOICE("half", half, 1),
+    CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
+};
+enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 4096 };
+
+static uint64_t seen[MOST];
+static int files;
+
+static int write_text(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
+{
+    static const char *const endings[] = { "vert", "frag" };
+    uint64_t key = ssgi_gl_key(d);
+    if (!key || files >= MOST) return 0;
+    for (int i = 0; i < files; ++i) if (seen[i] == key) return 0;
+    seen[files++] = key;
+    for (int stage = *first ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX; stage <= SSGI_GL_FRAGMENT; ++stage) {      /* choices do not reach the vertex stage */
+        char path[1024];
+        size_t n = ssgi_gl_emit(NULL, 0, d, stage);
+        char *text = malloc(n + 1);
+        FILE *file;
+        int bad;
+        snprintf(path, sizeof path, "%s/%s.%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second, endings[stage]);
+        file = text ? fopen(path, "wb") : NULL;
+        if (!file) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); free(text); return -1; }
+        ssgi_gl_emit(text, n + 1, d, stage);
+        bad = fwrite(text, 1, n, file) != n;
+        bad |= fclose(file);
+        free(text);
+        if (bad) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); remove(path); return -1; }
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) { fputs("usage: glsl-text FOLDER\n", stderr); return 2; }
+    if (mkdir(argv[1], 0777) && errno != EEXIST) { fprintf(stderr, "glsl: %s: %s\n", argv[1], strerror(errno)); return 2; }
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
+        for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
+            for (int a = 0; a < CHOICES; ++a)
+                for (int b = 0; b <= a; ++b) {
+                    ssgi_gl_desc d;
+                    memset(&d, 0, sizeof d);
+                    d.pass = pass;
+                    d.dialect = dialect;
+                    d.fetch = choices[a].value == SSGI_GL_DEPTH_CUSTOM || choices[a].value == SSGI_GL_NORMAL_CUSTOM || choices[b].value == SSGI_GL_NORMAL_CUSTOM ? custom : NULL;
+                    memcpy((char *)&d + choices[b].offset, &choices[b].value, b ? sizeof(int) : 0);
+                    memcpy((char *)&d + choices[a].offset, &choices[a].value, a ? sizeof(int) : 0);
+                    if (d.depth != SSGI_GL_DEPTH_CUSTOM && d.normal != SSGI_GL_NORMAL_CUSTOM) d.fetch = NULL;
+                    if (write_text(argv[1], &d, choices[a].name, choices[b].name)) return 2;
+                }
+    printf("%s: %d fragment texts\n", argv[1], files);
+    return 0;
+}

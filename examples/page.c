@@ -1,0 +1,336 @@
+/* page.c - what report.c writes: text tables, CSV, SVG charts, HTML. Included by report.c, which fills the rows. */
+
+int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
+
+/* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
+typedef struct row {
+    const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
+    double fetches, relative, ms, share;
+    kit_score score;
+} row;
+
+/* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
+
+typedef struct page { FILE *file; char *text; size_t size; } page;
+
+static int page_open(page *p, kit_error *err)
+{
+    p->text = NULL;
+    p->file = open_memstream(&p->text, &p->size);
+    return p->file ? 0 : kit_fail(err, "out of memory");
+}
+
+static int page_close(page *p, const char *folder, const char *name, kit_error *err)
+{
+    char path[4096];
+    int status = ferror(p->file);
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (fclose(p->file) || status) status = kit_fail(err, "%s: out of memory", path);
+    else status = kit_file_write(path, p->text, p->size, err);
+    free(p->text);
+    return status;
+}
+
+static void escaped(FILE *f, const char *s)
+{
+    for (; *s; ++s) {
+        const char *entity = *s == '&' ? "&amp;" : *s == '<' ? "&lt;" : *s == '>' ? "&gt;" : *s == '"' ? "&quot;" : NULL;
+        if (entity) fputs(entity, f); else fputc(*s, f);
+    }
+}
+
+static const char *settings_of(const row *r) { return *r->settings ? r->settings : isnan(r->fetches) ? "" : "defaults"; }
+
+/* ---- >>tables: one list of columns for text, HTML and CSV --------------------------------------------------------- */
+
+typedef struct column { const char *head, *key, *about; size_t offset; int digits, sign; } column;
+static const column columns[] = {
+    { "fetches", "fetches",       "texel fetches per pixel, all passes",                     offsetof(row, fetches),    0, 0 },
+    { "time",    "relative_time", "GL time relative to one unblurred 16-sample ssao",        offsetof(row, relative),   2, 0 },
+    { "ms",      "ms",            "GL time, milliseconds",                                   offsetof(row, ms),         1, 0 },
+    { "RMSE",    "rmse",          "root mean square difference to the truth",                offsetof(row, score.rmse), 4, 0 },
+    { "share",   "share",         "RMSE over the RMSE of having no AO",                      offsetof(row, share),      3, 0 },
+    { "bias",    "bias",          "mean difference to the truth; below 0: too dark",         offsetof(row, score.bias), 4, 1 },
+    { "p95",     "p95",           "95 % of the pixels are off by less",                      offsetof(row, score.p95),  4, 0 },
+    { "SSIM",    "ssim",          "structural similarity with the truth, 1 = the same",      offsetof(row, score.ssim), 4, 0 }
+};
+enum { COLUMNS = (int)(sizeof columns / sizeof columns[0]) };
+
+static double figure_of(const row *r, int c)
+{
+    double v;
+    memcpy(&v, (const char *)r + columns[c].offset, sizeof v);
+    return v;
+}
+
+static const char *cell(char out[32], const row *r, int c, const char *none)
+{
+    double v = figure_of(r, c);
+    if (isnan(v)) return none;
+    snprintf(out, 32, columns[c].sign ? "%+.*f" : "%.*f", columns[c].digits, v);
+    return out;
+}
+
+static void table_text(FILE *f, const row *rows, int count)
+{
+    int label = 6, settings = 8;
+    char text[32];
+    for (int i = 0; i < count; ++i) {
+        int l = (int)strlen(rows[i].label), s = (int)strlen(settings_of(&rows[i]));
+        if (l > label) label = l;
+        if (s > settings) settings = s;
+    }
+    fprintf(f, "%-*s  %-*s", label, "method", settings, "settings");
+    for (int c = 0; c < COLUMNS; ++c) fprintf(f, " %8s", columns[c].head);
+    fputc('\n', f);
+    for (int i = 0; i < count; ++i) {
+        fprintf(f, "%-*s  %-*s", label, rows[i].label, settings, settings_of(&rows[i]));
+        for (int c = 0; c < COLUMNS; ++c) fprintf(f, " %8s", cell(text, &rows[i], c, "-"));
+        fputc('\n', f);
+    }
+}
+
+static void table_html(FILE *f, const row *rows, int count)
+{
+    char text[32];
+    fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
+    for (int c = 0; c < COLUMNS; ++c) fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
+    fputs("\n", f);
+    for (int i = 0; i < count; ++i) {
+        fprintf(f, i && strcmp(rows[i].label, rows[i - 1].label) ? "<tr class=\"first\"><td>" : "<tr><td>");
+        escaped(f, rows[i].label);
+        fputs("<td><code>", f);
+        escaped(f, settings_of(&rows[i]));
+        fputs("</code>", f);
+        for (int c = 0; c < COLUMNS; ++c) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
+        fputs("\n", f);
+    }
+    fputs("</table></div>\n", f);
+}
+
+static void csv_field(FILE *f, const char *s)
+{
+    fputc('"', f);
+    for (; *s; ++s) { if (*s == '"') fputc('"', f); fputc(*s, f); }
+    fputc('"', f);
+}
+
+static void table_csv(FILE *f, const row *rows, int count, int head)
+{
+    if (head) {
+        fputs("scene,label,method,settings", f);
+        for (int c = 0; c < COLUMNS; ++c) fprintf(f, ",%s", columns[c].key);
+        fputs(",pixels\n", f);
+    }
+    for (int i = 0; i < count; ++i) {
+        const char *words[4];
+        words[0] = rows[i].scene; words[1] = rows[i].label; words[2] = rows[i].method; words[3] = rows[i].settings;
+        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, words[k]); }
+        for (int c = 0; c < COLUMNS; ++c) {
+            double v = figure_of(&rows[i], c);
+            if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
+        }
+        fprintf(f, ",%zu\n", rows[i].score.pixels);
+    }
+}
+
+/* ---- >>chart: relative time across, share of the error up; one curve a label --------------------------------------- */
+
+enum { WIDE = 900, HIGH = 540, LEFT = 74, RIGHT = 876, TOP = 112, BOTTOM = 472, MOST_BOXES = 512 };
+typedef struct box { double x, y, w, h; } box;
+typedef struct scale { double x0, x1, y0, y1; } scale;   /* what lies at the frame's sides; x as logarithms */
+
+/* Okabe and Ito's palette, told apart by colour-blind eyes too; orange and sky are left for curves five and six. */
+static const char *const colours[] = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", "#3A9BD9" };
+#define COLOUR(series) colours[(series) % (int)(sizeof colours / sizeof colours[0])]
+
+static double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * (log(v) - s->x0) / (s->x1 - s->x0); }
+static double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
+
+static void marker(FILE *f, int series, double x, double y)
+{
+    fprintf(f, "fill=\"%s\" stroke=\"#fff\" stroke-width=\"1.5\"", COLOUR(series));
+    if (series % 4 == 0) fprintf(f, " d=\"M%.1f %.1fa5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0 -11 0z\"", x - 5.5, y);
+    if (series % 4 == 1) fprintf(f, " d=\"M%.1f %.1fh10v10h-10z\"", x - 5, y - 5);
+    if (series % 4 == 2) fprintf(f, " d=\"M%.1f %.1fl6.5 11.5h-13z\"", x, y - 7);
+    if (series % 4 == 3) fprintf(f, " d=\"M%.1f %.1fl7 7l-7 7l-7 -7z\"", x, y - 7);
+}
+
+static double covered(const box *b, const box *taken, int count)
+{
+    double sum = 0;
+    for (const box *t = taken; t < taken + count; ++t) {
+        double w = fmin(b->x + b->w, t->x + t->w) - fmax(b->x, t->x), h = fmin(b->y + b->h, t->y + t->h) - fmax(b->y, t->y);
+        if (w > 0 && h > 0) sum += w * h;
+    }
+    return sum;
+}
+
+/* The place beside a point where its label covers least of what is there already. */
+static box place(double x, double y, double w, const box *taken, int count)
+{
+    static const double offset[8][2] = { { 0, -15 }, { 0, 15 }, { 1, 0 }, { -1, 0 }, { 1, -11 }, { -1, -11 }, { 1, 11 }, { -1, 11 } };
+    box best = { 0, 0, 0, 0 };
+    double least = HUGE_VAL;
+    for (int k = 0; k < 8; ++k) {
+        box b = { x - w / 2 + offset[k][0] * (w / 2 + (k < 4 ? 10 : 5)), y + offset[k][1] - 6, w, 12 };
+        double cost = 2.0 * k;
+        if (b.x < LEFT || b.x + b.w > RIGHT || b.y < TOP || b.y + b.h > BOTTOM) cost += 1000;
+        cost += covered(&b, taken, count);
+        if (cost < least) { least = cost; best = b; }
+    }
+    return best;
+}
+
+static int by_relative(const void *a, const void *b)
+{
+    double x = (*(const row *const *)a)->relative, y = (*(const row *const *)b)->relative;
+    return (x > y) - (x < y);
+}
+
+static double step_of(double least, double span)     /* 1, 2 or 5 times a power of ten: at most six lines in span */
+{
+    double s = least;
+    for (int i = 0; span / s > 5; ++i) s *= i % 3 == 1 ? 2.5 : 2;
+    return s;
+}
+
+/* rows: points with a relative time; others (floor, no AO) are skipped. floor_: share, NAN = no line. */
+static void chart_svg(FILE *f, const char *title, const row *rows, int count, double floor_)
+{
+    static const double ticks[] = { 1, 1.5, 2, 3, 5, 7 };
+    const row *sorted[256];
+    box taken[MOST_BOXES];
+    scale s = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
+    int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT;
+    double step, last = -100;
+    for (int i = 0; i < count && points < 256; ++i) {
+        if (isnan(rows[i].relative)) continue;
+        sorted[points++] = &rows[i];
+        s.x0 = fmin(s.x0, rows[i].relative); s.x1 = fmax(s.x1, rows[i].relative);
+        s.y0 = fmin(s.y0, rows[i].share); s.y1 = fmax(s.y1, rows[i].share);
+    }
+    s.x0 = log(s.x0 * 0.87); s.x1 = log(s.x1 * 1.15);
+    if (!isnan(floor_)) { s.y0 = fmin(s.y0, floor_); s.y1 = fmax(s.y1, floor_); }
+    if (s.y0 < 0.35 * s.y1) s.y0 = 0;
+    step = step_of(0.01, s.y1 - s.y0);
+    s.y0 = fmax(0, step * floor(s.y0 / step - 0.25));
+    s.y1 = step * ceil(s.y1 / step + 0.2);
+
+    fprintf(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\" font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"13\" fill=\"#444\">\n<title>", WIDE, HIGH, WIDE, HIGH);
+    escaped(f, title);
+    fprintf(f, "</title>\n<rect width=\"%d\" height=\"%d\" rx=\"6\" fill=\"#fff\"/>\n<text x=\"%d\" y=\"32\" font-size=\"17\" font-weight=\"600\" fill=\"#111\">", WIDE, HIGH, LEFT);
+    escaped(f, title);
+    fprintf(f, "</text>\n<text x=\"%d\" y=\"54\">left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel</text>\n", LEFT);
+    for (double v = s.y0; v < s.y1 + step / 2; v += step)
+        fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"%s\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%.*f</text>\n", LEFT, up(&s, v), RIGHT, v > s.y0 ? "#e4e4e4" : "#888", LEFT - 9, up(&s, v) + 4.5, step < 0.095 ? 2 : 1, v);
+    for (int power = -3; power < 4; ++power)
+        for (int k = 0; k < 6; ++k) {
+            double v = ticks[k] * pow(10, power), x;
+            if (log(v) < s.x0 || log(v) > s.x1) continue;
+            x = across(&s, v);
+            fprintf(f, "<path d=\"M%.1f %dV%d\" stroke=\"%s\"/>", x, TOP, BOTTOM, fabs(v - 1) < 1e-9 ? "#b0b0b0" : "#eeeeee");
+            if (x - last > 36) { fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", x, BOTTOM + 20, v); last = x; }
+        }
+    fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">GL time relative to one unblurred 16-sample SSAO (log scale)</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 46);
+    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of having no AO at all</text>\n", (TOP + BOTTOM) / 2);
+    if (!isnan(floor_)) {
+        fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"#333\" stroke-width=\"1.5\" stroke-dasharray=\"7 5\"/>\n", LEFT, up(&s, floor_), RIGHT);
+        taken[boxes++] = (box){ LEFT, up(&s, floor_) - 1.5, RIGHT - LEFT, 3 };
+    }
+
+    /* Curves, and the boxes of markers and lines for the labels to avoid; then markers with tooltips; then labels. */
+    for (int i = 0; i < points; i = at, ++series) {
+        for (at = i; at < points && !strcmp(sorted[at]->label, sorted[i]->label);) ++at;
+        qsort(sorted + i, (size_t)(at - i), sizeof *sorted, by_relative);
+        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\" d=\"", COLOUR(series));
+        for (int k = i; k < at; ++k) {
+            double x = across(&s, sorted[k]->relative), y = up(&s, sorted[k]->share);
+            fprintf(f, "%c%.1f %.1f", k > i ? 'L' : 'M', x, y);
+            if (boxes < MOST_BOXES) taken[boxes++] = (box){ x - 8, y - 8, 16, 16 };
+            for (int j = 1; k > i && j < 12 && boxes < MOST_BOXES; ++j) {
+                double x0 = across(&s, sorted[k - 1]->relative), y0 = up(&s, sorted[k - 1]->share), t = j / 12.0;
+                taken[boxes++] = (box){ x0 + (x - x0) * t - 3, y0 + (y - y0) * t - 3, 6, 6 };
+            }
+        }
+        fputs("\"/>\n<path ", f);
+        marker(f, series, legend + 7, 82);
+        fprintf(f, "/><text x=\"%d\" y=\"86.5\" fill=\"#222\">", legend + 21);
+        escaped(f, sorted[i]->label);
+        fputs("</text>\n", f);
+        legend += 46 + (int)(7.6 * (double)strlen(sorted[i]->label));
+    }
+    if (!isnan(floor_)) {                /* its words: above or below, where along the line they cover least */
+        box best = { 0, 0, 0, 0 };
+        double least = HUGE_VAL;
+        for (int k = 0; k < 40; ++k) {
+            box b = { RIGHT - 412 - (k / 2) * (RIGHT - LEFT - 412) / 19.0, up(&s, floor_) + (k % 2 ? 5 : -21), 412, 16 };
+            double cost = covered(&b, taken, boxes) + k + (b.y < TOP || b.y + b.h > BOTTOM ? 1e5 : 0);
+            if (cost < least) { least = cost; best = b; }
+        }
+        fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"#222\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">floor %.3f: exact answer from one depth layer, as thin sheets</text>\n", best.x + best.w / 2, best.y + 12.5, floor_);
+        if (boxes < MOST_BOXES) taken[boxes++] = best;
+    }
+    for (int pass = 0; pass < 2; ++pass)
+        for (int i = 0, group = 0; i < points; ++i) {
+            const row *r = sorted[i];
+            double x = across(&s, r->relative), y = up(&s, r->share);
+            char text[32];
+            if (i && strcmp(r->label, sorted[i - 1]->label)) ++group;
+            if (!pass) {
+                fputs("<path ", f);
+                marker(f, group, x, y);
+                fputs("><title>", f);
+                escaped(f, r->label);
+                fputs(": ", f);
+                escaped(f, settings_of(r));
+                fprintf(f, "\ntime %.2f, error %.3f, %.0f fetches</title></path>\n", r->relative, r->share, r->fetches);
+            } else {
+                int n = snprintf(text, sizeof text, "%.0f", r->fetches);
+                box b = place(x, y, 7.2 * n, taken, boxes);
+                fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, COLOUR(group), text);
+                if (boxes < MOST_BOXES) taken[boxes++] = b;
+            }
+        }
+    fputs("</svg>\n", f);
+}
+
+/* ---- >>html ------------------------------------------------------------------------------------------------------- */
+
+static void html_head(FILE *f, const char *title, const char *about)
+{
+    fputs("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>", f);
+    escaped(f, title);
+    fputs("</title>\n<style>\n"
+        ":root { --ink: #1c1c1e; --faint: #62626a; --paper: #fbfbfa; --line: #dededb; --panel: #fff }\n"
+        "@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e6; --faint: #a0a0a6; --paper: #17181a; --line: #35363a; --panel: #202124 } }\n"
+        "* { box-sizing: border-box }\n"
+        "body { margin: 0 auto; padding: 2rem clamp(1rem, 3vw, 3rem) 4rem; max-width: 1680px; color: var(--ink); background: var(--paper); font: 16px/1.5 system-ui, -apple-system, 'Segoe UI', sans-serif }\n"
+        "h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .4rem } h2 { font-size: 1.15rem; margin: 2.4rem 0 .8rem }\n"
+        "p, dl { max-width: 76ch; margin: .4rem 0 } dt { font-weight: 600; margin-top: .6rem } dd { margin: 0 } .faint, figcaption span, dd { color: var(--faint) }\n"
+        ".grid { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)) }\n"
+        ".charts { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 600px), 1fr)) } svg { display: block; width: 100%; height: auto; max-width: 900px }\n"
+        "figure { margin: 0 } figcaption { margin: 0 0 .35rem; display: flex; justify-content: space-between; gap: 1rem } figcaption span { font-variant-numeric: tabular-nums }\n"
+        "img { display: block; width: 100%; height: auto; border: 1px solid var(--line) } img + img, a + a img { border-top: 0 }\n"
+        ".key { padding: 1rem 0 } .key img { height: 18px } .key div { display: flex; justify-content: space-between; font-size: .85rem; color: var(--faint) }\n"
+        ".wide { overflow-x: auto } table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .92rem; background: var(--panel) }\n"
+        "th, td { padding: .3rem .8rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap } th { color: var(--faint); font-weight: 500 } .first td { border-top: 2px solid var(--line) }\n"
+        "th:nth-child(-n+2), td:nth-child(-n+2) { text-align: left } code { font: .88em ui-monospace, Menlo, Consolas, monospace } summary { cursor: pointer; padding: .3rem 0 }\n"
+        "</style>\n<h1>", f);
+    escaped(f, title);
+    fputs("</h1>\n<p>", f);
+    escaped(f, about);
+    fputs("</p>\n", f);
+}
+
+static void html_terms(FILE *f)
+{
+    fputs("<h2>What the figures mean</h2>\n<dl>\n"
+        "<dt>fetches<dd>Texel fetches per pixel, summed over all passes of the method.\n"
+        "<dt>time<dd>GL time of all passes, over that of one unblurred 16-sample SSAO drawn right before and after it in the same run; the median of several rounds. Below 1 is cheaper than that SSAO.\n"
+        "<dt>RMSE, share<dd>Root mean square difference to the ray-traced truth, over the pixels that show something, of ambient visibility (0 closed, 1 open), as it comes, with no fit or gain. "
+        "The share is RMSE over the RMSE of having no AO at all, so 1 means that the pass might as well be left out.\n"
+        "<dt>bias, p95, SSIM<dd>The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, the structural similarity.\n"
+        "<dt>floor<dd>The exact answer from one depth layer, ray-traced against the visible surface taken as thin sheets. What lies between it and the truth is not in the depth buffer: "
+        "more layers or cameras buy it. A method above the floor can win by more samples; one below it does so by assuming how thick things are.\n</dl>\n", f);
+}

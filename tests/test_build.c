@@ -1,0 +1,188 @@
+/* test_build.c - what a compiler, a newcomer and a shell see: warnings, linking, the documentation's code, sanitizers, bad command lines. */
+#include "t.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "../examples/kit/kit.h"
+
+#define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
+
+static char folder[64];
+
+/* Runs a shell line, both its outputs into text; returns its status. */
+static int shell(char *text, size_t size, const char *format, const char *a, const char *b)
+{
+    char line[4096];
+    size_t n = 0, got;
+    FILE *pipe;
+    int status;
+    int length = snprintf(line, sizeof line, "cd '%s' && { ", folder);
+    length += snprintf(line + length, sizeof line - (size_t)length, format, a, b);
+    snprintf(line + length, sizeof line - (size_t)length, " ; } 2>&1");
+    pipe = popen(line, "r");
+    if (!pipe) return -1;
+    while (n + 1 < size && (got = fread(text + n, 1, size - 1 - n, pipe)) > 0) n += got;
+    text[n] = 0;
+    while (fgetc(pipe) != EOF) {}
+    status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+}
+
+static void write_text(const char *name, const char *text)
+{
+    char path[256];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    kit_file_write(path, text, strlen(text), NULL);
+}
+
+static char *read_text(const char *path)
+{
+    char *data = NULL;
+    size_t size;
+    return kit_file_read(&data, &size, path, NULL) ? NULL : data;
+}
+
+/* One call into every room, so that linking is proved and not only parsing. */
+static const char *const rooms =
+    "#include \"ssgi_gl.h\"\n"
+    "#include <stdio.h>\n"
+    "int use(void);\n"
+    "int use(void) {\n"
+    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
+    "    static const float o[3] = { 0.2f, 0.2f, 0 }, d[3] = { 0, 0, -1 };\n"
+    "    static float memory[4096];\n"
+    "    float k[64]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io io[SSGI_GL_MAX_IO]; ssgi_trace t; char text[64]; int i, bad = 0;\n"
+    "    for (i = 0; i < (int)sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
+    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_kernel(k, 1, 16, SSGI_COSINE, NULL) != SSGI_OK;\n"
+    "    bad += !(ssgi_normal_offset(&v, 1.0f) > 0.0f);\n"
+    "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, o, d, 0.0f, 2.0f);\n"
+    "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
+    "    bad += !ssgi_gl_fetches(&desc) || ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || !ssgi_gl_dialect_name(0);\n"
+    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory || ssgi_radius_guess(&v, 1.0f, o, o) <= 0.0f;\n"
+    "    return bad;\n"
+    "}\n";
+
+static void compilers(void)
+{
+    static const char *const modes[] = { "gcc -std=c99 -xc", "gcc -std=c11 -O2 -xc", "gcc -std=c99 -O2 -ffast-math -xc", "clang -std=c99 -xc", "clang -std=c11 -O2 -xc",
+                                         "g++ -std=c++11 -xc++", "g++ -std=c++17 -O2 -xc++", "clang++ -std=c++11 -xc++", "clang++ -std=c++17 -O2 -xc++" };
+    char text[4000], present[200];
+    int ran = 0;
+    write_text("implementation.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
+    write_text("rooms.c", rooms);
+    write_text("main.c", "#include \"ssgi_gl.h\"\nint use(void);\nint main(void) { return use(); }\n");
+    write_text("static.c", "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"rooms.c\"\nint main(void) { return use(); }\n");
+    for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
+        snprintf(present, sizeof present, "command -v %.*s", (int)strcspn(modes[i], " "), modes[i]);
+        if (shell(text, sizeof text, "%s%s", present, "")) { t_note("%.*s is not here: not tried", (int)strcspn(modes[i], " "), modes[i]); continue; }
+        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -I. implementation.c rooms.c main.c -o two %s && ./two", modes[i], "-lm") && !text[0], "%s: %s", modes[i], text);
+        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one", modes[i], "-lm") && !text[0], "%s, SSGI_STATIC: %s", modes[i], text);
+        ++ran;
+    }
+    CHECK(ran >= 2, "only %d compilers were there", ran);
+}
+
+static void compile_time(void)
+{
+    char text[400];
+    double best = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        double t = kit_seconds();
+        if (shell(text, sizeof text, "%s -O2 -c -I. implementation.c -o time.o%s", "gcc", "")) break;
+        t = kit_seconds() - t;
+        best = t < best ? t : best;
+    }
+    CHECK(best < 2.0, "both implementations at -O2: %.2f s", best);
+    t_note("both implementations at -O2: %.2f s", best);
+}
+
+/* The text between two marks, comment stars and all, as the body of a program. */
+static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after, char *output, size_t size)
+{
+    char *all = read_text(file), *a = all ? strstr(all, from) : NULL, *b = a ? strstr(a, to) : NULL, *program;
+    int status = -1;
+    snprintf(output, size, "%s: no text between \"%s\" and \"%s\"", file, from, to);
+    if (a && b) {
+        a = strchr(a, '\n');
+        *b = 0;
+        program = malloc(strlen(a) + strlen(before) + strlen(after) + 1);
+        if (program) {
+            sprintf(program, "%s%s%s", before, a, after);
+            write_text("snippet.c", program);
+            status = shell(output, size, "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c -o snippet %s && ./snippet%s", "-lm", "");
+        }
+        free(program);
+    }
+    free(all);
+    return status;
+}
+
+static void documentation(void)
+{
+    static const char *const head = "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n";
+    static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
+    char text[4000], both[2000];
+    int status = snippet("ssgi.h", "   QUICK USE", "   CONVENTIONS", head, "    return 0;\n}\n", text, sizeof text);
+    CHECK(!status && strstr(text, "a pixel is"), "ssgi.h's usage: %s", text);
+    snprintf(both, sizeof both, "%s%s", head, view);
+    status = snippet("ssgi_gl.h", "   QUICK USE", "   HOW A PASS", both, "    free(text); return frame.radius != 0.5f;\n}\n", text, sizeof text);
+    CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
+    status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both, "    free(text); return 0;\n}\n", text, sizeof text);
+    CHECK(!status, "README.md's usage: %s", text);
+    CHECK(!shell(text, sizeof text, "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c 15 ao.pgm", getenv("PWD"), "-lOSMesa -lm") && strstr(text, "P5 960 540 255"),
+          "examples/minimal.c: %s", text);
+    CHECK(!shell(text, sizeof text, "grep -q 'v0.1 ' '%s/ssgi.h' && grep -q 'v0.1 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 100, "the headers' first lines and SSGI_VERSION disagree");
+}
+
+static void fuzz(void)
+{
+    char text[4000];
+    int status = shell(text, sizeof text, "gcc -O1 -g -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o fuzz %s && ./fuzz", getenv("PWD"), "-lm");
+    CHECK(!status, "one million inputs under address and undefined-behaviour sanitizers: %s", text);
+}
+
+/* Bad command lines and files: status 2, one line that names the argument or file, nothing left behind. */
+static void command_line(void)
+{
+    static const struct { const char *arguments, *word; } cases[] = {
+        { "nowhere.obj --out a.exr", "nowhere.obj" }, { "cut.obj --out a.exr", "cut.obj" }, { "empty.obj --out a.exr", "empty.obj" }, { "room --method none --out a.exr", "--method none" },
+        { "room --set steps=99 --out a.exr", "steps=99" }, { "room --set colour=1 --out a.exr", "colour=1" }, { "room --size 0x5 --out a.exr", "--size 0x5" }, { "room --camera 1,2 --out a.exr", "--camera 1,2" },
+        { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" }, { "room --fovy 999 --out a.exr", "--fovy 999" }, { "room --out a.bmp", "--out a.bmp" }, { "room --size 8x8 --out none/a.exr", "none/a.exr" },
+        { "room --size 8x8 --out none/a.png", "none/a.png" }, { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" }, { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },
+        { "--gbuffer y.exr --radius 1 --out a.exr", "--fovy" }, { "room --size 8x8 --score y.exr", "y.exr" }, { "room --radius nan --out a.exr", "--radius nan" }, { "room --radius -1 --out a.exr", "--radius -1" },
+        { "room --wrong 1 --out a.exr", "--wrong" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" }
+    };
+    char text[4000];
+    kit_image y;
+    char path[256];
+    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1");
+    write_text("empty.obj", "v 0 0 0\n");
+    snprintf(path, sizeof path, "%s/y.exr", folder);
+    if (!kit_image_new(&y, 4, 4, "Y", NULL)) { kit_exr_write(&y, path, NULL); kit_image_free(&y); }
+    shell(text, sizeof text, "head -c 300 %s > cut.exr%s", "y.exr", "");
+    shell(text, sizeof text, "ls > before%s%s", "", "");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        int status = shell(text, sizeof text, "'%s/build/render' %s", getenv("PWD"), cases[i].arguments);
+        char *line = strchr(text, '\n');
+        CHECK(status == 2 && line && !line[1] && strstr(text, cases[i].word), "render %s: status %d, %s", cases[i].arguments, status, text);
+    }
+    CHECK(!shell(text, sizeof text, "ls > after; diff before after%s%s", "", ""), "left behind: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 64x36 --save-gbuffer g.exr --out a.exr%s", getenv("PWD"), "")
+          && !shell(text, sizeof text, "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr%s", getenv("PWD"), "") && strstr(text, "\"rmse\""), "a frame saved and taken back: %s", text);
+}
+
+void test_build(void)
+{
+    char text[1000];
+    strcpy(folder, "/tmp/ssgi-test-XXXXXX");
+    if (!mkdtemp(folder)) { CHECK(0, "no temporary folder"); return; }
+    shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
+    RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
+    RUN("a file with both implementations compiles in under 2 s at -O2", compile_time);
+    RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
+    RUN("a million random inputs neither crash nor trip a sanitizer", fuzz);
+    RUN("render answers bad input with one line, status 2 and no file", command_line);
+    shell(text, sizeof text, "cd / && rm -rf '%s'%s", folder, "");
+}
