@@ -428,12 +428,11 @@ static const ssgi_gl__chunk ssgi_gl__noise_tile4 = { __LINE__ + 1, SSGI_GL__NOIS
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__noise_gradient = { __LINE__ + 1, SSGI_GL__NOISE_GRADIENT,
-    "// x, y: in [0,1), evenly spread over every 3x3 block\n"
+    "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence along the picture\n"
     "vec2 ssgi_noise(ivec2 p)\n"
     "{\n"
     "    vec2 q = vec2(p);\n"
-    "    vec2 g = vec2(dot(q, vec2(0.06711056, 0.00583715)), dot(q, vec2(0.00583715, 0.06711056)) + 0.25);\n"
-    "    return fract(52.9829189 * fract(g) + u_ssgi_phase);\n"
+    "    return fract(vec2(52.9829189 * fract(dot(q, vec2(0.06711056, 0.00583715))), dot(q, vec2(0.75487767, 0.56984029))) + u_ssgi_phase);\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__noise_texture = { __LINE__ + 1, SSGI_GL__NOISE_TEXTURE,
