@@ -62,7 +62,7 @@ build/test: $(TESTS:%=tests/%.c) tests/t.h $(KIT_O)
 
 # make test ONLY="math text" runs those groups.
 test: deps
-	@$(MAKE) --no-print-directory build/render build/test
+	@$(MAKE) --no-print-directory build/render build/glsl-text build/test
 	build/test $(ONLY)
 
 clean:

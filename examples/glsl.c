@@ -2,7 +2,9 @@
 
       build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; and so on
 
-   One file a text: a choice that changes nothing in a pass makes no file. */
+   One file a text: a choice that changes nothing in a pass makes no file.
+
+      build/glsl-text --passes       the README's table of passes, from reflection */
 #include "../ssgi_gl.h"
 #include <errno.h>
 #include <stdio.h>
@@ -54,9 +56,41 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, const char *fir
     return 0;
 }
 
+/* What each pass reads and writes, as Markdown. */
+static void print_passes(void)
+{
+    static const struct { const char *title; int pass, search; } rows[] = {
+        { "`ssao`", SSGI_GL_SSAO, 0 }, { "`hsao`, slices", SSGI_GL_HSAO, SSGI_GL_SLICES }, { "`hsao`, march", SSGI_GL_HSAO, SSGI_GL_MARCH }, { "`blur`", SSGI_GL_BLUR, 0 }
+    };
+    puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+        static const int kinds[] = { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT };
+        ssgi_gl_desc d;
+        ssgi_gl_io io[SSGI_GL_MAX_IO];
+        int n;
+        memset(&d, 0, sizeof d);
+        d.pass = rows[i].pass;
+        d.search = rows[i].search;
+        n = ssgi_gl_reflect(&d, io, SSGI_GL_MAX_IO);
+        printf("| %s ", rows[i].title);
+        for (size_t k = 0; k < 3; ++k) {
+            const char *between = "| ";
+            for (int r = 0; r < n; ++r) {
+                if (io[r].kind != kinds[k]) continue;
+                if (kinds[k] == SSGI_GL_OUTPUT) printf("%s`%s` %s: %s", between, io[r].name, io[r].type, io[r].format);
+                else printf("%s`%s`", between, io[r].name);
+                between = ", ";
+            }
+            printf(" ");
+        }
+        printf("| %d |\n", ssgi_gl_fetches(&d));
+    }
+}
+
 int main(int argc, char **argv)
 {
-    if (argc != 2) { fputs("usage: glsl-text FOLDER\n", stderr); return 2; }
+    if (argc == 2 && !strcmp(argv[1], "--passes")) { print_passes(); return 0; }
+    if (argc != 2) { fputs("usage: glsl-text FOLDER | --passes\n", stderr); return 2; }
     if (mkdir(argv[1], 0777) && errno != EEXIST) { fprintf(stderr, "glsl: %s: %s\n", argv[1], strerror(errno)); return 2; }
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)

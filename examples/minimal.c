@@ -17,16 +17,14 @@
 
 enum { W = 960, H = 540 };
 
-static const char *boxes_vs =   /* 40 boxes of 36 corners, from gl_VertexID and gl_InstanceID: stands for the engine's geometry */
+static const char *boxes_vs =   /* 40 boxes from gl_VertexID and gl_InstanceID: stands for the engine's geometry */
     "#version 330 core\nuniform mat4 projection; out vec3 normal;\n"
     "void main() {\n"
-    "  int f = gl_VertexID / 6, k = gl_VertexID % 6, a = f / 2, c = k < 3 ? k : k - 2;\n"
+    "  int f = gl_VertexID / 6, k = gl_VertexID % 6, a = f / 2, c = k < 3 ? k : k - 2, i = gl_InstanceID; mat3 tilt = mat3(1, 0, 0, 0, 0.9, 0.436, 0, -0.436, 0.9);\n"
     "  vec2 q = vec2(c & 1, c >> 1) * 2.0 - 1.0; float s = float(f & 1) * 2.0 - 1.0;\n"
-    "  vec3 p = a == 0 ? vec3(s, q) : a == 1 ? vec3(q.y, s, q.x) : vec3(q, s), n = a == 0 ? vec3(s, 0, 0) : a == 1 ? vec3(0, s, 0) : vec3(0, 0, s);\n"
-    "  vec3 r = fract(sin(float(gl_InstanceID) * vec3(12.99, 78.23, 37.72)) * 437.5);\n"
-    "  vec3 size = gl_InstanceID == 0 ? vec3(20, 0.1, 20) : 0.15 + 0.4 * r, at = gl_InstanceID == 0 ? vec3(0, -0.1, 0) : vec3(r.z * 8.0 - 4.0, size.y, r.x * 8.0 - 4.0);\n"
-    "  p = p * size + at; p.y -= 2.5; p.z -= 6.0;\n"
-    "  mat3 tilt = mat3(1, 0, 0, 0, 0.9, 0.436, 0, -0.436, 0.9); normal = tilt * n; gl_Position = projection * vec4(tilt * p, 1);\n"
+    "  vec3 p = a == 0 ? vec3(s, q) : a == 1 ? vec3(q.y, s, q.x) : vec3(q, s), r = fract(sin(float(i) * vec3(12.99, 78.23, 37.72)) * 437.5);\n"
+    "  vec3 size = i == 0 ? vec3(20, 0.1, 20) : 0.15 + 0.4 * r, at = i == 0 ? vec3(0, -0.1, 0) : vec3(r.z * 8.0 - 4.0, size.y, r.x * 8.0 - 4.0);\n"
+    "  normal = tilt * vec3(a == 0, a == 1, a == 2) * s; gl_Position = projection * vec4(tilt * (p * size + at - vec3(0, 2.5, 6)), 1);\n"
     "}\n";
 static const char *boxes_fs = "#version 330 core\nin vec3 normal; out vec4 o;\nvoid main() { o = vec4(normalize(normal), 0); }\n";
 
@@ -34,7 +32,7 @@ static GLuint program(const char *vs, const char *fs)
 {
     const char *text[2] = { vs, fs };
     GLuint p = glCreateProgram();
-    GLint ok;
+    char log[2000] = "";
     for (int i = 0; i < 2; ++i) {
         GLuint s = glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
         glShaderSource(s, 1, &text[i], NULL);
@@ -42,8 +40,8 @@ static GLuint program(const char *vs, const char *fs)
         glAttachShader(p, s);
     }
     glLinkProgram(p);
-    glGetProgramiv(p, GL_LINK_STATUS, &ok);
-    if (!ok) { char log[2000]; glGetProgramInfoLog(p, sizeof log, NULL, log); fputs(log, stderr); exit(1); }
+    glGetProgramInfoLog(p, sizeof log, NULL, log);
+    fputs(log, stderr);
     return p;
 }
 
@@ -57,7 +55,7 @@ static GLuint texture(GLenum internal, GLenum format, int w, int h)
     return t;
 }
 
-static void target(GLuint color, GLuint depth, int w, int h)   /* a new framebuffer, bound */
+static void target(GLuint color, GLuint depth, int w, int h)
 {
     GLuint f;
     glGenFramebuffers(1, &f);
@@ -70,22 +68,23 @@ static void target(GLuint color, GLuint depth, int w, int h)   /* a new framebuf
 /* ==== ssgi: from a desc to a program whose samplers and block are bound to their slots =========================================== */
 static GLuint ssgi_program(const ssgi_gl_desc *d)
 {
-    char *text[2];
+    static char text[2][32768];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     GLuint p;
-    for (int s = 0; s < 2; ++s) {
-        size_t n = ssgi_gl_emit(NULL, 0, d, s);
-        text[s] = malloc(n + 1);
-        ssgi_gl_emit(text[s], n + 1, d, s);
-    }
+    for (int s = 0; s < 2; ++s) ssgi_gl_emit(text[s], sizeof text[s], d, s);
     p = program(text[SSGI_GL_VERTEX], text[SSGI_GL_FRAGMENT]);
-    free(text[0]);
-    free(text[1]);
     glUseProgram(p);
     for (int i = 0, n = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < n; ++i)
         if (row[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(p, row[i].name), row[i].slot);
     glUniformBlockBinding(p, glGetUniformBlockIndex(p, "ssgi_frame"), 0);
     return p;
+}
+
+static void draw(GLuint program_, GLuint result, int w, int h)
+{
+    target(result, 0, w, h);
+    glUseProgram(program_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 static void ambient_occlusion(GLuint depth, GLuint normal, const float projection[16], float radius, GLuint result)
@@ -94,27 +93,23 @@ static void ambient_occlusion(GLuint depth, GLuint normal, const float projectio
     ssgi_view view;
     ssgi_gl_frame frame;
     const char *why = "";
-    GLuint block, raw = texture(GL_RG32F, GL_RG, (W + 1) / 2, (H + 1) / 2), gather, filter;
+    GLuint block, gather, filter, raw = texture(GL_RG32F, GL_RG, (W + 1) / 2, (H + 1) / 2), bound[3] = { depth, normal, raw };
     d.pass = SSGI_GL_HSAO;
     ssgi_gl_preset(&d, SSGI_GL_BALANCED, NULL);                    /* half size, 2 slices of 6 steps, 3x3 filter */
     gather = ssgi_program(&d);
     d.pass = SSGI_GL_BLUR;
     filter = ssgi_program(&d);
-
     if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, &why) || ssgi_gl_frame_init(&frame, &view, radius, &why)) { puts(why); exit(1); }
-    glGenBuffers(1, &block);                                       /* every frame: */
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
+    glGenBuffers(1, &block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);                 /* from here on: every frame */
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
+    for (GLuint i = 0; i < 3; ++i) {                               /* in the order of the rows: t_ssgi_depth, t_ssgi_normal, t_ssgi_ao */
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_2D, bound[i]);
+    }
     glDisable(GL_DEPTH_TEST);
-    target(raw, 0, (W + 1) / 2, (H + 1) / 2);
-    glActiveTexture(GL_TEXTURE0); glBindTexture(GL_TEXTURE_2D, depth);     /* t_ssgi_depth, t_ssgi_normal, t_ssgi_ao: in the order of the rows */
-    glActiveTexture(GL_TEXTURE1); glBindTexture(GL_TEXTURE_2D, normal);
-    glUseProgram(gather);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    target(result, 0, W, H);
-    glActiveTexture(GL_TEXTURE2); glBindTexture(GL_TEXTURE_2D, raw);
-    glUseProgram(filter);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw(gather, raw, (W + 1) / 2, (H + 1) / 2);
+    draw(filter, result, W, H);
 }
 /* ================================================================================================================================= */
 
@@ -127,7 +122,7 @@ int main(void)
     OSMesaContext context = OSMesaCreateContextAttribs(attributes, NULL);
     GLuint vao, depth, normal, result, boxes;
     FILE *file;
-    if (!context || !OSMesaMakeCurrent(context, screen, GL_UNSIGNED_BYTE, W, H)) { puts("no OSMesa context"); return 1; }
+    if (!context || !OSMesaMakeCurrent(context, screen, GL_UNSIGNED_BYTE, W, H)) return puts("no OSMesa context"), 1;
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
     depth = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, W, H);      /* the engine's G-buffer */
@@ -143,13 +138,11 @@ int main(void)
     result = texture(GL_R8, GL_RED, W, H);
     ambient_occlusion(depth, normal, projection, 0.5f, result);            /* ambient visibility: multiply your ambient light by it */
 
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, W, H, GL_RED, GL_UNSIGNED_BYTE, pixels);
     file = fopen("ao.pgm", "wb");
-    if (!file) { puts("ao.pgm cannot be written"); return 1; }
+    if (!file) return puts("ao.pgm cannot be written"), 1;
     fprintf(file, "P5 %d %d 255\n", W, H);
     for (int y = H - 1; y >= 0; --y) fwrite(pixels + y * W, 1, W, file);
     fclose(file);
-    OSMesaDestroyContext(context);
     return 0;
 }

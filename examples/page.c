@@ -284,7 +284,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
                 escaped(f, r->label);
                 fputs(": ", f);
                 escaped(f, settings_of(r));
-                fprintf(f, "\ntime %.2f, error %.3f, %.0f fetches</title></path>\n", r->relative, r->share, r->fetches);
+                fprintf(f, "\ntime %.2f, error %.3f, %.1f fetches</title></path>\n", r->relative, r->share, r->fetches);
             } else {
                 int n = snprintf(text, sizeof text, "%.0f", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);

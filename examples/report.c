@@ -25,30 +25,36 @@ typedef struct entry { const char *label, *method, *settings; int quick; } entry
 static const entry reference = { "ssao, no blur", "ssao", "samples=16,blur=0", 1 };   /* what times are relative to */
 
 static const entry demo_entries[] = {
-    { "ssao",       "ssao",       "samples=16",           1 },
-    { "hsao fast",  "hsao",       "steps=3,blur=1",       1 },
-    { "hsao",       "hsao",       "",                     1 },
-    { "hsao high",  "hsao",       "directions=3,steps=8", 1 },
-    { "hsao-march", "hsao-march", "",                     1 }
+    { "ssao",       "ssao",       "", 1 },
+    { "hsao-fast",  "hsao-fast",  "", 1 },
+    { "hsao",       "hsao",       "", 1 },
+    { "hsao-best",  "hsao-best",  "", 1 },
+    { "hsao-march", "hsao-march", "", 1 }
 };
 
 static const entry chart_entries[] = {      /* rows of one label make one curve */
-    { "ssao",          "ssao",       "samples=4",                          0 },
-    { "ssao",          "ssao",       "samples=8",                          1 },
-    { "ssao",          "ssao",       "samples=16",                         1 },
-    { "ssao",          "ssao",       "samples=32",                         0 },
-    { "ssao, no blur", "ssao",       "samples=16,blur=0",                  1 },
-    { "hsao",          "hsao",       "steps=2,blur=1",                     0 },
-    { "hsao",          "hsao",       "steps=3,blur=1",                     1 },
-    { "hsao",          "hsao",       "steps=4,blur=1",                     0 },
-    { "hsao",          "hsao",       "",                                   1 },
-    { "hsao",          "hsao",       "steps=8",                            0 },
-    { "hsao",          "hsao",       "directions=2,steps=8",               1 },
-    { "hsao",          "hsao",       "directions=4,steps=12",              0 },
-    { "hsao-march",    "hsao-march", "directions=2,steps=4,normal_rays=0", 1 },
-    { "hsao-march",    "hsao-march", "directions=4,steps=6,normal_rays=0", 0 },
-    { "hsao-march",    "hsao-march", "",                                   1 },
-    { "hsao-march",    "hsao-march", "directions=8,steps=9",               0 }
+    { "ssao",            "ssao",       "samples=4",                           0 },
+    { "ssao",            "ssao",       "samples=8",                           1 },
+    { "ssao",            "ssao",       "",                                    1 },
+    { "ssao",            "ssao",       "samples=32",                          1 },
+    { "ssao, no blur",   "ssao",       "samples=16,blur=0",                   1 },
+    { "hsao, half size", "hsao-fast",  "steps=2",                             0 },
+    { "hsao, half size", "hsao-fast",  "",                                    1 },
+    { "hsao, half size", "hsao-fast",  "steps=4",                             0 },
+    { "hsao, half size", "hsao-fast",  "steps=6",                             1 },
+    { "hsao, half size", "hsao",       "",                                    1 },
+    { "hsao, half size", "hsao",       "directions=3",                        0 },
+    { "hsao, half size", "hsao",       "directions=4,steps=8",                1 },
+    { "hsao, full size", "hsao-best",  "directions=1,steps=3",                0 },
+    { "hsao, full size", "hsao-best",  "directions=1,steps=4",                1 },
+    { "hsao, full size", "hsao-best",  "directions=1,steps=6",                1 },
+    { "hsao, full size", "hsao-best",  "directions=2,steps=6",                0 },
+    { "hsao, full size", "hsao-best",  "",                                    1 },
+    { "hsao, full size", "hsao-best",  "directions=8,steps=12",               0 },
+    { "hsao-march",      "hsao-march", "directions=4,steps=6,normal_rays=0",  1 },
+    { "hsao-march",      "hsao-march", "directions=4,steps=6,normal_rays=1",  0 },
+    { "hsao-march",      "hsao-march", "",                                    1 },
+    { "hsao-march",      "hsao-march", "directions=8,steps=18,normal_rays=2", 0 }
 };
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))

@@ -101,11 +101,11 @@ static void compile_time(void)
 /* The text between two marks, comment stars and all, as the body of a program. */
 static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after, char *output, size_t size)
 {
-    char *all = read_text(file), *a = all ? strstr(all, from) : NULL, *b = a ? strstr(a, to) : NULL, *program;
+    char *all = read_text(file), *a = all ? strstr(all, from) : NULL, *b = a ? strstr(a + strlen(from), to) : NULL, *program;
     int status = -1;
     snprintf(output, size, "%s: no text between \"%s\" and \"%s\"", file, from, to);
     if (a && b) {
-        a = strchr(a, '\n');
+        a = strchr(a + strlen(from), '\n');
         *b = 0;
         program = malloc(strlen(a) + strlen(before) + strlen(after) + 1);
         if (program) {
@@ -133,6 +133,8 @@ static void documentation(void)
     CHECK(!status, "README.md's usage: %s", text);
     CHECK(!shell(text, sizeof text, "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c 15 ao.pgm", getenv("PWD"), "-lOSMesa -lm") && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --passes >passes.md && sed -n '/<!-- passes -->/,/<!-- .passes -->/p' '%s/README.md' | sed '1d;$d' | diff - passes.md", getenv("PWD"), getenv("PWD")),
+          "README.md's table of passes is not what build/glsl-text --passes prints: %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.1 ' '%s/ssgi.h' && grep -q 'v0.1 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 100, "the headers' first lines and SSGI_VERSION disagree");
 }
 
