@@ -154,7 +154,7 @@ typedef struct ssgi_gl_frame {
     int32_t target[2];      /* [units: texels]  first texel of the picture in the targets, and in textures that earlier passes wrote; half of it in those of half size */
     float   radius;         /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;         /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal: ssao and hsao march, for nearest fetches */
-    float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken to reach (desc.thin) */
+    float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken to reach (desc.thin); half of it suits march */
     float   phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame when frames are averaged */
     float   unused[2];
     float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals); identity by default */
@@ -608,7 +608,8 @@ static const ssgi_gl__chunk ssgi_gl__screen_orthographic = { __LINE__ + 1, SSGI_
 static const ssgi_gl__chunk ssgi_gl__slices_head = { __LINE__ + 1, 0,
     "// Occlusion: horizons on both sides (.x, .y) of SSGI_DIRECTIONS planes through the view direction. n over the length l of its projection makes\n"
     "// dot(d, n) the height over the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. Each rise of a horizon is attenuated\n"
-    "// by the mean distance of the taps that it lies between.\n"
+    "// by the mean distance of the taps that it lies between. Below SSGI_LEVEL an elevation is taken as 0: normals of 10 bits do not know better.\n"
+    "const float SSGI_LEVEL = 0.004;\n"
     "float ssgi_occlusion(ivec2 p, vec3 P, vec3 normal, vec2 xi)\n"
     "{\n"
     "    vec2 pixel = vec2(p) + 0.5;\n"
@@ -638,8 +639,8 @@ static const ssgi_gl__chunk ssgi_gl__slices_loop = { __LINE__ + 1, 0,
     "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, ssgi_depth(q0)) - P, d1 = ssgi_position(vec2(q1) + 0.5, ssgi_depth(q1)) - P;\n"
     "            vec2 x = vec2(dot(d0, t), -dot(d1, t)), y = vec2(dot(d0, n), dot(d1, n));\n"
     "            vec2 far = sqrt(vec2(dot(d0, d0), dot(d1, d1))), r = inversesqrt(x * x + y * y), c = x * r, above = ssgi_arc(c, y * r, cosg, sings);\n"
-    "            bvec2 rises = bvec2(y.x > 0.0 && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
-    "                                y.y > 0.0 && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n" };
+    "            bvec2 rises = bvec2(y.x > SSGI_LEVEL * far.x && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
+    "                                y.y > SSGI_LEVEL * far.y && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n" };
 
 static const ssgi_gl__chunk ssgi_gl__slices_gap = { __LINE__ + 1, SSGI_GL__THIN,
     "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb; // light passes between its back and low\n"

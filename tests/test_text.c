@@ -37,7 +37,7 @@ static void set(ssgi_gl_desc *d, size_t offset, int v) { memcpy((char *)d + offs
 static void make_variants(void)
 {
     static uint64_t seen[SLOTS];           /* a hash set; 0 is the key of what ssgi_gl_check refuses */
-    for (int i = 0, rest = 0; !rest && !variants | (i > 0); ++i) {
+    for (int i = 0, rest = 0; !rest; ++i) {
         ssgi_gl_desc d = { .samples = 4, .directions = 2, .steps = 3, .fetch = FETCH };
         rest = i;
         for (int k = 0; k < CHOICES; rest /= choices[k++].count) set(&d, choices[k].offset, rest % choices[k].count * choices[k].step);
@@ -78,43 +78,32 @@ static int count(const char *text, const char *word)
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
-static struct { int texts, missing; char problem[1000]; } glslang;
+static struct { int texts; char problem[1000]; } glslang;
 
-/* Every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect. */
+/* Every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect. Many files a call. */
 static void *glslang_run(void *folder)
 {
     enum { BATCH = 128 };
     static char text[TEXT];
-    char path[200], line[400], file[400] = "";
-    kit_error err = { "" };
-    int total = 2 * variants + SSGI_GL_DIALECTS;
-    for (int first = 0; first < total && !glslang.problem[0]; first += BATCH) {
-        FILE *pipe;
-        snprintf(path, sizeof path, "cd '%s' && rm -f *.frag *.vert", (char *)folder);
-        if (system(path)) break;
-        for (int i = first; i < first + BATCH && i < total; ++i) {
-            int v = i / 2 % variants, dialect = i >= 2 * variants ? i - 2 * variants : (i & 1) * 3 + (int)(ssgi_gl_key(&variant[v]) >> 20 & 1023) % 3;
-            ssgi_gl_desc d = variant[v];
-            d.dialect = dialect;
-            d.lines = v % 16 == 0;
-            size_t n = ssgi_gl_emit(text, TEXT, &d, i < 2 * variants ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX);
-            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, i < 2 * variants ? "frag" : "vert");
-            if (kit_file_write(path, text, n, &err)) { snprintf(glslang.problem, sizeof glslang.problem, "%s", err.text); return NULL; }
-            ++glslang.texts;
+    char path[200], line[400], file[400] = "0";
+    int total = 2 * variants + SSGI_GL_DIALECTS, passed = 1;
+    for (int first = 0; first < total && passed; first += BATCH) {
+        for (int i = first; i < first + BATCH && i < total; ++i, ++glslang.texts) {
+            int fragment = i < 2 * variants;
+            ssgi_gl_desc d = variant[i / 2 % variants];
+            d.dialect = fragment ? (i & 1) * 3 + (int)(ssgi_gl_key(&d) >> 20 & 1023) % 3 : i - 2 * variants;
+            d.lines = i % 16 < 2;
+            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, fragment ? "frag" : "vert");
+            kit_file_write(path, text, ssgi_gl_emit(text, TEXT, &d, fragment ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX), NULL);
         }
-        snprintf(path, sizeof path, "cd '%s' && glslangValidator $(ls) 2>&1 && echo passed", (char *)folder);
-        if ((pipe = popen(path, "r")) == NULL) break;
-        int passed = 0;
-        while (fgets(line, sizeof line, pipe)) {
-            line[strcspn(line, "\n")] = 0;
-            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) {
-                ssgi_gl_desc d = variant[atoi(file) / 2 % variants];
-                snprintf(glslang.problem, sizeof glslang.problem, "%s: %s (%s)", file, line, describe(&d));
-            } else if (isdigit((unsigned char)line[0])) strcpy(file, line);
-            passed |= !strcmp(line, "passed");
+        snprintf(path, sizeof path, "cd '%s' && glslangValidator $(ls) 2>&1 && rm *.* && echo passed", (char *)folder);
+        FILE *pipe = popen(path, "r");
+        for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
+            if (isdigit((unsigned char)line[0])) memcpy(file, line, sizeof file);
+            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&variant[atoi(file) / 2 % variants]), line + 5);
         }
-        pclose(pipe);
-        if (!passed && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "no answer");
+        if (pipe) pclose(pipe);
+        if (!passed && !glslang.problem[0]) strcpy(glslang.problem, "no answer");
     }
     return NULL;
 }
@@ -133,27 +122,22 @@ static int compiles(const ssgi_gl_desc *d, int stage)
     return CHECK(ok, "%s: %s", describe(d), log);
 }
 
-static int open_desktop(void)
-{
-    kit_error err = { "" };
-    return CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);
-}
+static int desktop;                        /* an OSMesa context is open: from here to the end */
 
 static void compilers(void)
 {
     char folder[] = "/tmp/ssgi-text-XXXXXX", line[100];
     pthread_t thread;
-    int threaded = 0;
-    if (!CHECK(mkdtemp(folder) != NULL, "no folder in /tmp")) return;
-    glslang.missing = system("command -v glslangValidator >/dev/null 2>&1") != 0;
-    CHECK(!glslang.missing, "glslangValidator is missing; install it (Debian: apt-get install glslang-tools)");
-    if (!glslang.missing) threaded = !pthread_create(&thread, NULL, glslang_run, folder);
+    int has = !system("command -v glslangValidator >/dev/null 2>&1") && mkdtemp(folder) && !pthread_create(&thread, NULL, glslang_run, folder);
+    CHECK(has, "glslangValidator is missing (Debian: apt-get install glslang-tools), or there is no folder in /tmp");
     for (int es = 1; es >= 0; --es) {
         double began = kit_seconds();
-        GLint major = 0, minor = 0;
+        kit_error err = { "" };
+        GLint version[2] = { 0, 0 };
         int texts = 0;
-        if (es && !kit_gl_open("egl-es", NULL)) { glGetIntegerv(GL_MAJOR_VERSION, &major); glGetIntegerv(GL_MINOR_VERSION, &minor); }
-        if (major * 10 + minor < 32 && !open_desktop()) break;         /* a desktop GL 4.5 takes ES texts too (ARB_ES3_2_compatibility) */
+        if (es && !kit_gl_open("egl-es", NULL)) { glGetIntegerv(GL_MAJOR_VERSION, &version[0]); glGetIntegerv(GL_MINOR_VERSION, &version[1]); }
+        if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);    /* takes ES texts too: ARB_ES3_2_compatibility */
+        if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int dialect = es ? SSGI_GL_300ES : SSGI_GL_330; dialect < (es ? SSGI_GL_DIALECTS : SSGI_GL_300ES); ++dialect)
             for (int v = -1; v < variants; ++v, ++texts) {
                 ssgi_gl_desc d = variant[v < 0 ? 0 : v];
@@ -161,13 +145,11 @@ static void compilers(void)
                 if (!compiles(&d, v < 0 ? SSGI_GL_VERTEX : SSGI_GL_FRAGMENT)) break;
             }
         t_note("%d texts in %.0f s: %s", texts, kit_seconds() - began, kit_gl_name());
-        kit_gl_close();
     }
-    if (threaded) {
-        pthread_join(thread, NULL);
-        CHECK(!glslang.problem[0], "glslangValidator: %s", glslang.problem);
-        t_note("%d texts: glslangValidator; all %d variants, each in a desktop and an ES dialect in turn", glslang.texts, variants);
-    }
+    if (!has) return;
+    pthread_join(thread, NULL);
+    CHECK(!glslang.problem[0], "glslangValidator: %s", glslang.problem);
+    t_note("%d texts: glslangValidator; all %d variants, each in a desktop and an ES dialect in turn", glslang.texts, variants);
     snprintf(line, sizeof line, "rm -rf '%s'", folder);
     CHECK(!system(line), "%s", line);
 }
@@ -297,24 +279,22 @@ static void reflection(void)
     static uint64_t seen[1024];
     ssgi_gl_io row[SSGI_GL_MAX_IO], few[2];
     int linked = 0;
-    if (!open_desktop()) return;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.dialect = i % SSGI_GL_DIALECTS;
         int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), s = 0;
         uint64_t hash = 14695981039346656037u;
         if (!compare_rows(emit(text, &d, SSGI_GL_FRAGMENT), &d, row, rows)) break;
-        if (d.dialect != SSGI_GL_450) continue;
+        if (d.dialect != SSGI_GL_450 || !desktop) continue;
         for (const char *c = text; c < strstr(text, "\n\n"); ++c) hash = (hash ^ (uint64_t)*c) * 1099511628211u;
         while (s < linked && seen[s] != hash) ++s;
         if (s < linked || linked == 1024) continue;
         seen[linked++] = hash;
         if (!ask_gl(text, &d, row, rows)) break;
         few[1] = row[3];
-        CHECK(ssgi_gl_reflect(&d, few, 1) == rows && !memcmp(few, row, sizeof few[0]) && !memcmp(&few[1], &row[3], sizeof few[1]), "a small array changes the rows");
+        CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name, "more rows than there is room for");
     }
     t_note("%d texts read back, %d different sets of declarations linked", variants * SSGI_GL_DIALECTS, linked);
-    kit_gl_close();
     emit(text, variant, SSGI_GL_VERTEX);
     CHECK(!strstr(text, "ssgi") && !strstr(text, "uniform") && !strstr(text, "layout"), "the vertex stage declares something");
     CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0, "reflection of nothing");
@@ -523,13 +503,12 @@ static void twin_views(void)
 {
     enum { LAYOUTS = 6 };
     static const double n = 0.1, f = 1000;                /* planes */
-    if (!open_desktop()) return;
     for (int k = 0; k < LAYOUTS; ++k) {                   /* perspective: GL, reversed, reversed infinite, GL infinite; orthographic: GL, reversed */
         const double z[LAYOUTS][2] = { { -(f + n) / (f - n), -2 * f * n / (f - n) }, { n / (f - n), f * n / (f - n) }, { 0, n }, { -1, -2 * n },
                                        { -2 / (f - n), -(f + n) / (f - n) }, { 1 / (f - n), f / (f - n) } };
         float m[16] = { 1.3f, 0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0, (float)z[k][1], 0 };
         int ortho = k >= 4, clip = k == 1 || k == 2 || k == 5 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL;
-        ssgi_gl_desc slices = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .orthographic = ortho }, points = { .dialect = SSGI_GL_450, .orthographic = ortho };
+        ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho };
         ssgi_gl_frame frame;
         ssgi_view view;
         const char *why = "";
@@ -540,7 +519,7 @@ static void twin_views(void)
             float a[4] = { i < 2 ? (float)i : i & 1 ? uniform(0, 1) : 1 - powf(10, uniform(-7, 0)), uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
             memcpy(in[i], a, sizeof a);
         }
-        if (!probe(&slices, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
         for (int i = 0; i < MANY; ++i) {
             double depth = (double)ssgi_view_depth(&view, in[i][0]), x = fabs((double)in[i][1] * (double)view.unproject[0]) + fabs((double)view.unproject[2]);
             double y = fabs((double)in[i][2] * (double)view.unproject[1]) + fabs((double)view.unproject[3]), scale = ortho ? 1 : (double)in[i][3];
@@ -554,7 +533,7 @@ static void twin_views(void)
             NEAR(out[i][3], p[2], 0, "ssgi_position.z");
         }
         for (int i = 0; i < MANY; ++i) ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], in[i]);
-        if (!probe(&points, &frame, 0, "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, 0.0)).x);")) break;
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, 0.0)).x);")) break;
         for (int i = 0; i < MANY; ++i) {
             float p[3];
             ssgi_view_project(&view, in[i], p);
@@ -564,7 +543,6 @@ static void twin_views(void)
             NEAR(out[i][3], ssgi_normal_offset(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
         }
     }
-    kit_gl_close();
 }
 
 static void twin_noise_and_kernel(void)
@@ -572,7 +550,6 @@ static void twin_noise_and_kernel(void)
     float kernel[4 * 64];
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
-    if (!open_desktop()) return;
     for (int i = 0; i < MANY; ++i) { in[i][0] = (float)(i % SIDE * 37); in[i][1] = (float)(i / SIDE * 21); in[i][2] = (float)(i % SIDE); in[i][3] = (float)(i / SIDE); }
     ssgi_gl_desc d = { .dialect = SSGI_GL_450, .samples = 64 };
     ssgi_kernel(kernel, 1, 64, SSGI_COSINE, NULL);
@@ -595,7 +572,6 @@ static void twin_noise_and_kernel(void)
                 for (int i = 0; i < 16; ++i) right &= first[i] == 1 && second[i / 4] == 4;
                 CHECK(right, "the tile is uneven at %d, %d", x, y);
             }
-    kit_gl_close();
 }
 
 static void twin_normals(void)
@@ -603,7 +579,6 @@ static void twin_normals(void)
     static float coded[MANY][4];
     const float c = 0.6f, s = 0.8f;
     ssgi_gl_frame frame;
-    if (!open_desktop()) return;
     for (int world = 0; world < 2; ++world)
         for (int how = SSGI_GL_NORMAL_SIGNED; how <= SSGI_GL_NORMAL_OCTAHEDRAL; ++how) {
             ssgi_gl_desc d = { .dialect = SSGI_GL_450, .normal = how, .world_normals = world };
@@ -632,7 +607,6 @@ static void twin_normals(void)
                 }
             glDeleteTextures(1, &map);
         }
-    kit_gl_close();
 }
 
 /* The integral that ssgi_arc documents, by Simpson's rule. */
@@ -650,7 +624,6 @@ static void twin_arc(void)
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
-    if (!open_desktop()) return;
     for (int i = 0; i < MANY; ++i) {                      /* height over the tangent plane and distance along it: down to the plane, up to the normal */
         float thin = powf(10, uniform(-12, 0)), a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, uniform(-1.57f, 1.57f), uniform(0.1f, 10) };
         if (i % 16 == 0) a[i / 16 & 1] = 0;
@@ -660,13 +633,12 @@ static void twin_arc(void)
               "o = vec4(ssgi_arc(vec2(a.x, -a.x) * r, vec2(a.y) * r, 0.5 * cos(a.z), vec2(h, -h)), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2], s = fabs(y) / hypot(x, y);
-            double within = 0.5 * fabs(sin(g)) * (7e-5 + 1.2e-7 / fmax(s, 3e-4)) + 1e-6;   /* its acos, and how far a rounding of c moves one */
+            double within = 0.5 * fabs(sin(g)) * (7e-5 + sqrt(s * s + 4e-7) - s) + 1e-6;   /* its acos, and how far two roundings of c move one */
             NEAR(out[i][0], arc(atan2(y, x), g), within, "ssgi_arc.x");
             NEAR(out[i][1], arc(atan2(y, -x), -g), within, "ssgi_arc.y");
             worst = fmax(worst, fmax(fabs((double)out[i][0] - arc(atan2(y, x), g)), fabs((double)out[i][1] - arc(atan2(y, -x), -g))));
         }
     t_note("worst error of a horizon's occlusion: %.1e", worst);
-    kit_gl_close();
 }
 
 /* ---- >>fuzz, >>speed ----------------------------------------------------------------------------------------------- */
@@ -734,10 +706,13 @@ void test_text(void)
     RUN("what is off leaves nothing; nothing is declared or defined in vain", off);
     RUN("text is plain: ASCII, our own names, nothing reserved in any dialect, chunks that C99 takes", lint);
     RUN("every bad field is named, and what was given stays untouched", sentences);
-    RUN("twins: depth, position, projection, footprint and offset as in C", twin_views);
-    RUN("twins: noise and kernel as in C, the tile even over every block", twin_noise_and_kernel);
-    RUN("twins: normals of every encoding and frame come back", twin_normals);
-    RUN("twins: a slice's arc is the integral that it says", twin_arc);
+    if (desktop) {
+        RUN("twins: depth, position, projection, footprint and offset as in C", twin_views);
+        RUN("twins: noise and kernel as in C, the tile even over every block", twin_noise_and_kernel);
+        RUN("twins: normals of every encoding and frame come back", twin_normals);
+        RUN("twins: a slice's arc is the integral that it says", twin_arc);
+    }
+    kit_gl_close();
     RUN("a million random descs: refused with a sentence, or emitted whole", fuzz);
     RUN("a text takes less than 50 microseconds", speed);
 }

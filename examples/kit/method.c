@@ -19,6 +19,7 @@ static const row normal_row    = { { "normal", "normals from the G-buffer, or fr
 static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
 static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, AO(thin) };
 static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, BOTH(half) };
+static const row rays_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
 static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, AO(hard) };
 static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, offset) };
 static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, IN_PLAN, 0 };
@@ -41,7 +42,7 @@ static const plan plans[] = {
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
     { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH, SSGI_GL_BALANCED,
-      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &thickness_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
+      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &rays_thick_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 

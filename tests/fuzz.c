@@ -1,0 +1,124 @@
+/* fuzz.c - random bytes as descs, projections and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
+
+     clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
+     cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "../ssgi_gl.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+#define MUST(condition) do { if (!(condition)) { fprintf(stderr, "fuzz.c:%d: %s\n", __LINE__, #condition); abort(); } } while (0)
+
+enum { FIELDS = (int)(offsetof(ssgi_gl_desc, version) / sizeof(int)), CODE = 16, MOST = 24 * 1024 };
+
+/* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay cheap. */
+static void descs(const uint8_t *data, size_t size)
+{
+    static char text[MOST];
+    char version[CODE + 1] = "", fetch[CODE + 1] = "";
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    ssgi_gl_desc d;
+    const char *why = NULL;
+    size_t sum = 0;
+    memset(&d, 0, sizeof d);
+    for (size_t i = 0; i < size && i < (size_t)FIELDS; ++i) {
+        int value = (signed char)data[i];
+        value = value == 127 ? INT32_MAX : value == -128 ? INT32_MIN : value;
+        memcpy((char *)&d + i * sizeof value, &value, sizeof value);
+    }
+    for (size_t i = 0; i < size; ++i) sum += data[i];
+    if (size > (size_t)FIELDS + 2) {
+        memcpy(version, data + FIELDS, size - FIELDS < CODE ? size - FIELDS : CODE);
+        memcpy(fetch, data + size - (size < CODE ? size : CODE), size < CODE ? size : CODE);
+        if (data[FIELDS] & 1) d.version = version;
+        if (data[FIELDS] & 2) d.fetch = fetch;
+    }
+    ssgi_gl_desc tuned = d;
+    if (ssgi_gl_preset(&tuned, (int)(sum % 4), NULL) == SSGI_OK) MUST(ssgi_gl_check(&tuned, NULL) == SSGI_OK);
+    if (ssgi_gl_check(&d, &why) != SSGI_OK) {
+        MUST(why && !strncmp(why, "desc", 4));
+        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) && !ssgi_gl_fetches(&d) && !ssgi_gl_key(&d));
+        return;
+    }
+    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && ssgi_gl_fetches(&d) > 0 && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
+    if (sum % 8) return;
+    size_t n = ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT);
+    MUST(n > 200 && n < sizeof text && strlen(text) == n && ssgi_gl_key(&d));
+    const size_t room = sum * 97 % (n + 2);
+    char *exact = (char *)malloc(room + 1);                /* ends where the room ends, so that a sanitizer sees a byte too far */
+    if (exact) MUST(ssgi_gl_emit(exact + 1, room, &d, SSGI_GL_FRAGMENT) == n && (!room || !exact[room]));
+    free(exact);
+}
+
+static void floats(const float *f, size_t count)
+{
+    static char memory[64 * 1024];
+    ssgi_view view;
+    ssgi_gl_frame frame;
+    ssgi_trace trace;
+    ssgi_hit hit;
+    float p[3];
+    const char *why = NULL;
+    if (count >= 16) {
+        const int clip = f[10] > 0 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL, width = 1 + (int)(count * 37 % 65536);
+        if (ssgi_view_from_projection(&view, f, clip, width, 65537 - width, &why) == SSGI_OK) {
+            MUST(ssgi_gl_frame_init(&frame, &view, 1.0f, NULL) == SSGI_OK);
+            for (size_t i = 0; i < count; ++i) {
+                const float z = ssgi_view_depth(&view, f[i]);
+                MUST(z > 0.0f && z <= SSGI_FAR);
+                ssgi_view_position(&view, f[i], f[count - 1 - i], z, p);
+                ssgi_view_project(&view, p, p);
+                MUST(ssgi_pixel_footprint(&view, z) >= 0.0f);
+            }
+            MUST(ssgi_radius_guess(&view, 1.0f, f, f + 3) > 0.0f);
+        } else MUST(why && !strncmp(why, "projection:", 11));
+    }
+    for (size_t i = 1; i * 9 <= count && i <= 256; i += i < 4 ? 1 : i / 2) {
+        MUST(ssgi_trace_build(&trace, memory, sizeof memory, f, 12, NULL, i, &why) == SSGI_OK && trace.skipped <= i);
+        if (ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) {
+            MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f);
+            MUST(ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
+        }
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static float f[256 * 9];
+    const size_t count = size / sizeof *f < sizeof f / sizeof *f ? size / sizeof *f : sizeof f / sizeof *f;
+    if (size) descs(data, size);
+    if (count) memcpy(f, data, count * sizeof *f);
+    if (count >= 9) floats(f, count);
+    return 0;
+}
+
+#ifndef SSGI_LIBFUZZER
+static uint32_t next(uint32_t *state) { *state = *state * 1664525u + 1013904223u; return *state >> 8; }
+
+int main(int argc, char **argv)
+{
+    static const float plain[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
+    static const uint8_t most[FIELDS] = { 2, 5, 1, 2, 4, 1, 2, 64, 1, 32, 64, 8, 1, 1, 1, 1, 4, 1, 1 };
+    const long times = argc > 1 ? atol(argv[1]) : 1000000;
+    uint32_t state = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
+    uint8_t bytes[4 * 9 * 64];
+    for (long i = 0; i < times; ++i) {
+        size_t size = FIELDS + next(&state) % CODE, k;     /* most inputs: a desc that is right but for a byte or none */
+        if (i % 16 == 0) size = next(&state) % (sizeof bytes + 1);
+        for (k = 0; k < size; ++k) bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % (most[k] + 1u) : next(&state));
+        if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
+        if (i % 32 == 0)                                    /* floats of a size that means something, and a projection */
+            for (k = 0; 4 * k + 4 <= size; ++k) {
+                float x = k < 16 && i % 64 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);
+                memcpy(bytes + 4 * k, &x, sizeof x);
+            }
+        LLVMFuzzerTestOneInput(bytes, size);
+    }
+    printf("%ld inputs, nothing found\n", times);
+    return 0;
+}
+#endif
