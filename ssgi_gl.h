@@ -182,33 +182,34 @@ extern "C" {
 /* A row or a chunk exists in a variant when all bits that it needs are set. */
 #define SSGI_GL__PERSPECTIVE     ((uint64_t)1 << 0)
 #define SSGI_GL__ORTHOGRAPHIC    ((uint64_t)1 << 1)
-#define SSGI_GL__D_WINDOW        ((uint64_t)1 << 2)   /* depth is read, and how */
-#define SSGI_GL__D_LINEAR        ((uint64_t)1 << 3)
-#define SSGI_GL__D_CUSTOM        ((uint64_t)1 << 4)
-#define SSGI_GL__D_TEXTURE       ((uint64_t)1 << 5)   /* through a texture of ours */
-#define SSGI_GL__N_SIGNED        ((uint64_t)1 << 6)   /* normals are read, and how */
-#define SSGI_GL__N_UNSIGNED      ((uint64_t)1 << 7)
-#define SSGI_GL__N_OCTA          ((uint64_t)1 << 8)
-#define SSGI_GL__N_DEPTH         ((uint64_t)1 << 9)
-#define SSGI_GL__N_CUSTOM        ((uint64_t)1 << 10)
-#define SSGI_GL__N_TEXTURE       ((uint64_t)1 << 11)   /* through a texture of ours */
-#define SSGI_GL__N_VIEW          ((uint64_t)1 << 12)
-#define SSGI_GL__N_WORLD         ((uint64_t)1 << 13)
-#define SSGI_GL__NOISE_TILE4     ((uint64_t)1 << 14)
-#define SSGI_GL__NOISE_GRADIENT  ((uint64_t)1 << 15)
-#define SSGI_GL__NOISE_TEXTURE   ((uint64_t)1 << 16)
-#define SSGI_GL__TOWARD          ((uint64_t)1 << 17)   /* the direction to the eye is needed */
-#define SSGI_GL__RAYS            ((uint64_t)1 << 18)   /* march with normal rays */
-#define SSGI_GL__HARD            ((uint64_t)1 << 19)
-#define SSGI_GL__LINEAR          ((uint64_t)1 << 20)
-#define SSGI_GL__SOLID           ((uint64_t)1 << 21)   /* what blocks points, and slices */
-#define SSGI_GL__THIN            ((uint64_t)1 << 22)
-#define SSGI_GL__BILATERAL       ((uint64_t)1 << 23)
-#define SSGI_GL__GAUSSIAN        ((uint64_t)1 << 24)
-#define SSGI_GL__F_NORMALS       ((uint64_t)1 << 25)   /* blur compares normals */
-#define SSGI_GL__FULL            ((uint64_t)1 << 27)
-#define SSGI_GL__HALF            ((uint64_t)1 << 28)
-#define SSGI_GL__NORMALS         ((uint64_t)1 << 26)   /* normals are read at all */
+#define SSGI_GL__GBUFFER         ((uint64_t)1 << 2)   /* depth or normals are read */
+#define SSGI_GL__D_TEXTURE       ((uint64_t)1 << 3)   /* depth: through a texture of ours, and what it holds */
+#define SSGI_GL__D_WINDOW        ((uint64_t)1 << 4)
+#define SSGI_GL__D_LINEAR        ((uint64_t)1 << 5)
+#define SSGI_GL__D_CUSTOM        ((uint64_t)1 << 6)
+#define SSGI_GL__NORMALS         ((uint64_t)1 << 7)   /* normals are read */
+#define SSGI_GL__N_TEXTURE       ((uint64_t)1 << 8)   /* through a texture of ours, and what it holds */
+#define SSGI_GL__N_SIGNED        ((uint64_t)1 << 9)
+#define SSGI_GL__N_UNSIGNED      ((uint64_t)1 << 10)
+#define SSGI_GL__N_OCTA          ((uint64_t)1 << 11)
+#define SSGI_GL__N_CUSTOM        ((uint64_t)1 << 12)
+#define SSGI_GL__N_DEPTH         ((uint64_t)1 << 13)   /* from depth */
+#define SSGI_GL__N_VIEW          ((uint64_t)1 << 14)   /* in view space, in world space */
+#define SSGI_GL__N_WORLD         ((uint64_t)1 << 15)
+#define SSGI_GL__TOWARD          ((uint64_t)1 << 16)   /* the direction to the eye is needed */
+#define SSGI_GL__NOISE_GRADIENT  ((uint64_t)1 << 17)
+#define SSGI_GL__NOISE_TILE4     ((uint64_t)1 << 18)
+#define SSGI_GL__NOISE_TEXTURE   ((uint64_t)1 << 19)
+#define SSGI_GL__FULL            ((uint64_t)1 << 20)   /* size of what ssao and hsao draw */
+#define SSGI_GL__HALF            ((uint64_t)1 << 21)
+#define SSGI_GL__RAYS            ((uint64_t)1 << 22)   /* march with normal rays */
+#define SSGI_GL__LINEAR          ((uint64_t)1 << 23)   /* attenuation */
+#define SSGI_GL__HARD            ((uint64_t)1 << 24)
+#define SSGI_GL__SOLID           ((uint64_t)1 << 25)   /* how far what is seen reaches */
+#define SSGI_GL__THIN            ((uint64_t)1 << 26)
+#define SSGI_GL__BILATERAL       ((uint64_t)1 << 27)   /* blur */
+#define SSGI_GL__GAUSSIAN        ((uint64_t)1 << 28)
+#define SSGI_GL__F_NORMALS       ((uint64_t)1 << 29)   /* blur compares normals */
 
 typedef struct ssgi_gl__chunk { int line; uint64_t need; const char *text; } ssgi_gl__chunk;
 typedef struct ssgi_gl__row { uint64_t need; ssgi_gl_io io; } ssgi_gl__row;   /* CONSTANT: io.offset is the field's place in ssgi_gl_desc */
@@ -223,10 +224,11 @@ typedef struct ssgi_gl__row { uint64_t need; ssgi_gl_io io; } ssgi_gl__row;   /*
 static const ssgi_gl__row ssgi_gl__project     = SSGI_GL__P("project", "vec4", project, "pixels per view xy / depth; pixels");
 static const ssgi_gl__row ssgi_gl__unproject   = SSGI_GL__P("unproject", "vec4", unproject, "view xy / depth per pixel");
 static const ssgi_gl__row ssgi_gl__decode_row  = { SSGI_GL__D_WINDOW, { "u_ssgi_decode", SSGI_GL_PARAM, "vec4", 0, offsetof(ssgi_gl_frame, decode), "window depth to view depth" } };
-static const ssgi_gl__row ssgi_gl__origin      = SSGI_GL__P("origin", "ivec2", origin, "texels");
+static const ssgi_gl__row ssgi_gl__origin      = { SSGI_GL__GBUFFER, { "u_ssgi_origin", SSGI_GL_PARAM, "ivec2", 0, offsetof(ssgi_gl_frame, origin), "texels" } };
 static const ssgi_gl__row ssgi_gl__size        = SSGI_GL__P("size", "ivec2", size, "pixels");
 static const ssgi_gl__row ssgi_gl__target      = SSGI_GL__P("target", "ivec2", target, "texels");
 static const ssgi_gl__row ssgi_gl__radius      = SSGI_GL__P("radius", "float", radius, "view units");
+static const ssgi_gl__row ssgi_gl__near_radius = { SSGI_GL__BILATERAL, { "u_ssgi_radius", SSGI_GL_PARAM, "float", 0, offsetof(ssgi_gl_frame, radius), "view units" } };
 static const ssgi_gl__row ssgi_gl__offset      = SSGI_GL__P("offset", "float", offset, "half pixels");
 static const ssgi_gl__row ssgi_gl__thickness   = { SSGI_GL__THIN, { "u_ssgi_thickness", SSGI_GL_PARAM, "float", 0, offsetof(ssgi_gl_frame, thickness), "view units" } };
 static const ssgi_gl__row ssgi_gl__phase       = SSGI_GL__P("phase", "float", phase, "turns");
@@ -778,7 +780,7 @@ static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, 0,
                         &ssgi_gl__raw_octahedral, &ssgi_gl__raw_custom, &ssgi_gl__normal_view, &ssgi_gl__normal_world, &ssgi_gl__normal_from_depth
 #define SSGI_GL__GATHER &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, &ssgi_gl__basis
 #define SSGI_GL__POINTS SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__blocked_solid, &ssgi_gl__blocked_thin
-#define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target, &ssgi_gl__radius
+#define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target
 #define SSGI_GL__MAPS   &ssgi_gl__rotation, &ssgi_gl__depth_tex, &ssgi_gl__normal_tex, &ssgi_gl__noise_tex
 
 static const ssgi_gl__chunk *const ssgi_gl__vertex_chunks[] = { &ssgi_gl__triangle, NULL };
@@ -787,19 +789,19 @@ static const ssgi_gl__row *const ssgi_gl__vertex_rows[] = { NULL };
 static const ssgi_gl__chunk *const ssgi_gl__ssao_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__kernel, &ssgi_gl__gather_points, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__ssao_rows[] = {
-    &ssgi_gl__c_samples, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
+    &ssgi_gl__c_samples, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__slices_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__slices_head, &ssgi_gl__slices_thin, &ssgi_gl__slices_last, &ssgi_gl__slices_loop,
     &ssgi_gl__slices_gap, &ssgi_gl__slices_linear, &ssgi_gl__slices_hard, &ssgi_gl__slices_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__slices_rows[] = {
-    &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
+    &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__march_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__POINTS, &ssgi_gl__attenuation_linear, &ssgi_gl__attenuation_hard, &ssgi_gl__march, &ssgi_gl__normal_ray, &ssgi_gl__above_rays,
     &ssgi_gl__gather_march_head, &ssgi_gl__gather_march_rays, &ssgi_gl__gather_march_tail, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__march_rows[] = {
-    &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__c_rays, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS,
+    &ssgi_gl__c_directions, &ssgi_gl__c_steps, &ssgi_gl__c_rays, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, SSGI_GL__MAPS,
     &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
@@ -807,7 +809,7 @@ static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
     &ssgi_gl__blur_loop, &ssgi_gl__blur_tap_full, &ssgi_gl__blur_tap_half, &ssgi_gl__weight_gaussian, &ssgi_gl__weight_bilateral, &ssgi_gl__weight_box, &ssgi_gl__weight_tent,
     &ssgi_gl__weight_normals, &ssgi_gl__blur_tail, NULL };
 static const ssgi_gl__row *const ssgi_gl__blur_rows[] = {
-    &ssgi_gl__c_filter, SSGI_GL__READS, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__blurred_out, NULL };
+    &ssgi_gl__c_filter, SSGI_GL__READS, &ssgi_gl__near_radius, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__blurred_out, NULL };
 
 typedef struct ssgi_gl__pass {
     const char *name;
@@ -934,6 +936,7 @@ static uint64_t ssgi_gl__features(const ssgi_gl_desc *d)
     int blur = d->pass == SSGI_GL_BLUR, march = d->pass == SSGI_GL_HSAO && d->search == SSGI_GL_MARCH, slices = d->pass == SSGI_GL_HSAO && !march;
     int normals = !blur || d->filter == SSGI_GL_BILATERAL, depth = !blur || d->half || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
     f |= d->half ? SSGI_GL__HALF : SSGI_GL__FULL;
+    if (depth || normals) f |= SSGI_GL__GBUFFER;
     if (depth) {
         f |= d->depth == SSGI_GL_DEPTH_WINDOW ? SSGI_GL__D_WINDOW : d->depth == SSGI_GL_DEPTH_LINEAR ? SSGI_GL__D_LINEAR : SSGI_GL__D_CUSTOM;
         if (d->depth != SSGI_GL_DEPTH_CUSTOM) f |= SSGI_GL__D_TEXTURE;
