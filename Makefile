@@ -13,18 +13,17 @@ KIT       = util image mesh scene truth gl gbuffer method
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h
 
-all: deps
-	@$(MAKE) --no-print-directory build/render build/report build/glsl-text build/minimal
+all: build/render build/report build/glsl-text build/minimal
 
 # What is missing is installed where that can be done, else named in one line.
 deps:
 	@sh examples/kit/install.sh
 
-build/kit/%.o: examples/kit/%.c $(HEADERS)
+build/kit/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	$(CC) $(KIT_FLAGS) -c $< -o $@
 
-build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h
+build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
 
@@ -37,23 +36,20 @@ build/report: examples/report.c examples/page.c $(KIT_O)
 build/glsl-text: examples/glsl.c $(KIT_O)
 	$(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/minimal: examples/minimal.c ssgi.h ssgi_gl.h
+build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
 	$(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< -lOSMesa -lm -o $@
 
 # The main job: a scanned mesh with every method beside the truth; report/demo.html.
-demo: deps
-	@$(MAKE) --no-print-directory build/render build/report
+demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy; report/chart.html. make chart QUICK=1 is smaller.
-chart: deps
-	@$(MAKE) --no-print-directory build/report
+chart: build/report
 	build/report chart $(if $(QUICK),--quick)
 
 # The text of every pass, dialect and feature choice, as plain files.
-glsl: deps
-	@$(MAKE) --no-print-directory build/glsl-text
+glsl: build/glsl-text
 	build/glsl-text build/glsl
 
 TESTS = main t test_math test_trace test_files test_text test_pipeline test_build
@@ -61,8 +57,7 @@ build/test: $(TESTS:%=tests/%.c) tests/t.h $(KIT_O)
 	$(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.
-test: deps
-	@$(MAKE) --no-print-directory build/render build/glsl-text build/test
+test: build/render build/glsl-text build/test
 	build/test $(ONLY)
 
 clean:

@@ -276,7 +276,10 @@ int main(int argc, char **argv)
         if (camera_check(&camera, &err) || kit_exr_read(&frame, o.gbuffer, &err)) return fail(err.text);
         camera.width = frame.width;
         camera.height = frame.height;
-        if (kit_gbuffer_from_frame(&gbuffer, &frame, &camera, &err)) return fail(err.text);
+        if (kit_gbuffer_from_frame(&gbuffer, &frame, &camera, &err)) {
+            fprintf(stderr, "render: --gbuffer %s: %s\n", o.gbuffer, err.text);
+            return 2;
+        }
         kit_image_free(&frame);
         radius = o.radius;
     } else {

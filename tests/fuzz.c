@@ -61,14 +61,13 @@ static void floats(const float *f, size_t count)
     ssgi_gl_frame frame;
     ssgi_trace trace;
     ssgi_hit hit;
-    float p[3];
     const char *why = NULL;
     if (count >= 16) {
         const int clip = f[10] > 0 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL, width = 1 + (int)(count * 37 % 65536);
         if (ssgi_view_from_projection(&view, f, clip, width, 65537 - width, &why) == SSGI_OK) {
             MUST(ssgi_gl_frame_init(&frame, &view, 1.0f, NULL) == SSGI_OK);
             for (size_t i = 0; i < count; ++i) {
-                const float z = ssgi_view_depth(&view, f[i]);
+                float p[3], z = ssgi_view_depth(&view, f[i]);
                 MUST(z > 0.0f && z <= SSGI_FAR);
                 ssgi_view_position(&view, f[i], f[count - 1 - i], z, p);
                 ssgi_view_project(&view, p, p);
@@ -79,10 +78,8 @@ static void floats(const float *f, size_t count)
     }
     for (size_t i = 1; i * 9 <= count && i <= 256; i += i < 4 ? 1 : i / 2) {
         MUST(ssgi_trace_build(&trace, memory, sizeof memory, f, 12, NULL, i, &why) == SSGI_OK && trace.skipped <= i);
-        if (ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) {
-            MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f);
-            MUST(ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
-        }
+        if (!ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) continue;
+        MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f && ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
     }
 }
 
@@ -98,7 +95,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 #ifndef SSGI_LIBFUZZER
 static uint32_t next(uint32_t *state) { *state = *state * 1664525u + 1013904223u; return *state >> 8; }
-
 int main(int argc, char **argv)
 {
     static const float plain[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };

@@ -208,34 +208,35 @@ static double row_of(kit_run *run, const kit_gbuffer *g, int row, int phases)
 
 static void corner_converges(void)
 {
-    static const double at[] = { 0.1, 0.25, 0.5, 0.75 }, march[4][4] = { { 0.193326, 0.236991, 0.267104, 0.285685 }, { 0.098437, 0.125290, 0.144022, 0.155257 },
-        { 0.024288, 0.034575, 0.042254, 0.046842 }, { 0.002961, 0.004317, 0.005621, 0.006773 } };      /* at 6, 12, 24, 48 steps: exact wall, no jitter */
+    static const double at[] = { 0.1, 0.25, 0.5, 0.75 }, march[2][4][4] = {      /* the exact march at 6, 12, 24, 48 steps, no jitter; the second without attenuation */
+        { { 0.193326, 0.236991, 0.267104, 0.285685 }, { 0.098437, 0.125290, 0.144022, 0.155257 }, { 0.024288, 0.034575, 0.042254, 0.046842 }, { 0.002961, 0.004317, 0.005621, 0.006773 } },
+        { { 0.354857, 0.390954, 0.411327, 0.422853 }, { 0.255313, 0.295565, 0.317516, 0.329434 }, { 0.106953, 0.151142, 0.172023, 0.183345 }, { 0.018299, 0.035325, 0.054697, 0.063784 } } };
     static const struct { const char *method, *set; double (*truth)(double); double bound; } row[] = {
         { "hsao-best", "directions=8,steps=48,blur=0", linear_corner, 0.002 }, { "hsao-best", "directions=8,steps=48,hard=1,blur=0", hard_corner, 0.01 },
         { "ssao", "samples=64,thin=0,blur=0", linear_corner, 0.02 } };
     kit_gbuffer g[4];
     kit_run run;
-    double worst = 0, scaled = 0;
+    double worst = 0, scaled[2] = { 0 };
     float tile[16][4];
     for (int i = 0; i < 16; ++i) { tile[i][0] = 1; tile[i][1] = tile[i][2] = 0; tile[i][3] = (float)i / 16; }
     for (int i = 0; i < 4; ++i) if (!corner(&g[i], at[i])) return;
-    for (int s = 0; s < 4; ++s) {
+    for (int s = 0; s < 8; ++s) {
         char set[96];
-        const int steps = 6 << s;
-        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,steps=%d", steps);
+        const int steps = 6 << s % 4, hard = s / 4;
+        snprintf(set, sizeof set, "directions=32,normal_rays=0,blur=0,noise=texture,steps=%d,hard=%d", steps, hard);
         if (!start(&run, &g[0], "hsao-march", set, 1)) return;
         glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
         for (int i = 0; i < 4; ++i) {
-            const double o = row_of(&run, &g[i], row_at(at[i]), 1), from_truth = linear_corner(at[i]) - o;
-            worst = fmax(worst, fabs(o - march[i][s]));
-            scaled = fmax(scaled, from_truth * steps);
-            CHECK(fabs(o - march[i][s]) <= 0.004, "march, c %g, %d steps: %g, the exact march has %g", at[i], steps, o, march[i][s]);
-            CHECK(from_truth <= 2.5 / steps && from_truth > -0.002, "march, c %g, %d steps: %g below truth", at[i], steps, from_truth);
+            const double exact = march[hard][i][s % 4], o = row_of(&run, &g[i], row_at(at[i]), 1), low = (hard ? hard_corner : linear_corner)(at[i]) - o;
+            worst = fmax(worst, fabs(o - exact));
+            scaled[hard] = fmax(scaled[hard], low * steps);
+            CHECK(fabs(o - exact) <= 0.004, "march, c %g, %d steps, hard %d: %g, the exact march has %g", at[i], steps, hard, o, exact);
+            CHECK(low <= (hard ? 1.7 : 2.5) / steps && low > -0.002, "march, c %g, %d steps, hard %d: %g below truth", at[i], steps, hard, low);
         }
         kit_run_close(&run);
     }
-    t_note("march: %.4f off the exact march, %.2f/steps off the truth", worst, scaled);
+    t_note("march: %.4f off the exact march, %.2f/steps off the truth, hard %.2f/steps", worst, scaled[0], scaled[1]);
     for (int m = 0; m < 3; ++m) {
         double bias = worst = 0;
         int n = 0;
@@ -261,7 +262,7 @@ static void same_picture(void)
 {
     enum { NORMAL, REVERSED, INFINITE, LINEAR, INSIDE, SHIFTED, ROLLED, SMALL, LARGE, WAYS };
     static const char *const names[WAYS] = { "normal depth", "", "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled", "1/1000", "1000" };
-    static const char *const alike[] = { "ssao", "hsao", "hsao-best", "hsao-march" };
+    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=tile,thin=0" }, { "hsao", "noise=tile" }, { "hsao-best", "noise=tile" }, { "hsao-march", "noise=tile" } };
     static const int margin[4] = { 8, 4, 12, 16 };
     double worst[WAYS] = { 0 };
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
@@ -291,23 +292,29 @@ static void same_picture(void)
                 if (!TRY(kit_gbuffer_read(&frame, &g[REVERSED], &err)) || !TRY(kit_gbuffer_from_frame(&g[w], &frame, &g[REVERSED].camera, &err))) return;
                 kit_image_free(&frame);
             } else if (!TRY(kit_gbuffer_from_scene(&g[w], &scene, c, w == INSIDE ? margin : NULL, &err))) return;
+            if (w == INSIDE) {                                     /* what is beside the picture must not matter: something near */
+                float beside[ROOM_W + 20];
+                for (int i = 0; i < ROOM_W + 20; ++i) beside[i] = 0.9f;
+                glBindTexture(GL_TEXTURE_2D, g[w].depth);
+                for (int y = 0; y < g[w].height; ++y) if (y < 4 || y >= 4 + ROOM_H) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, y, ROOM_W + 20, 1, GL_DEPTH_COMPONENT, GL_FLOAT, beside);
+            }
             for (int m = 0; m < 4; ++m) {
                 double d, most = 5e-4;
                 if (w == ROLLED && m == 1) continue;               /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (!picture(&other, &g[w], alike[m], "noise=tile", scale * scene.radius, 0, w == INSIDE)) return;
+                if (!picture(&other, &g[w], alike[m].method, alike[m].set, scale * scene.radius, 0, w == INSIDE)) return;
                 if (w == REVERSED) { reference[m] = other; continue; }
                 if (w == ROLLED) {                                 /* turned back; and no more than noise apart */
                     if (!TRY(kit_image_new(&turned, ROOM_W, ROOM_H, "Y", &err))) return;
                     for (int i = 0; i < ROOM_W * ROOM_H; ++i) turned.data[i] = other.data[i % ROOM_W * ROOM_H + ROOM_H - 1 - i / ROOM_W];
                     kit_image_free(&other);
                     other = turned;
-                    if (!picture(&frame, &g[REVERSED], alike[m], "noise=tile", scene.radius, 0.39f, 0)) return;
+                    if (!picture(&frame, &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f, 0)) return;
                     most = 1.4 * difference(&reference[m], &frame, 0, 0, 0);
                     kit_image_free(&frame);
                 }
                 d = difference(&reference[m], &other, dx, dy, w == SHIFTED ? 100 : 0);
                 worst[w] = fmax(worst[w], d);
-                CHECK(d <= most, "%s, %s, %s: RMSE %.5f of reversed depth", orthographic ? "orthographic" : "perspective", alike[m], names[w], d);
+                CHECK(d <= most, "%s, %s, %s: RMSE %.5f of reversed depth", orthographic ? "orthographic" : "perspective", alike[m].method, names[w], d);
                 kit_image_free(&other);
             }
             if (w != REVERSED) kit_gbuffer_free(&g[w]);
@@ -415,18 +422,20 @@ static void garbage_is_survived(void)
     enum { ODD = (int)(sizeof odd / sizeof odd[0]), W = 24, H = 13, SEEDS = 12 };
     static const struct { const char *name; int linear, orthographic, layout; GLenum format; } kind[] = {
         { "view depth", 1, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "view depth, orthographic", 1, 1, KIT_DEPTH_NORMAL, GL_R32F }, { "window depth", 0, 0, KIT_DEPTH_NORMAL, GL_R32F },
-        { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F }, { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F }, { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F } };
-    float depth[W * H], normal[4 * W * H];
+        { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F }, { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F }, { "reversed", 0, 0, KIT_DEPTH_REVERSED, GL_R32F }, { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F } };
+    float depth[SEEDS][W * H], normal[4 * W * H];
     kit_gbuffer g[SEEDS];
     kit_run run;
-    for (int k = 0; k < 6; ++k) {
+    for (int k = 0; k < 7; ++k) {
         kit_camera c = looking_along_z(W, H, kind[k].orthographic);
         c.depth = kind[k].layout;
         for (int s = 0; s < SEEDS; ++s) {                  /* more and more of it among sound texels */
             random_state = (uint32_t)s;
-            for (int i = 0; i < W * H; ++i) depth[i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.5f + 0.004f * (float)below(100);
+            for (int i = 0; i < W * H; ++i) depth[s][i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.5f + 0.004f * (float)below(100);
             for (int i = 0; i < 4 * W * H; ++i) normal[i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.01f * (float)below(200) - 1;
-            g[s] = raw(&c, kind[k].linear, kind[k].format, depth, normal);
+            g[s] = raw(&c, kind[k].linear, kind[k].format, depth[s], normal);
+            if (!kind[k].linear)                           /* from here on only: where is something */
+                for (int i = 0; i < W * H; ++i) depth[s][i] = depth[s][i] == (kind[k].layout == KIT_DEPTH_NORMAL ? 1.0f : 0.0f) ? 0.0f : 1.0f;
         }
         for (int m = 0; m < METHODS; ++m) {
             int n = 0;
@@ -436,9 +445,9 @@ static void garbage_is_survived(void)
                 run.frame.radius = s % 3 ? 0.5f : 1e5f;
                 kit_run_update(&run);
                 kit_run_draw(&run, 0);
-                n += wrong(&run, NULL);
+                n += wrong(&run, depth[s]);
             }
-            CHECK(!n, "%s, %s %s: %d pixels are NaN or beyond [0,1]", kind[k].name, methods[m].method, methods[m].set, n);
+            CHECK(!n, "%s, %s %s: %d pixels are NaN, beyond [0,1] or dark where nothing is", kind[k].name, methods[m].method, methods[m].set, n);
             kit_run_close(&run);
         }
         for (int s = 0; s < SEEDS; ++s) kit_gbuffer_free(&g[s]);
@@ -596,8 +605,9 @@ static void filter_keeps_its_word(void)
         const double constant = filtered(&c, tilted, 1, set, constant_value, constant_value, 0), edge = filtered(&c, facing, 2, set, side_value, side_value, 0),
                      tile = row[i / 2].tile ? fmax(filtered(&c, facing, 1, set, tile_value, mean_value, 3), filtered(&c, tilted, 1, set, tile_value, mean_value, 3)) : 0,
                      ramp = row[i / 2].ramp ? filtered(&c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
+        /* half size: odd pixels have one more tap to the left and below, which moves what they see by less than half a pixel */
         CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set, constant, edge);
-        CHECK(tile <= 1e-6 && ramp <= 1e-6, "%s: a tile's mean is off by %g, a ramp by %g", set, tile, ramp);
+        CHECK(tile <= 1e-6 && ramp <= 0.5 * (0.001 + 0.002), "%s: a tile's mean is off by %g, a ramp by %g", set, tile, ramp);
         worst[0] = fmax(worst[0], constant); worst[1 + (i / 2 == 5)] = fmax(worst[1 + (i / 2 == 5)], edge); worst[3] = fmax(worst[3], tile); worst[4] = fmax(worst[4], ramp);
     }
     t_note("constant %.1e, edge %.1e, Gaussian's %.1e, tile %.1e, ramp %.1e", worst[0], worst[1], worst[2], worst[3], worst[4]);

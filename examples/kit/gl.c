@@ -8,7 +8,6 @@
 #define KIT_GL_DEFINE(name, NAME) PFNGL##NAME##PROC gl##name;
 KIT_GL_CORE(KIT_GL_DEFINE)
 KIT_GL_ES31(KIT_GL_DEFINE)
-KIT_GL_ES32(KIT_GL_DEFINE)
 KIT_GL_DESKTOP(KIT_GL_DEFINE)
 
 typedef void (*function)(void);
@@ -172,11 +171,10 @@ static int load(kit_error *err)
     static const char *const rasterisers[] = { "llvmpipe", "softpipe", "swrast", "Software", "SwiftShader" };
     const char *version, *renderer, *missing = NULL;
     GLint major = 0, minor = 0;
-    int es31, es32;
+    int es31;
 #define KIT_GL_LOAD(name, NAME)     gl##name = (PFNGL##NAME##PROC)proc("gl" #name);
 #define KIT_GL_REQUIRE(name, NAME)  KIT_GL_LOAD(name, NAME) if (!gl##name) missing = "gl" #name;
 #define KIT_GL_LOAD_31(name, NAME)  gl##name = es31 ? (PFNGL##NAME##PROC)proc("gl" #name) : NULL;
-#define KIT_GL_LOAD_32(name, NAME)  gl##name = es32 ? (PFNGL##NAME##PROC)proc("gl" #name) : NULL;
 #define KIT_GL_LOAD_GL(name, NAME)  gl##name = gl.es ? NULL : (PFNGL##NAME##PROC)proc("gl" #name);
     KIT_GL_CORE(KIT_GL_REQUIRE)
     if (missing) return kit_fail(err, "GL context: it lacks %s; GL 4.3 or GLES 3.0 is needed", missing);
@@ -187,9 +185,7 @@ static int load(kit_error *err)
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
     es31 = !gl.es || major * 10 + minor >= 31;
-    es32 = !gl.es || major * 10 + minor >= 32;
     KIT_GL_ES31(KIT_GL_LOAD_31)
-    KIT_GL_ES32(KIT_GL_LOAD_32)
     KIT_GL_DESKTOP(KIT_GL_LOAD_GL)
     if (gl.es && has_extension("GL_EXT_clip_control"))
         glClipControl = (PFNGLCLIPCONTROLPROC)proc("glClipControlEXT");
