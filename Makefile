@@ -21,24 +21,24 @@ deps:
 
 build/kit/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
-	$(CC) $(KIT_FLAGS) -c $< -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
 build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
+	@echo '  cc $@'; $(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
 
 build/render: examples/render.c $(KIT_O)
-	$(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/report: examples/report.c examples/page.c $(KIT_O)
-	$(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/glsl-text: examples/glsl.c $(KIT_O)
-	$(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
-	$(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< -lOSMesa -lm -o $@
+	@echo '  cc $@'; $(CC) -std=c11 -Wall -Wextra $(CFLAGS) $< -lOSMesa -lm -o $@
 
 # The main job: a scanned mesh with every method beside the truth; report/demo.html.
 demo: build/render build/report
@@ -54,7 +54,7 @@ glsl: build/glsl-text
 
 TESTS = main t test_math test_trace test_files test_text test_pipeline test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h $(KIT_O)
-	$(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.
 test: build/render build/glsl-text build/test

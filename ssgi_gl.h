@@ -610,8 +610,9 @@ static const ssgi_gl__chunk ssgi_gl__screen_orthographic = { __LINE__ + 1, SSGI_
 static const ssgi_gl__chunk ssgi_gl__slices_head = { __LINE__ + 1, 0,
     "// Occlusion: horizons on both sides (.x, .y) of SSGI_DIRECTIONS planes through the view direction. n over the length l of its projection makes\n"
     "// dot(d, n) the height over the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. Each rise of a horizon is attenuated\n"
-    "// by the mean distance of the taps that it lies between. Below SSGI_LEVEL an elevation is taken as 0: normals of 10 bits do not know better.\n"
-    "const float SSGI_LEVEL = 0.004;\n"
+    "// by the mean distance of the taps that it lies between. Sines of elevations below SSGI_LEVEL count as 0: normals of 10 bits do not know better;\n"
+    "// beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a texel's centre took off the slice.\n"
+    "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n"
     "float ssgi_occlusion(ivec2 p, vec3 P, vec3 normal, vec2 xi)\n"
     "{\n"
     "    vec2 pixel = vec2(p) + 0.5;\n"
@@ -640,9 +641,10 @@ static const ssgi_gl__chunk ssgi_gl__slices_loop = { __LINE__ + 1, 0,
     "            ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
     "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, ssgi_depth(q0)) - P, d1 = ssgi_position(vec2(q1) + 0.5, ssgi_depth(q1)) - P;\n"
     "            vec2 x = vec2(dot(d0, t), -dot(d1, t)), y = vec2(dot(d0, n), dot(d1, n));\n"
-    "            vec2 far = sqrt(vec2(dot(d0, d0), dot(d1, d1))), r = inversesqrt(x * x + y * y), c = x * r, above = ssgi_arc(c, y * r, cosg, sings);\n"
-    "            bvec2 rises = bvec2(y.x > SSGI_LEVEL * far.x && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
-    "                                y.y > SSGI_LEVEL * far.y && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n" };
+    "            vec2 far = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18), h = min(y / far, 1.0), c = sqrt(1.0 - h * h) * mix(vec2(1.0), vec2(-1.0), lessThan(x, vec2(0.0)));\n"
+    "            vec2 above = ssgi_arc(c, h, cosg, sings);\n"
+    "            bvec2 rises = bvec2(h.x > (x.x < 0.0 ? SSGI_OVER : SSGI_LEVEL) && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
+    "                                h.y > (x.y < 0.0 ? SSGI_OVER : SSGI_LEVEL) && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n" };
 
 static const ssgi_gl__chunk ssgi_gl__slices_gap = { __LINE__ + 1, SSGI_GL__THIN,
     "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb; // light passes between its back and low\n"

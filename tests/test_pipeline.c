@@ -77,24 +77,37 @@ static int draw(kit_image *out, kit_run *run)
     return TRY(kit_run_read(out, run, &err));
 }
 
-/* inside: into larger targets, the picture at (8, 6) in them, and cut out again */
-static int picture(kit_image *out, const kit_gbuffer *g, const char *name, const char *set, float radius, float phase, int inside)
+/* Turns a run to another G-buffer, whatever its size, at the defaults: compiling is what takes time. beyond: the targets are so much larger, the picture
+   at (8, 6) in them. */
+static int fit(kit_run *run, const kit_gbuffer *g, float radius, int beyond)
 {
-    kit_run run;
-    kit_image all;
-    if (!start(&run, g, name, set, radius)) return 0;
-    run.frame.phase = phase;
-    for (int i = 0; inside && i < run.passes; ++i) {
-        kit_pass *p = &run.pass[i];
-        run.frame.target[0] = 8;
-        run.frame.target[1] = 6;
+    ssgi_view view;
+    const char *why = "";
+    if (!CHECK(ssgi_view_from_projection(&view, g->projection, g->camera.depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, g->viewport[2], g->viewport[3], &why) == SSGI_OK
+               && ssgi_gl_frame_init(&run->frame, &view, radius, &why) == SSGI_OK, "%s", why)) return 0;
+    run->gbuffer = g;
+    for (int i = 0; i < 2; ++i) run->frame.origin[i] = g->viewport[i];
+    if (beyond) { run->frame.target[0] = 8; run->frame.target[1] = 6; }
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i];
+        const int by = p->desc.half && !i ? 2 : 1;
+        p->width = (g->viewport[2] + by - 1) / by + beyond;
+        p->height = (g->viewport[3] + by - 1) / by + beyond;
         glBindTexture(GL_TEXTURE_2D, p->texture);
-        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_R32F : GL_RG32F, p->width += 20, p->height += 20, 0, i ? GL_RED : GL_RG, GL_FLOAT, NULL);
+        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_R32F : GL_RG32F, p->width, p->height, 0, i ? GL_RED : GL_RG, GL_FLOAT, NULL);
     }
-    int ok = draw(&all, &run);
-    kit_run_close(&run);
-    if (!ok || !inside) { if (ok) *out = all; return ok; }
-    ok = TRY(kit_image_new(out, g->viewport[2], g->viewport[3], "Y", &err));
+    return 1;
+}
+
+/* run: opened with this method and set already, or all 0 */
+static int picture(kit_image *out, kit_run *run, const kit_gbuffer *g, const char *name, const char *set, float radius, float phase, int beyond)
+{
+    kit_image all;
+    if ((!run->passes && !start(run, g, name, set, radius)) || !fit(run, g, radius, beyond)) return 0;
+    run->frame.phase = phase;
+    if (!draw(&all, run)) return 0;
+    if (!beyond) { *out = all; return 1; }
+    const int ok = TRY(kit_image_new(out, g->viewport[2], g->viewport[3], "Y", &err));
     for (int y = 0; ok && y < out->height; ++y)
         memcpy(out->data + y * out->width, all.data + (all.height - 6 - out->height + y) * all.width + 8, (size_t)out->width * sizeof(float));
     kit_image_free(&all);
@@ -268,6 +281,7 @@ static void same_picture(void)
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
         kit_gbuffer g[WAYS];
         kit_image reference[4], other, frame, turned;
+        kit_run run[2][4] = { 0 };
         kit_scene scene;
         for (int way = REVERSED; way <= WAYS; ++way) {             /* reversed depth first: the reference, as the most precise; normal depth last */
             const int w = way % WAYS, dx = w == SHIFTED ? 16 : 0, dy = w == SHIFTED ? 32 : 0;       /* multiples of the noise's tile */
@@ -301,14 +315,14 @@ static void same_picture(void)
             for (int m = 0; m < 4; ++m) {
                 double d, most = 5e-4;
                 if (w == ROLLED && m == 1) continue;               /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (!picture(&other, &g[w], alike[m].method, alike[m].set, scale * scene.radius, 0, w == INSIDE)) return;
+                if (!picture(&other, &run[w == LINEAR][m], &g[w], alike[m].method, alike[m].set, scale * scene.radius, 0, w == INSIDE ? 20 : 0)) return;
                 if (w == REVERSED) { reference[m] = other; continue; }
                 if (w == ROLLED) {                                 /* turned back; and no more than noise apart */
                     if (!TRY(kit_image_new(&turned, ROOM_W, ROOM_H, "Y", &err))) return;
                     for (int i = 0; i < ROOM_W * ROOM_H; ++i) turned.data[i] = other.data[i % ROOM_W * ROOM_H + ROOM_H - 1 - i / ROOM_W];
                     kit_image_free(&other);
                     other = turned;
-                    if (!picture(&frame, &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f, 0)) return;
+                    if (!picture(&frame, &run[0][m], &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f, 0)) return;
                     most = 1.4 * difference(&reference[m], &frame, 0, 0, 0);
                     kit_image_free(&frame);
                 }
@@ -320,7 +334,7 @@ static void same_picture(void)
             if (w != REVERSED) kit_gbuffer_free(&g[w]);
             kit_scene_free(&scene);
         }
-        for (int m = 0; m < 4; ++m) kit_image_free(&reference[m]);
+        for (int m = 0; m < 4; ++m) { kit_image_free(&reference[m]); kit_run_close(&run[0][m]); kit_run_close(&run[1][m]); }
         kit_gbuffer_free(&g[REVERSED]);
     }
     for (int w = 0; w < WAYS; ++w) if (w != REVERSED) t_note("%s: RMSE %.1e", names[w], worst[w]);
@@ -356,13 +370,12 @@ static void sizes_do_not_matter(void)
 {
     static const int widths[] = { 1, 2, 3, 5, 17, 64 }, heights[] = { 1, 2, 3, 7, 33 };
     float depth[64 * 33] = { 0 }, normal[4 * 64 * 33] = { 0 };
-    ssgi_view view;
     kit_gbuffer g;
     kit_run run;
-    for (int m = 0; m < 2 * METHODS; ++m) {
+    for (int m = 0; m < METHODS; ++m) {
         kit_camera c = looking_along_z(64, 33, m & 1);
         g = raw(&c, 1, GL_R32F, depth, normal);
-        if (!start(&run, &g, methods[m / 2].method, methods[m / 2].set, 0.5f)) return;
+        if (!start(&run, &g, methods[m].method, methods[m].set, 0.5f)) return;
         kit_gbuffer_free(&g);
         for (int i = 0; i < 30; ++i) {                     /* one program a method, turned to targets of every size */
             c.width = widths[i % 6];
@@ -371,19 +384,10 @@ static void sizes_do_not_matter(void)
             for (int k = 0; k < c.width * c.height; ++k) depth[k] = below(4) ? 1 + 0.01f * (float)below(100) : 0;
             for (int k = 0; k < 4 * c.width * c.height; ++k) normal[k] = 0.01f * (float)below(200) - 1;
             g = raw(&c, 1, GL_R32F, depth, normal);
-            if (!view_of(&view, &c) || ssgi_gl_frame_init(&run.frame, &view, 0.5f, NULL) != SSGI_OK) return;
-            run.gbuffer = &g;
-            for (int k = 0; k < run.passes; ++k) {
-                kit_pass *p = &run.pass[k];
-                const int by = p->desc.half && !k ? 2 : 1;
-                p->width = (c.width + by - 1) / by;
-                p->height = (c.height + by - 1) / by;
-                glBindTexture(GL_TEXTURE_2D, p->texture);
-                glTexImage2D(GL_TEXTURE_2D, 0, k ? GL_R32F : GL_RG32F, p->width, p->height, 0, k ? GL_RED : GL_RG, GL_FLOAT, NULL);
-            }
+            if (!fit(&run, &g, 0.5f, 0)) return;
             kit_run_update(&run);
             kit_run_draw(&run, 0);
-            CHECK(!wrong(&run, depth), "%s %s: %d pixels of %d x %d are wrong", methods[m / 2].method, methods[m / 2].set, wrong(&run, depth), c.width, c.height);
+            CHECK(!wrong(&run, depth), "%s %s: %d pixels of %d x %d are wrong", methods[m].method, methods[m].set, wrong(&run, depth), c.width, c.height);
             kit_gbuffer_free(&g);
         }
         kit_run_close(&run);
@@ -420,12 +424,13 @@ static void garbage_is_survived(void)
 {
     static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -0.0f, -1, 1e-45f, 1e-39f, 1e-30f, 1e-12f, 1e-6f, 0.25f, 0.5f, 0.999f, 1, 2, 1e6f, 1e12f, 9e17f, 1e18f, 1e30f, 1e38f, -1e38f };
     enum { ODD = (int)(sizeof odd / sizeof odd[0]), W = 24, H = 13, SEEDS = 12 };
-    static const struct { const char *name; int linear, orthographic, layout; GLenum format; } kind[] = {
-        { "view depth", 1, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "view depth, orthographic", 1, 1, KIT_DEPTH_NORMAL, GL_R32F }, { "window depth", 0, 0, KIT_DEPTH_NORMAL, GL_R32F },
-        { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F }, { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F }, { "reversed", 0, 0, KIT_DEPTH_REVERSED, GL_R32F }, { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F } };
+    static const struct { const char *name; int linear, orthographic, layout; GLenum format; } kind[] = {      /* of one program: side by side */
+        { "view depth", 1, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "view depth, orthographic", 1, 1, KIT_DEPTH_NORMAL, GL_R32F }, { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F },
+        { "window depth", 0, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "reversed", 0, 0, KIT_DEPTH_REVERSED, GL_R32F }, { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F },
+        { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F } };
     float depth[SEEDS][W * H], normal[4 * W * H];
     kit_gbuffer g[SEEDS];
-    kit_run run;
+    kit_run runs[METHODS];
     for (int k = 0; k < 7; ++k) {
         kit_camera c = looking_along_z(W, H, kind[k].orthographic);
         c.depth = kind[k].layout;
@@ -439,16 +444,16 @@ static void garbage_is_survived(void)
         }
         for (int m = 0; m < METHODS; ++m) {
             int n = 0;
-            if (!start(&run, &g[0], methods[m].method, methods[m].set, 0.5f)) continue;
+            kit_run *run = &runs[m];
+            if (k < 4 && !start(run, &g[0], methods[m].method, methods[m].set, 0.5f)) return;
             for (int s = 0; s < SEEDS; ++s) {
-                run.gbuffer = &g[s];
-                run.frame.radius = s % 3 ? 0.5f : 1e5f;
-                kit_run_update(&run);
-                kit_run_draw(&run, 0);
-                n += wrong(&run, depth[s]);
+                if (!fit(run, &g[s], s % 3 ? 0.5f : 1e5f, 0)) return;
+                kit_run_update(run);
+                kit_run_draw(run, 0);
+                n += wrong(run, depth[s]);
             }
             CHECK(!n, "%s, %s %s: %d pixels are NaN, beyond [0,1] or dark where nothing is", kind[k].name, methods[m].method, methods[m].set, n);
-            kit_run_close(&run);
+            if (k < 3 || k == 6) kit_run_close(run);
         }
         for (int s = 0; s < SEEDS; ++s) kit_gbuffer_free(&g[s]);
     }
@@ -470,7 +475,9 @@ static void near_the_truth(void)
     kit_score_channel(&none, &out, &truth, "Y", NULL, &err);
     for (int m = 0; m < 5; ++m) {
         kit_image_free(&out);
-        if (!picture(&out, &g, row[m].name, "", scene.radius, 0, 0) || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err))) return;
+        kit_run run = { 0 };
+        if (!picture(&out, &run, &g, row[m].name, "", scene.radius, 0, 0) || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err))) return;
+        kit_run_close(&run);
         share[m] = score.rmse / none.rmse;
         t_note("%s: RMSE %.4f, %.3f of no AO's, bias %+.4f", row[m].name, score.rmse, share[m], score.bias);
         CHECK(share[m] <= row[m].share && fabs(score.bias) <= row[m].bias, "%s: %.3f of no AO's RMSE, bias %+.4f", row[m].name, share[m], score.bias);
@@ -552,12 +559,11 @@ static float mean_value(int x, int y)     { float sum = 0; for (int i = 0; i < 1
 static float ramp_value(int x, int y)     { return 0.1f + 0.001f * (float)x + 0.002f * (float)y; }
 
 /* The largest difference of expected to what the filter makes of value (x, y: full-size pixel from below), border pixels left out, on a plane or on two,
-   the second from column 30 on. */
-static double filtered(const kit_camera *c, const double (*plane)[4], int planes, const char *set, float (*value)(int x, int y), float (*expected)(int x, int y), int border)
+   the second from column 30 on. run: opened with this set already, or all 0. */
+static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set, float (*value)(int x, int y), float (*expected)(int x, int y), int border)
 {
     kit_gbuffer g;
     kit_image frame, right, out;
-    kit_run run;
     double worst = 0;
     if (!walls(&g, &frame, c, plane, 1)) return 1;
     if (planes > 1) {
@@ -568,8 +574,8 @@ static double filtered(const kit_camera *c, const double (*plane)[4], int planes
         kit_image_free(&right);
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, c, &err))) return 1;
     }
-    if (!start(&run, &g, "ssao", set, 0.5f)) return 1;
-    kit_pass *p = &run.pass[0];
+    if ((!run->passes && !start(run, &g, "ssao", set, 0.5f)) || !fit(run, &g, 0.5f, 0)) return 1;
+    kit_pass *p = &run->pass[0];
     const int step = p->desc.half ? 2 : 1;
     glBindTexture(GL_TEXTURE_2D, p->texture);
     for (int y = 0; y < p->height; ++y)
@@ -579,13 +585,12 @@ static double filtered(const kit_camera *c, const double (*plane)[4], int planes
         }
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);             /* the first pass draws nowhere: the texture stays ours */
     glDrawBuffers(1, &(GLenum){ GL_NONE });
-    if (!draw(&out, &run)) return 1;
+    if (!draw(&out, run)) return 1;
     for (int y = border; y < out.height - border; ++y)
         for (int x = border; x < out.width - border; ++x) {
             const double d = fabs((double)out.data[y * out.width + x] - (double)expected(x, out.height - 1 - y));
             if (!(d <= worst)) worst = d;
         }
-    kit_run_close(&run);
     kit_gbuffer_free(&g);
     kit_image_free(&frame);
     kit_image_free(&out);
@@ -602,10 +607,12 @@ static void filter_keeps_its_word(void)
     for (int i = 0; i < 16; ++i) {
         const kit_camera c = looking_along_z(61 + 2 * i, 45, i & 1);
         const char *set = row[i / 2].set;
-        const double constant = filtered(&c, tilted, 1, set, constant_value, constant_value, 0), edge = filtered(&c, facing, 2, set, side_value, side_value, 0),
-                     tile = row[i / 2].tile ? fmax(filtered(&c, facing, 1, set, tile_value, mean_value, 3), filtered(&c, tilted, 1, set, tile_value, mean_value, 3)) : 0,
-                     ramp = row[i / 2].ramp ? filtered(&c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
+        kit_run run = { 0 };
+        const double constant = filtered(&run, &c, tilted, 1, set, constant_value, constant_value, 0), edge = filtered(&run, &c, facing, 2, set, side_value, side_value, 0),
+                     tile = row[i / 2].tile ? fmax(filtered(&run, &c, facing, 1, set, tile_value, mean_value, 3), filtered(&run, &c, tilted, 1, set, tile_value, mean_value, 3)) : 0,
+                     ramp = row[i / 2].ramp ? filtered(&run, &c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
         /* half size: odd pixels have one more tap to the left and below, which moves what they see by less than half a pixel */
+        kit_run_close(&run);
         CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set, constant, edge);
         CHECK(tile <= 1e-6 && ramp <= 0.5 * (0.001 + 0.002), "%s: a tile's mean is off by %g, a ramp by %g", set, tile, ramp);
         worst[0] = fmax(worst[0], constant); worst[1 + (i / 2 == 5)] = fmax(worst[1 + (i / 2 == 5)], edge); worst[3] = fmax(worst[3], tile); worst[4] = fmax(worst[4], ramp);

@@ -563,12 +563,13 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     if (floor_) {
         build b;
         const double x = 0.5 * ((double)scene->mesh.lower[0] + (double)scene->mesh.upper[0]);
-        const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal;
+        const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal, y = (double)scene->mesh.lower[1];
+        const double corner[4][3] = { {x - half, y, z + half}, {x + half, y, z + half}, {x + half, y, z - half}, {x - half, y, z - half} };
         memset(&b, 0, sizeof b);
         b.mesh = scene->mesh;
         b.capacity = scene->mesh.triangles;
         colour(&b, 0.8, 0.8, 0.8);
-        level(&b, x - half, z - half, x + half, z + half, (double)scene->mesh.lower[1]);
+        sheet(&b, (const double (*)[3])corner, CUTS(both), CUTS(both));
         scene->mesh = b.mesh;
         if (b.failed) {
             kit_mesh_free(&scene->mesh);
