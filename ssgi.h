@@ -121,9 +121,9 @@ enum { SSGI_COSINE = 0,     /* hemisphere about +z, density cos/pi: every sample
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, int shape, const char **why);
 
 /* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for the steps, c in [0,1) for
-   the normal rays, each stratified over the size x size texels and decorrelated. [HSAO08 4.1.2, with the range that it means]
+   whatever else wants a turn, each stratified over the size x size texels and decorrelated. [HSAO08 4.1.2, with the range that it means]
      size       [limit: 1..64]     directions [limit: 1..1024]
-   Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TILE. */
+   Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TEXTURE. */
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why);
 
 /* ==== >>bias =================================================================================================== */

@@ -62,7 +62,7 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,    /* xyz in [-1,1] (any float or snorm textur
 /* desc.noise: what decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0,   /* interleaved gradient noise: suits a filter of 3x3 */
        SSGI_GL_NOISE_TILE4,          /* 4x4 tile computed from the pixel: 16 directions x 4 offsets; filter_radius 2 averages exactly one tile */
-       SSGI_GL_NOISE_TEXTURE };      /* your texture, tiled: x, y, b, c as ssgi_jitter_tile makes it; 1 more fetch */
+       SSGI_GL_NOISE_TEXTURE };      /* your texture, tiled: ., ., b, c as ssgi_jitter_tile makes it; 1 more fetch */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,           /* hsao: planes through the view direction, both sides in one walk on the screen: the fast way */
        SSGI_GL_MARCH };              /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
@@ -144,7 +144,7 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 
 /* ==== >>frame ================================================================================================== */
 
-/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140; a pass declares the first part that it needs). */
+/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140; a pass declares the members that it reads, each in its place). */
 typedef struct ssgi_gl_frame {
     float   project[4];     /* from ssgi_view */
     float   unproject[4];
@@ -438,7 +438,7 @@ static const ssgi_gl__chunk ssgi_gl__noise_gradient = { __LINE__ + 1, SSGI_GL__N
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__noise_texture = { __LINE__ + 1, SSGI_GL__NOISE_TEXTURE,
-    "// x: turn in [0,1) of the angle between directions; y: in [0,1) for the steps; from cos, sin and [-0.5,0.5] of the tile\n"
+    "// in [0,1): x turns the directions, y offsets the steps; c and b + 0.5 of ssgi_jitter_tile\n"
     "vec2 ssgi_noise(ivec2 p)\n"
     "{\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
