@@ -1,9 +1,7 @@
-/* minimal.c - the smallest honest embedding: what an engine adds to have ambient occlusion from ssgi.
+/* minimal.c - the smallest honest embedding. An engine has a GL context, a depth texture, a normal texture and a projection matrix; here OSMesa is the
+   context and a few boxes are the scene. Between the two lines of "====" stands all that ssgi asks of you. Writes ao.pgm.
 
-   An engine has a GL context, a depth texture, a normal texture and a projection matrix. Here OSMesa is the context and a few boxes
-   are the scene; between the two lines of "====" stands all that ssgi asks of you. Writes ao.pgm.
-
-      cc examples/minimal.c -lOSMesa -lm && ./a.out                                                                            */
+      cc examples/minimal.c -lOSMesa -lm && ./a.out */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>
@@ -55,14 +53,15 @@ static GLuint texture(GLenum internal, GLenum format, int w, int h)
     return t;
 }
 
-static void target(GLuint color, GLuint depth, int w, int h)
+static void target(GLuint program_, GLuint color, GLuint depth, int w, int h)   /* what the next draw uses and fills */
 {
     GLuint f;
     glGenFramebuffers(1, &f);
     glBindFramebuffer(GL_FRAMEBUFFER, f);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
-    if (depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
     glViewport(0, 0, w, h);
+    glUseProgram(program_);
 }
 
 /* ==== ssgi: from a desc to a program whose samplers and block are bound to their slots =========================================== */
@@ -78,13 +77,6 @@ static GLuint ssgi_program(const ssgi_gl_desc *d)
         if (row[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(p, row[i].name), row[i].slot);
     glUniformBlockBinding(p, glGetUniformBlockIndex(p, "ssgi_frame"), 0);
     return p;
-}
-
-static void draw(GLuint program_, GLuint result, int w, int h)
-{
-    target(result, 0, w, h);
-    glUseProgram(program_);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 static void ambient_occlusion(GLuint depth, GLuint normal, const float projection[16], float radius, GLuint result)
@@ -108,8 +100,10 @@ static void ambient_occlusion(GLuint depth, GLuint normal, const float projectio
         glBindTexture(GL_TEXTURE_2D, bound[i]);
     }
     glDisable(GL_DEPTH_TEST);
-    draw(gather, raw, (W + 1) / 2, (H + 1) / 2);
-    draw(filter, result, W, H);
+    target(gather, raw, 0, (W + 1) / 2, (H + 1) / 2);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    target(filter, result, 0, W, H);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 /* ================================================================================================================================= */
 
@@ -127,9 +121,8 @@ int main(void)
     glBindVertexArray(vao);
     depth = texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, W, H);      /* the engine's G-buffer */
     normal = texture(GL_RGBA16F, GL_RGBA, W, H);
-    target(normal, depth, W, H);
     boxes = program(boxes_vs, boxes_fs);
-    glUseProgram(boxes);
+    target(boxes, normal, depth, W, H);
     glUniformMatrix4fv(glGetUniformLocation(boxes, "projection"), 1, GL_FALSE, projection);
     glEnable(GL_DEPTH_TEST);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
