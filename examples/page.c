@@ -45,7 +45,7 @@ static const char *settings_of(const row *r) { return *r->settings ? r->settings
 
 typedef struct column { const char *head, *key, *about; size_t offset; int digits, sign; } column;
 static const column columns[] = {
-    { "fetches", "fetches",       "texel fetches per pixel, all passes",                     offsetof(row, fetches),    0, 0 },
+    { "fetches", "fetches",       "texel fetches per pixel, all passes",                     offsetof(row, fetches),    1, 0 },
     { "time",    "relative_time", "GL time relative to one unblurred 16-sample ssao",        offsetof(row, relative),   2, 0 },
     { "ms",      "ms",            "GL time, milliseconds",                                   offsetof(row, ms),         1, 0 },
     { "RMSE",    "rmse",          "root mean square difference to the truth",                offsetof(row, score.rmse), 4, 0 },
@@ -286,7 +286,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
                 escaped(f, settings_of(r));
                 fprintf(f, "\ntime %.2f, error %.3f, %.1f fetches</title></path>\n", r->relative, r->share, r->fetches);
             } else {
-                int n = snprintf(text, sizeof text, "%.0f", r->fetches);
+                int n = snprintf(text, sizeof text, "%g", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);
                 fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, COLOUR(group), text);
                 if (boxes < MOST_BOXES) taken[boxes++] = b;
