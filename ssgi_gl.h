@@ -210,29 +210,30 @@ extern "C" {
 #define SSGI_GL__BILATERAL       ((uint64_t)1 << 27)   /* blur */
 #define SSGI_GL__GAUSSIAN        ((uint64_t)1 << 28)
 #define SSGI_GL__F_NORMALS       ((uint64_t)1 << 29)   /* blur compares normals */
+#define SSGI_GL__BLOCKED         ((uint64_t)1 << 30)   /* points are tested: ssao, normal rays */
 
 typedef struct ssgi_gl__chunk { int line; uint64_t need; const char *text; } ssgi_gl__chunk;
 typedef struct ssgi_gl__row { uint64_t need; ssgi_gl_io io; } ssgi_gl__row;   /* CONSTANT: io.offset is the field's place in ssgi_gl_desc */
 
 /* ==== >>rows: inputs and outputs ================================================================================= */
 
-#define SSGI_GL__P(name, type, member, units) { 0, { "u_ssgi_" name, SSGI_GL_PARAM, type, 0, offsetof(ssgi_gl_frame, member), units } }
-#define SSGI_GL__C(need, name, field)         { need, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
-#define SSGI_GL__T(need, name, format)        { need, { "t_ssgi_" name, SSGI_GL_TEXTURE, "sampler2D", 0, 0, format } }
-#define SSGI_GL__O(name, type, format)        { 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, format } }
+#define SSGI_GL__P(need, name, type, member, units) { need, { "u_ssgi_" name, SSGI_GL_PARAM, type, 0, offsetof(ssgi_gl_frame, member), units } }
+#define SSGI_GL__C(need, name, field)                   { need, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
+#define SSGI_GL__T(need, name, format)                  { need, { "t_ssgi_" name, SSGI_GL_TEXTURE, "sampler2D", 0, 0, format } }
+#define SSGI_GL__O(name, type, format)                  { 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, format } }
 
-static const ssgi_gl__row ssgi_gl__project     = SSGI_GL__P("project", "vec4", project, "pixels per view xy / depth; pixels");
-static const ssgi_gl__row ssgi_gl__unproject   = SSGI_GL__P("unproject", "vec4", unproject, "view xy / depth per pixel");
-static const ssgi_gl__row ssgi_gl__decode_row  = { SSGI_GL__D_WINDOW, { "u_ssgi_decode", SSGI_GL_PARAM, "vec4", 0, offsetof(ssgi_gl_frame, decode), "window depth to view depth" } };
-static const ssgi_gl__row ssgi_gl__origin      = { SSGI_GL__GBUFFER, { "u_ssgi_origin", SSGI_GL_PARAM, "ivec2", 0, offsetof(ssgi_gl_frame, origin), "texels" } };
-static const ssgi_gl__row ssgi_gl__size        = SSGI_GL__P("size", "ivec2", size, "pixels");
-static const ssgi_gl__row ssgi_gl__target      = SSGI_GL__P("target", "ivec2", target, "texels");
-static const ssgi_gl__row ssgi_gl__radius      = SSGI_GL__P("radius", "float", radius, "view units");
-static const ssgi_gl__row ssgi_gl__near_radius = { SSGI_GL__BILATERAL, { "u_ssgi_radius", SSGI_GL_PARAM, "float", 0, offsetof(ssgi_gl_frame, radius), "view units" } };
-static const ssgi_gl__row ssgi_gl__offset      = SSGI_GL__P("offset", "float", offset, "half pixels");
-static const ssgi_gl__row ssgi_gl__thickness   = { SSGI_GL__THIN, { "u_ssgi_thickness", SSGI_GL_PARAM, "float", 0, offsetof(ssgi_gl_frame, thickness), "view units" } };
-static const ssgi_gl__row ssgi_gl__phase       = SSGI_GL__P("phase", "float", phase, "turns");
-static const ssgi_gl__row ssgi_gl__rotation    = { SSGI_GL__N_WORLD, { "u_ssgi_rotation", SSGI_GL_PARAM, "mat3", 0, offsetof(ssgi_gl_frame, rotation), "world to view" } };
+static const ssgi_gl__row ssgi_gl__project     = SSGI_GL__P(0, "project", "vec4", project, "pixels per view xy / depth; pixels");
+static const ssgi_gl__row ssgi_gl__unproject   = SSGI_GL__P(0, "unproject", "vec4", unproject, "view xy / depth per pixel");
+static const ssgi_gl__row ssgi_gl__decode_row  = SSGI_GL__P(SSGI_GL__D_WINDOW, "decode", "vec4", decode, "window depth to view depth");
+static const ssgi_gl__row ssgi_gl__origin      = SSGI_GL__P(SSGI_GL__GBUFFER, "origin", "ivec2", origin, "texels");
+static const ssgi_gl__row ssgi_gl__size        = SSGI_GL__P(0, "size", "ivec2", size, "pixels");
+static const ssgi_gl__row ssgi_gl__target      = SSGI_GL__P(0, "target", "ivec2", target, "texels");
+static const ssgi_gl__row ssgi_gl__radius      = SSGI_GL__P(0, "radius", "float", radius, "view units");
+static const ssgi_gl__row ssgi_gl__near_radius = SSGI_GL__P(SSGI_GL__BILATERAL, "radius", "float", radius, "view units");
+static const ssgi_gl__row ssgi_gl__offset      = SSGI_GL__P(0, "offset", "float", offset, "half pixels");
+static const ssgi_gl__row ssgi_gl__thickness   = SSGI_GL__P(SSGI_GL__THIN, "thickness", "float", thickness, "view units");
+static const ssgi_gl__row ssgi_gl__phase       = SSGI_GL__P(0, "phase", "float", phase, "turns");
+static const ssgi_gl__row ssgi_gl__rotation    = SSGI_GL__P(SSGI_GL__N_WORLD, "rotation", "mat3", rotation, "world to view");
 static const ssgi_gl__row ssgi_gl__depth_tex   = SSGI_GL__T(SSGI_GL__D_TEXTURE, "depth", "depth: hardware depth (any DEPTH_COMPONENT, compare mode off) or R32F view depth");
 static const ssgi_gl__row ssgi_gl__normal_tex  = SSGI_GL__T(SSGI_GL__N_TEXTURE, "normal", "normal: RGBA16F, RGB10_A2, RG16F .. as desc.normal says");
 static const ssgi_gl__row ssgi_gl__noise_tex   = SSGI_GL__T(SSGI_GL__NOISE_TEXTURE, "noise", "RGBA16F, any size: ssgi_jitter_tile");
@@ -240,7 +241,7 @@ static const ssgi_gl__row ssgi_gl__ao_tex      = SSGI_GL__T(0, "ao", "what ssao 
 static const ssgi_gl__row ssgi_gl__ao_out      = SSGI_GL__O("ao", "vec2", "RG32F or RG16F: ambient visibility, view depth for the filter; R8 or R16F if nothing filters");
 static const ssgi_gl__row ssgi_gl__blurred_out = SSGI_GL__O("ao", "float", "R8 or R16F: ambient visibility");
 static const ssgi_gl__row ssgi_gl__c_samples   = SSGI_GL__C(0, "SSGI_SAMPLES", samples);
-static const ssgi_gl__row ssgi_gl__c_directions      = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
+static const ssgi_gl__row ssgi_gl__c_directions = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
 static const ssgi_gl__row ssgi_gl__c_steps     = SSGI_GL__C(0, "SSGI_STEPS", steps);
 static const ssgi_gl__row ssgi_gl__c_rays      = SSGI_GL__C(SSGI_GL__RAYS, "SSGI_NORMAL_RAYS", normal_rays);
 static const ssgi_gl__row ssgi_gl__c_filter    = SSGI_GL__C(0, "SSGI_FILTER_RADIUS", filter_radius);
@@ -455,22 +456,27 @@ static const ssgi_gl__chunk ssgi_gl__lift = { __LINE__ + 1, 0,
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__blocked_solid = { __LINE__ + 1, SSGI_GL__SOLID,
-    "// 1 where S lies behind the surface seen at its pixel, else 0; in front of the near plane, off the picture: 0\n"
-    "float ssgi_blocked(vec3 S)\n"
+static const ssgi_gl__chunk ssgi_gl__behind = { __LINE__ + 1, SSGI_GL__BLOCKED,
+    "// how far S lies behind the surface seen at its pixel; 0 before it, behind the eye or off the picture\n"
+    "float ssgi_behind(vec3 S)\n"
     "{\n"
     "    if (S.z >= 0.0) return 0.0;\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "    return ssgi_inside(p) && ssgi_depth(p) < -S.z ? 1.0 : 0.0;\n"
+    "    return ssgi_inside(p) ? max(-S.z - ssgi_depth(p), 0.0) : 0.0;\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__blocked_thin = { __LINE__ + 1, SSGI_GL__THIN,
-    "// 1 where S lies within u_ssgi_thickness behind the surface seen at its pixel, else 0; off the picture: 0\n"
+static const ssgi_gl__chunk ssgi_gl__blocked_solid = { __LINE__ + 1, SSGI_GL__BLOCKED | SSGI_GL__SOLID,
+    "// 1 where S lies behind what is seen, else 0\n"
     "float ssgi_blocked(vec3 S)\n"
     "{\n"
-    "    if (S.z >= 0.0) return 0.0;\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "    float behind = ssgi_inside(p) ? -S.z - ssgi_depth(p) : 0.0;\n"
+    "    return ssgi_behind(S) > 0.0 ? 1.0 : 0.0;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blocked_thin = { __LINE__ + 1, SSGI_GL__BLOCKED | SSGI_GL__THIN,
+    "// 1 where S lies within u_ssgi_thickness behind what is seen, else 0\n"
+    "float ssgi_blocked(vec3 S)\n"
+    "{\n"
+    "    float behind = ssgi_behind(S);\n"
     "    return behind > 0.0 && behind < u_ssgi_thickness ? 1.0 : 0.0;\n"
     "}\n" };
 
@@ -781,7 +787,7 @@ static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, 0,
                         SSGI_GL__PROJECTIONS(position), SSGI_GL__PROJECTIONS(toward), &ssgi_gl__unit, &ssgi_gl__raw_signed, &ssgi_gl__raw_unsigned, \
                         &ssgi_gl__raw_octahedral, &ssgi_gl__raw_custom, &ssgi_gl__normal_view, &ssgi_gl__normal_world, &ssgi_gl__normal_from_depth
 #define SSGI_GL__GATHER &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, &ssgi_gl__basis
-#define SSGI_GL__POINTS SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__blocked_solid, &ssgi_gl__blocked_thin
+#define SSGI_GL__POINTS SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__behind, &ssgi_gl__blocked_solid, &ssgi_gl__blocked_thin
 #define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target
 #define SSGI_GL__MAPS   &ssgi_gl__rotation, &ssgi_gl__depth_tex, &ssgi_gl__normal_tex, &ssgi_gl__noise_tex
 
@@ -898,26 +904,27 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
-    static const unsigned char ssao[] = { 8, 16, 32 };
-    static const struct { unsigned char half, directions, steps, rays; } slices[] = { { 1, 1, 3, 0 }, { 1, 2, 6, 0 }, { 0, 3, 8, 0 } },
-                                                                        march[] = { { 0, 4, 6, 0 }, { 0, 6, 9, 1 }, { 0, 8, 18, 2 } };
+    static const struct counts { unsigned char half, samples, directions, steps, rays; } table[3][3] = {    /* FAST, BALANCED, BEST */
+        { { 0, 8, 0, 0, 0 }, { 0, 16, 0, 0, 0 }, { 0, 32, 0, 0, 0 } },      /* ssao */
+        { { 1, 0, 1, 3, 0 }, { 1, 0, 2, 6, 0 }, { 0, 0, 3, 8, 0 } },        /* slices */
+        { { 0, 0, 4, 6, 0 }, { 0, 0, 6, 9, 1 }, { 0, 0, 8, 18, 2 } } };     /* march */
+    const struct counts *c;
     ssgi_result r = ssgi_gl_check(desc, why);
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
+    c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
+    desc->half = c->half;
+    if (desc->pass == SSGI_GL_SSAO) {
+        desc->samples = c->samples;
+    } else {
+        desc->directions = c->directions;
+        desc->steps = c->steps;
+        desc->normal_rays = c->rays;
+    }
+    desc->thin = desc->pass == SSGI_GL_SSAO || desc->search == SSGI_GL_MARCH;   /* rays past a solid foreground would all end on it */
     desc->filter = SSGI_GL_BILATERAL;
     desc->filter_radius = 1;
     desc->noise = SSGI_GL_NOISE_GRADIENT;
-    desc->half = 0;
-    desc->thin = desc->pass == SSGI_GL_SSAO || desc->search == SSGI_GL_MARCH;   /* rays past a solid foreground would all end on it */
-    if (desc->pass == SSGI_GL_SSAO) {
-        desc->samples = ssao[preset];
-    } else {
-        int is_march = desc->search == SSGI_GL_MARCH;
-        desc->half = is_march ? march[preset].half : slices[preset].half;
-        desc->directions = is_march ? march[preset].directions : slices[preset].directions;
-        desc->steps = is_march ? march[preset].steps : slices[preset].steps;
-        desc->normal_rays = is_march ? march[preset].rays : slices[preset].rays;
-    }
     return SSGI_OK;
 }
 
@@ -953,7 +960,8 @@ static uint64_t ssgi_gl__features(const ssgi_gl_desc *d)
     if (slices) f |= SSGI_GL__TOWARD;
     if (march || slices) f |= d->hard ? SSGI_GL__HARD : SSGI_GL__LINEAR;
     if (march && d->normal_rays) f |= SSGI_GL__RAYS;
-    if (d->pass == SSGI_GL_SSAO || slices || (f & SSGI_GL__RAYS)) f |= d->thin ? SSGI_GL__THIN : SSGI_GL__SOLID;
+    if (d->pass == SSGI_GL_SSAO || (f & SSGI_GL__RAYS)) f |= SSGI_GL__BLOCKED;
+    if (slices || (f & SSGI_GL__BLOCKED)) f |= d->thin ? SSGI_GL__THIN : SSGI_GL__SOLID;
     if (blur) f |= d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL;
     if (blur && d->filter == SSGI_GL_BILATERAL && d->filter_normals) f |= SSGI_GL__F_NORMALS;
     return f;

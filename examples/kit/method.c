@@ -15,7 +15,7 @@ typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define BLUR(field)  IN_BLUR, offsetof(ssgi_gl_desc, field)
 
 static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient tile texture", 0, 0, 2, 1 }, AO(noise) };
-static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, IN_PLAN, 1 };
+static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, IN_PLAN, 0 };
 static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
 static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, AO(thin) };
 static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, BOTH(half) };
