@@ -654,7 +654,7 @@ static const ssgi_gl__chunk ssgi_gl__slices_loop = { __LINE__ + 1, 0,
 
 static const ssgi_gl__chunk ssgi_gl__slices_gap = { __LINE__ + 1, SSGI_GL__THIN,
     "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb; // light passes between its back and low\n"
-    "            below = mix(below, ssgi_arc(cb, yb * rb, cosg, sings), bvec2(yb.x > 0.0 && cb.x < low.x, yb.y > 0.0 && cb.y < low.y));\n" };
+    "            below = mix(below, ssgi_arc(cb, yb * rb, cosg, sings), bvec2(rises.x && yb.x > 0.0 && cb.x < low.x, rises.y && yb.y > 0.0 && cb.y < low.y));\n" };
 
 static const ssgi_gl__chunk ssgi_gl__slices_linear = { __LINE__ + 1, SSGI_GL__LINEAR,
     "            sum += mix(vec2(0.0), (above - below) * (1.0 - 0.5 * (far + last) / u_ssgi_radius), rises);\n"
