@@ -21,19 +21,26 @@
       window depth what the depth texture holds, [0,1]
       units        lengths in your view units, angles in radians, radiance linear
       visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O, cosine-weighted
+      environments latitude-longitude pictures as OpenEXR's, rgb interleaved, linear radiance: rgb[3 * (y * width + x) + c], row 0 at +y, the image centre
+                   looks to +z, +x is left of the centre; solid angles of texels are exact; values above 1e24 count as that
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a static sentence that begins
                    with the argument's name; outputs are then untouched. Nothing prints, exits, allocates or keeps state: all is reentrant.
 
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
    ROOMS        search for ">>"
       >>types      results
-      >>view       projection decode: perspective, orthographic, reversed and infinite depth, off-centre
+      >>view       projection decode: perspective, orthographic, reversed and infinite depth, off-centre; additional cameras
       >>kernel     low-discrepancy points, sample sets, jitter tile
-      >>bias       pixel footprint, normal offset, radius guess
+      >>sh         spherical harmonics: basis, projection of environments, quadric of the first three bands
+      >>environment  latitude-longitude pictures as octahedral maps over lobes, and as directional lights
+      >>vpl        virtual point lights from a reflective shadow map
+      >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
-                dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion   */
+                dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion
+                [RAM01] Ramamoorthi, Hanrahan 2001, An efficient representation for irradiance environment maps   [DEB05] Debevec 2005, A median cut
+                algorithm for light probe sampling   [KEL97] Keller 1997, Instant radiosity   */
 #ifndef SSGI_H
 #define SSGI_H
 
@@ -94,6 +101,21 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
+/* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius * displacement and looks at centre.
+     main_world_to_view  rigid: rotation and translation
+     centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
+     displacement        along the main camera's axes: x right, y up, z toward the viewer
+     world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre itself it looks as the main camera does.
+     projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide (near or inside the sphere);
+                         near plane max(distance - radius, radius / 50), far plane distance + radius
+   The outputs may be the inputs. */
+SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
+                                       const float displacement[3], const char **why);
+
+/* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from two radii away (the sphere then is
+   60 degrees wide) they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
+SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
+
 /* ==== >>kernel ================================================================================================= */
 
 /* i mirrored about the point in a base [limit: base >= 2], [0,1): van der Corput. Base 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
@@ -126,6 +148,72 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, int shape, c
    Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TEXTURE. */
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why);
 
+/* ==== >>sh ===================================================================================================== */
+
+/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. */
+#define SSGI_SH_MAX_BANDS 6
+
+/* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
+SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
+
+/* What band l of radiance is multiplied by to become irradiance: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 for any other l. [RAM01] */
+SSGI_DEF float ssgi_sh_cosine(int l);
+
+/* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
+     bands          [limit: 1..SSGI_SH_MAX_BANDS]
+     width, height  [limit: 1..65536]
+     faces          six of GL's cube map, in its order and orientation (+x -x +y -y +z -z), rgb interleaved, size * size each [limit: 1..65536] */
+SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why);
+SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why);
+
+/* The function of the first three bands as one quadric a channel [RAM01], turned: at a unit direction (x,y,z) of the space that world_to_view (its rotation; NULL:
+   none) leads to, channel c is q[0] xx + q[1] yy + q[2] zz + q[3] + q[4] xy + q[5] yz + q[6] zx + q[8] x + q[9] y + q[10] z, q = out + 12 * c; q[7] = q[11] = 0.
+   coefficients: 27, [3*i + c]; those of radiance times ssgi_sh_cosine give irradiance. */
+SSGI_DEF void  ssgi_sh_quadric(float out[36], const float *coefficients, const float *world_to_view);
+
+/* ==== >>environment ============================================================================================ */
+
+/* Octahedral map: directions on the square [-1,1]^2 about +z. Any length but 0 (which becomes +z); decoding gives a unit vector.
+   GLSL twin of decode: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
+SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
+SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
+
+/* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x + 0.5, y + 0.5) / size * 2 - 1.
+     size           [limit: 8..256]
+     width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
+     solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over a von Mises-Fisher lobe with
+                    kappa = 4 pi / solid_angle, as wide as 1 / integral p^2 says (nearly: exactly it is tanh(kappa) of that). What lies below 0.05 is taken as 0.05.
+   A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider by up to 0.005 sr.
+   (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048 x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes
+   with size^2 from there. Takes 60 KB of stack. */
+SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why);
+
+typedef struct ssgi_sun {
+    float direction[3];     /* unit, to the light */
+    float irradiance[3];    /* on a surface that faces it */
+} ssgi_sun;
+
+/* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is halved, along its wider side, until there are count.
+   A sun stands at its region's centre of luminance and sends all of its light: irradiances sum to the integral of radiance over the sphere.
+     count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
+     width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
+   Reads the picture about log2(count) times. Takes 30 KB of stack. */
+SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why);
+
+/* ==== >>vpl ==================================================================================================== */
+
+typedef struct ssgi_vpl {
+    float position[3], normal[3];
+    float intensity[3];     /* radiant intensity along the normal; intensity * cos theta beside it */
+} ssgi_vpl;
+
+/* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their flux, stratified along the map.
+     count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
+     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all; where it is negative or not finite it counts as 0
+   Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's. Same input, same output.
+   A map without flux is SSGI_BAD_ARGUMENT. */
+SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why);
+
 /* ==== >>bias =================================================================================================== */
 
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two axes. */
@@ -138,6 +226,16 @@ SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 /* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most what covers a quarter of the
    picture's height at view_depth. Bounds that are empty or not finite give the second alone. Always > 0. */
 SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
+
+/* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
+     depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
+     full_angle  [units: rad] [limit: 0..pi, exclusive] from edge to edge     resolution  [units: texels] [limit: >= 1] */
+SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
+
+/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light. The paper's patch / 2 holds only for
+   slopes along a texel's side; a slope along its diagonal needs sqrt(2) times that. At most `most`, which is also what cos_alpha <= 0 gets; never below 0;
+   finite for all finite input. [limit: patch, most >= 0] */
+SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
 
 /* ==== >>trace ================================================================================================== */
 
@@ -222,6 +320,33 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
+/* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
+static double ssgi__light(float x, float least)
+{
+    if (!ssgi__finite(x)) return 0.0;
+    return (double)(x < least ? least : x > 1e24f ? 1e24f : x);
+}
+
+static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void ssgi__cross(double out[3], const double a[3], const double b[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* returns the length that it had; 0 stays 0 */
+static double ssgi__normalise(double v[3])
+{
+    double length = sqrt(ssgi__dot(v, v));
+    int i;
+    for (i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
+    return length;
+}
+
 /* ==== >>view (implementation) ================================================================================== */
 
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width, int height, const char **why)
@@ -298,6 +423,70 @@ SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float p[3], float o
     out[2] = -p[2];
     out[0] = p[0] * k * view->project[0] + view->project[2];
     out[1] = p[1] * k * view->project[1] + view->project[3];
+}
+
+SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
+                                       const float displacement[3], const char **why)
+{
+    const double cos40 = 0.76604444311897803520, r = (double)radius;    /* half of 100 degrees: sine and cosine change places */
+    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
+    float view[16] = { 0 }, clip[16] = { 0 };
+    int i, k;
+    if (!world_to_view) return ssgi__bad(why, "world_to_view: must not be NULL");
+    if (!projection) return ssgi__bad(why, "projection: must not be NULL");
+    if (!main_world_to_view) return ssgi__bad(why, "main_world_to_view: must not be NULL");
+    for (i = 0; i < 16; ++i) {
+        if (!ssgi__finite(main_world_to_view[i])) return ssgi__bad(why, "main_world_to_view: must be finite");
+        if (i % 4 < 3 && i < 12) was[i % 4][i / 4] = (double)main_world_to_view[i];
+    }
+    for (i = 0; i < 9; ++i)
+        if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3) return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
+    for (i = 0; i < 4; ++i)
+        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f)) return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+    if (!centre) return ssgi__bad(why, "centre: must not be NULL");
+    if (!ssgi__finite(centre[0]) || !ssgi__finite(centre[1]) || !ssgi__finite(centre[2])) return ssgi__bad(why, "centre: must be finite");
+    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
+    if (!displacement) return ssgi__bad(why, "displacement: must not be NULL");
+    if (!ssgi__finite(displacement[0]) || !ssgi__finite(displacement[1]) || !ssgi__finite(displacement[2])) return ssgi__bad(why, "displacement: must be finite");
+
+    for (k = 0; k < 3; ++k) {                       /* the main eye stands at minus the translation, in its own axes */
+        for (i = 0; i < 3; ++i) eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
+        axis[2][k] = eye[k] - (double)centre[k];
+    }
+    distance = ssgi__normalise(axis[2]);
+    if (distance < 1e-6 * r) {
+        memcpy(axis[2], was[2], sizeof axis[2]);
+        ssgi__normalise(axis[2]);
+    }
+    ssgi__cross(axis[0], was[1], axis[2]);
+    if (ssgi__normalise(axis[0]) < 1e-3) {
+        ssgi__cross(axis[0], axis[2], was[2]);
+        ssgi__normalise(axis[0]);
+    }
+    ssgi__cross(axis[1], axis[2], axis[0]);
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
+        view[12 + i] = (float)-ssgi__dot(axis[i], eye);
+    }
+    view[15] = 1.0f;
+    cotangent = distance * cos40 > r ? sqrt((distance - r) * (distance + r)) / r : 0.83909963117728001176;
+    near_plane = distance - r > 0.02 * r ? distance - r : 0.02 * r;
+    far_plane = distance + r;
+    clip[0] = clip[5] = (float)cotangent;
+    clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
+    clip[11] = -1.0f;
+    clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
+    for (i = 0; i < 16; ++i)
+        if (!ssgi__finite(view[i]) || !ssgi__finite(clip[i])) return ssgi__bad(why, "radius: too small or too large for float arithmetic");
+    memcpy(world_to_view, view, sizeof view);
+    memcpy(projection, clip, sizeof clip);
+    return SSGI_OK;
+}
+
+SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
+{
+    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f }, { 1.62760f, 0.68404f, -1.06031f }, { 0.0f, 1.93185f, -1.48236f }, { 0.0f, 1.53209f, -3.28558f } };
+    memcpy(out, all[i & 3], sizeof all[0]);
 }
 
 /* ==== >>kernel (implementation) ================================================================================ */
@@ -385,6 +574,410 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
     return SSGI_OK;
 }
 
+/* ==== >>sh (implementation) ==================================================================================== */
+
+/* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
+static void ssgi__sh_basis(double *out, int bands, const double d[3])
+{
+    static const double norm[] = { /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
+        0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009, 0.36418281019735976, 0.18209140509867988, 0.74635266518023080,
+        0.30469719964297729, 0.09635371475468515, 0.03933623932844291, 0.84628437532163450, 0.26761861742291570, 0.06307831305050400, 0.01685838828361839,
+        0.00596034033761120, 0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518, 0.00069458418713245 };
+    double real = 1.0, imaginary = 0.0, top = 1.0;
+    int l, m;
+    for (m = 0; m < bands; ++m) {
+        double q = top, before = 0.0, turned;
+        for (l = m; l < bands; ++l) {
+            const double k = norm[l * (l + 1) / 2 + m] * q, next = ((2 * l + 1) * d[2] * q - (l + m) * before) / (l + 1 - m);
+            out[l * l + l - m] = k * imaginary;
+            out[l * l + l + m] = k * real;
+            before = q;
+            q = next;
+        }
+        top *= 2 * m + 1;
+        turned = real * d[0] - imaginary * d[1];
+        imaginary = real * d[1] + imaginary * d[0];
+        real = turned;
+    }
+}
+
+SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
+{
+    const double d[3] = { (double)direction[0], (double)direction[1], (double)direction[2] };
+    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    int i;
+    if (bands > SSGI_SH_MAX_BANDS) bands = SSGI_SH_MAX_BANDS;
+    ssgi__sh_basis(basis, bands, d);
+    for (i = 0; bands > 0 && i < bands * bands; ++i) out[i] = (float)basis[i];
+}
+
+SSGI_DEF float ssgi_sh_cosine(int l)
+{
+    static const float a[5] = { 3.14159265f, 2.09439510f, 0.785398163f, 0.0f, -0.130899694f };
+    return l >= 0 && l < 5 ? a[l] : 0.0f;
+}
+
+/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is there. */
+static double ssgi__equirect_row(double polar[2], double at, int width, int height)
+{
+    const double pi = 3.14159265358979323846;
+    polar[0] = sin(pi * at / height);
+    polar[1] = cos(pi * at / height);
+    return 4.0 * pi / width * polar[0] * sin(0.5 * pi / height);
+}
+
+static void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
+{
+    const double longitude = 3.14159265358979323846 * (1.0 - 2.0 * at / width);
+    direction[0] = polar[0] * sin(longitude);
+    direction[1] = polar[1];
+    direction[2] = polar[0] * cos(longitude);
+}
+
+static ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
+{
+    if (!rgb) return ssgi__bad(why, "rgb: must not be NULL");
+    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
+    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
+    return SSGI_OK;
+}
+
+typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS]; } ssgi__sh_sum;
+
+static void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
+{
+    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], light[3];
+    int i, c;
+    ssgi__sh_basis(basis, sum->bands, direction);
+    for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(rgb[c], -1e24f);
+    for (i = 0; i < sum->bands * sum->bands; ++i)
+        for (c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
+}
+
+static ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+{
+    if (!out) return ssgi__bad(why, "out: must not be NULL");
+    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    memset(sum, 0, sizeof *sum);
+    sum->bands = bands;
+    return SSGI_OK;
+}
+
+static void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
+{
+    int i;
+    for (i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
+}
+
+SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why)
+{
+    ssgi__sh_sum sum;
+    int x, y;
+    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK || ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    for (y = 0; y < height; ++y) {
+        double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
+        for (x = 0; x < width; ++x, rgb += 3) {
+            ssgi__equirect(direction, polar, x + 0.5, width);
+            ssgi__sh_add(&sum, direction, rgb, weight);
+        }
+    }
+    ssgi__sh_end(out, &sum);
+    return SSGI_OK;
+}
+
+/* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
+static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
+
+SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why)
+{
+    static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };   /* of s and t, GL table 8.19 */
+    static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
+    ssgi__sh_sum sum;
+    int x, y, face, i;
+    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    if (!faces) return ssgi__bad(why, "faces: must not be NULL");
+    for (face = 0; face < 6; ++face)
+        if (!faces[face]) return ssgi__bad(why, "faces: all six must be there, none NULL");
+    if (size < 1 || size > 65536) return ssgi__bad(why, "size: must be 1..65536");
+    for (y = 0; y < size; ++y)
+        for (x = 0; x < size; ++x) {
+            const double s = (2 * x + 1.0) / size - 1.0, t = (2 * y + 1.0) / size - 1.0, h = 1.0 / size;
+            const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h) - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
+            for (face = 0; face < 6; ++face) {
+                double direction[3];
+                for (i = 0; i < 3; ++i) direction[i] = s * across[face][i] + t * down[face][i];
+                direction[face / 2] = face & 1 ? -1.0 : 1.0;
+                ssgi__normalise(direction);
+                ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
+            }
+        }
+    ssgi__sh_end(out, &sum);
+    return SSGI_OK;
+}
+
+SSGI_DEF void ssgi_sh_quadric(float out[36], const float *k, const float *world_to_view)
+{
+    static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
+    const float y0 = 0.282094792f, y1 = 0.488602512f, y2 = 0.546274215f, y20 = 0.315391565f;
+    const float *r = world_to_view ? world_to_view : none;
+    int c, i, a, b;
+    for (c = 0; c < 3; ++c, out += 12, ++k) {
+        /* 3z^2 - 1 as 2z^2 - x^2 - y^2: the directions are unit */
+        const float m[3][3] = { { y2 * k[24] - y20 * k[18], y2 * k[12], y2 * k[21] }, { y2 * k[12], -y2 * k[24] - y20 * k[18], y2 * k[15] }, { y2 * k[21], y2 * k[15], 2.0f * y20 * k[18] } };
+        const float v[3] = { y1 * k[9], y1 * k[3], y1 * k[6] };
+        for (i = 0; i < 12; ++i) out[i] = 0.0f;
+        out[3] = y0 * k[0];
+        for (i = 0; i < 3; ++i) {
+            const int next = (i + 1) % 3;
+            for (a = 0; a < 3; ++a) {
+                out[8 + i] += r[4 * a + i] * v[a];
+                for (b = 0; b < 3; ++b) {
+                    out[i] += r[4 * a + i] * m[a][b] * r[4 * b + i];
+                    out[4 + i] += 2.0f * r[4 * a + i] * m[a][b] * r[4 * b + next];
+                }
+            }
+        }
+    }
+}
+
+/* ==== >>environment (implementation) =========================================================================== */
+
+#define SSGI__CELLS_X 96
+#define SSGI__CELLS_Y 48
+
+SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
+{
+    const double x = (double)d[0], y = (double)d[1], ax = fabs(x), ay = fabs(y), sum = ax + ay + fabs((double)d[2]), scale = sum > 0.0 ? 1.0 / sum : 0.0;
+    out[0] = (float)(d[2] < 0.0f ? (1.0 - ay * scale) * (x < 0.0 ? -1.0 : 1.0) : x * scale);
+    out[1] = (float)(d[2] < 0.0f ? (1.0 - ax * scale) * (y < 0.0 ? -1.0 : 1.0) : y * scale);
+}
+
+SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
+{
+    double n[3], t;
+    int i;
+    n[0] = (double)e[0];
+    n[1] = (double)e[1];
+    n[2] = 1.0 - fabs(n[0]) - fabs(n[1]);
+    t = n[2] < 0.0 ? -n[2] : 0.0;
+    for (i = 0; i < 2; ++i) n[i] += n[i] < 0.0 ? t : -t;
+    ssgi__normalise(n);
+    for (i = 0; i < 3; ++i) out[i] = (float)n[i];
+}
+
+/* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller than a texel. */
+static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width, int height)
+{
+    const double pi = 3.14159265358979323846;
+    int i, j, x, y, c;
+    for (i = 0; i < SSGI__CELLS_Y; ++i) {           /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
+        double sum[SSGI__CELLS_X][3] = { { 0.0 } }, area = 0.0;
+        for (y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
+            const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
+            const int bottom = (y + 1) * SSGI__CELLS_Y < (i + 1) * height ? (y + 1) * SSGI__CELLS_Y : (i + 1) * height;
+            const double weight = cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
+            const float *row = rgb + 3 * (size_t)y * (size_t)width;
+            area += weight * width;
+            for (j = 0; j < SSGI__CELLS_X; ++j)
+                for (x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
+                    const int left = x * SSGI__CELLS_X > j * width ? x * SSGI__CELLS_X : j * width;
+                    const int right = (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
+                    for (c = 0; c < 3; ++c) sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
+                }
+        }
+        for (j = 0; j < SSGI__CELLS_X; ++j)
+            for (c = 0; c < 3; ++c) cell[i][j][c] = (float)(sum[j][c] / area);
+    }
+}
+
+SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why)
+{
+    float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
+    const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
+    const float least = kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f;     /* cosines below weigh nothing, or less than 1e-7 */
+    int i, j, c, texel;
+    if (!out) return ssgi__bad(why, "out: must not be NULL");
+    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
+    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    if (!ssgi__finite(solid_angle) || !(solid_angle >= 0.0f)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
+    ssgi__environment_cells(cell, rgb, width, height);
+    for (i = 0; i < SSGI__CELLS_Y; ++i) {
+        double p[2];
+        polar[i][2] = (float)ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
+        polar[i][0] = (float)p[0];
+        polar[i][1] = (float)p[1];
+    }
+    for (j = 0; j < SSGI__CELLS_X; ++j) {
+        const double level[2] = { 1.0, 0.0 };
+        double d[3];
+        ssgi__equirect(d, level, j + 0.5, SSGI__CELLS_X);
+        around[j][0] = (float)d[0];
+        around[j][1] = (float)d[2];
+    }
+    for (texel = 0; texel < size * size; ++texel) {
+        const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f, (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
+        float d[3], flat[SSGI__CELLS_X], most = -1.0f;
+        double sum[3] = { 0, 0, 0 }, all = 0.0;
+        ssgi_octahedral_decode(e, d);
+        for (j = 0; j < SSGI__CELLS_X; ++j) {
+            flat[j] = d[0] * around[j][0] + d[2] * around[j][1];
+            most = flat[j] > most ? flat[j] : most;
+        }
+        for (i = 0; i < SSGI__CELLS_Y; ++i) {
+            if (d[1] * polar[i][1] + most * polar[i][0] <= least) continue;
+            for (j = 0; j < SSGI__CELLS_X; ++j) {
+                const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0];
+                double weight;
+                if (cosine <= least) continue;
+                weight = (double)(polar[i][2] * (kappa > 0.0f ? expf(kappa * (cosine - 1.0f)) : cosine));
+                all += weight;
+                for (c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
+            }
+        }
+        for (c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
+    }
+    return SSGI_OK;
+}
+
+typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__region;    /* columns, rows */
+
+#define SSGI__REGION_BINS 256
+
+/* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
+static void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift, const float *rgb, int width, int height)
+{
+    int x, y, c;
+    memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
+    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+        const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
+        double polar[2], light[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
+        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
+            for (c = 0; c < 3; ++c) light[c] = ssgi__light(p[c], 0.0f);
+            bin[((axis ? y : x) - r->lower[axis]) >> shift] += weight * ssgi__luminance(light);
+        }
+    }
+}
+
+/* Cuts a region of at least two texels at its median along its wider side; the other half goes to *rest. */
+static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
+{
+    double bin[SSGI__REGION_BINS], polar[2], before = 0.0;
+    const double half = 0.5 * region->energy;
+    ssgi__region part = *region;
+    const int columns = part.upper[0] - part.lower[0], rows = part.upper[1] - part.lower[1];
+    int axis, shift = 0, last, b, cut;
+    ssgi__equirect_row(polar, 0.5 * (part.lower[1] + part.upper[1]), width, height);
+    axis = rows > 1 && (columns < 2 || 2.0 * columns * polar[0] / width <= (double)rows / height);
+    while ((part.upper[axis] - part.lower[axis] - 1) >> shift >= SSGI__REGION_BINS) ++shift;
+    for (;; shift = 0) {                            /* sides of more than 256: first the bin, then the line within it */
+        ssgi__region_bins(bin, &part, axis, shift, rgb, width, height);
+        last = (part.upper[axis] - part.lower[axis] - 1) >> shift;
+        for (b = 0; b < last && before + bin[b] < half; ++b) before += bin[b];
+        cut = part.lower[axis] + (b << shift);
+        if (!shift) break;
+        part.lower[axis] = cut;
+        if (part.upper[axis] > cut + (1 << shift)) part.upper[axis] = cut + (1 << shift);
+    }
+    /* before or after the line that holds the median, whichever is nearer to it */
+    if (cut == region->lower[axis] || (cut + 1 < region->upper[axis] && before + bin[b] - half < half - before)) { before += bin[b]; ++cut; }
+    *rest = *region;
+    rest->lower[axis] = region->upper[axis] = cut;
+    rest->energy = region->energy - before;
+    region->energy = before;
+}
+
+static void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
+{
+    double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], energy = 0.0;
+    int x, y, c;
+    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+        const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
+        const double weight = ssgi__equirect_row(polar, y + 0.5, width, height);
+        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
+            double light[3], luminance;
+            for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(p[c], 0.0f);
+            luminance = ssgi__luminance(light);
+            energy += luminance;
+            ssgi__equirect(d, polar, x + 0.5, width);
+            for (c = 0; c < 3; ++c) { total[c] += light[c]; mean[c] += luminance * d[c]; }
+        }
+    }
+    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or the same all around */
+        ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
+        ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
+    }
+    for (c = 0; c < 3; ++c) { sun->direction[c] = (float)mean[c]; sun->irradiance[c] = (float)total[c]; }
+}
+
+SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why)
+{
+    ssgi__region region[1024];
+    double bin[SSGI__REGION_BINS];
+    int n, i;
+    if (!out) return ssgi__bad(why, "out: must not be NULL");
+    if (count < 1 || count > 1024) return ssgi__bad(why, "count: must be 1..1024");
+    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    region[0].lower[0] = region[0].lower[1] = 0;
+    region[0].upper[0] = width;
+    region[0].upper[1] = height;
+    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height);      /* all in one bin */
+    region[0].energy = bin[0];
+    for (n = 1; n < count; ++n) {
+        int most = -1;
+        for (i = 0; i < n; ++i) {
+            const ssgi__region *r = &region[i];
+            if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1) && (most < 0 || r->energy > region[most].energy)) most = i;
+        }
+        if (most < 0) break;
+        ssgi__region_split(&region[most], &region[n], rgb, width, height);
+    }
+    for (i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
+        const ssgi__region none = { { region[0].lower[0], region[0].lower[1] }, { region[0].lower[0], region[0].lower[1] }, 0.0 };
+        ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
+    }
+    return SSGI_OK;
+}
+
+/* ==== >>vpl (implementation) =================================================================================== */
+
+static double ssgi__vpl_flux(double flux[3], const float *rgb)
+{
+    int c;
+    for (c = 0; c < 3; ++c) flux[c] = ssgi__light(rgb[c], 0.0f);
+    return ssgi__luminance(flux);
+}
+
+SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why)
+{
+    double rgb[3], total = 0.0, sum, here;
+    size_t k, last = 0;
+    int i, c;
+    if (!out) return ssgi__bad(why, "out: must not be NULL");
+    if (count < 1 || count > 4096) return ssgi__bad(why, "count: must be 1..4096");
+    if (!position) return ssgi__bad(why, "position: must not be NULL");
+    if (!normal) return ssgi__bad(why, "normal: must not be NULL");
+    if (!flux) return ssgi__bad(why, "flux: must not be NULL");
+    if (pixels < 1) return ssgi__bad(why, "pixels: must be 1 or more");
+    for (k = 0; k < pixels; ++k) {
+        here = ssgi__vpl_flux(rgb, flux + 3 * k);
+        total += here;
+        if (here > 0.0) last = k;
+    }
+    if (!(total > 0.0)) return ssgi__bad(why, "flux: must be above 0 somewhere");
+    k = 0;
+    sum = here = ssgi__vpl_flux(rgb, flux);
+    for (i = 0; i < count; ++i) {                   /* last holds the end against rounding, and against sums in another order */
+        const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
+        while (k < last && sum <= at) sum += here = ssgi__vpl_flux(rgb, flux + 3 * ++k);
+        for (c = 0; c < 3; ++c) {
+            out[i].position[c] = position[3 * k + (size_t)c];
+            out[i].normal[c] = normal[3 * k + (size_t)c];
+            out[i].intensity[c] = (float)(rgb[c] / here * (total / (3.14159265358979323846 * count)));
+        }
+    }
+    return SSGI_OK;
+}
+
 /* ==== >>bias (implementation) ================================================================================== */
 
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
@@ -407,6 +1000,20 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float low
     }
     guess = 0.1f * (float)sqrt((double)sum);
     return guess > 0.0f && guess < most ? guess : most;
+}
+
+SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
+{
+    return (float)(2.0 * (double)depth * tan(0.5 * (double)full_angle) / (resolution > 1 ? resolution : 1));
+}
+
+SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most)
+{
+    const double c = cos_alpha < 1.0f ? (double)cos_alpha : 1.0;
+    double bias;
+    if (!(c > 0.0)) return most;
+    bias = (double)patch * 0.70710678118654752440 * sqrt(1.0 - c * c) / c;
+    return bias < (double)most ? bias > 0.0 ? (float)bias : 0.0f : most;
 }
 
 /* ==== >>trace (implementation) ================================================================================= */

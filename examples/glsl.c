@@ -1,8 +1,9 @@
 /* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for reading, diffing and validating.
 
-      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; and so on
+      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; in 450 two, too:
+                                     FOLDER/hsao.450.half.thin.frag
 
-   One file a text: a choice that changes nothing in a pass makes no file.
+   One file a text: a choice that changes nothing in a pass makes no file. ssdo's default here is an environment map.
 
       build/glsl-text --passes       the README's table of passes, from reflection */
 #include "../ssgi_gl.h"
@@ -14,7 +15,7 @@
 
 static const char custom[] =
     "uniform sampler2D my_gbuffer;\n"
-    "float ssgi_custom_depth(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w; }\n"
+    "float ssgi_custom_depth(ivec2 texel, int layer) { return layer == 0 ? texelFetch(my_gbuffer, texel, 0).w : 0.0; }\n"
     "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n";
 
 typedef struct choice { const char *name; size_t offset; int value; } choice;
@@ -23,7 +24,12 @@ static const choice choices[] = {
     { "", 0, 0 }, CHOICE("orthographic", orthographic, 1), CHOICE("linear", depth, SSGI_GL_DEPTH_LINEAR), CHOICE("customdepth", depth, SSGI_GL_DEPTH_CUSTOM),
     CHOICE("unsigned", normal, SSGI_GL_NORMAL_UNSIGNED), CHOICE("octahedral", normal, SSGI_GL_NORMAL_OCTAHEDRAL), CHOICE("fromdepth", normal, SSGI_GL_NORMAL_FROM_DEPTH),
     CHOICE("customnormal", normal, SSGI_GL_NORMAL_CUSTOM), CHOICE("world", world_normals, 1), CHOICE("tile", noise, SSGI_GL_NOISE_TILE4), CHOICE("jitter", noise, SSGI_GL_NOISE_TEXTURE),
-    CHOICE("march", search, SSGI_GL_MARCH), CHOICE("rays", normal_rays, 1), CHOICE("hard", hard, 1), CHOICE("thin", thin, 1), CHOICE("half", half, 1),
+    CHOICE("march", search, SSGI_GL_MARCH), CHOICE("rays", normal_rays, 1), CHOICE("hard", hard, 1), CHOICE("thin", thin, 1), CHOICE("steps", steps, 3),
+    CHOICE("square", falloff, SSGI_GL_FALLOFF_SQUARE), CHOICE("cube", falloff, SSGI_GL_FALLOFF_CUBE), CHOICE("kernel", kernel, 1), CHOICE("fade", fade, 1),
+    CHOICE("layers", layers, 2), CHOICE("receiver", receiver, 1), CHOICE("views", views, 2), CHOICE("viewlayers", view_layers, 2), CHOICE("sh", environment, SSGI_GL_ENVIRONMENT_SH),
+    CHOICE("solidangle", bounce, SSGI_GL_BOUNCE_SOLID_ANGLE), CHOICE("patch", bounce, SSGI_GL_BOUNCE_PATCH), CHOICE("disc", bounce, SSGI_GL_BOUNCE_DISC), CHOICE("twosided", two_sided, 1),
+    CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
+    CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("half", half, 1), CHOICE("colour", colour, 1),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
 enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 4096 };
@@ -59,19 +65,18 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, const char *fir
 /* What each pass reads and writes, as Markdown. */
 static void print_passes(void)
 {
-    static const struct { const char *title; int pass, search; } rows[] = {
-        { "`ssao`", SSGI_GL_SSAO, 0 }, { "`hsao`, slices", SSGI_GL_HSAO, SSGI_GL_SLICES }, { "`hsao`, march", SSGI_GL_HSAO, SSGI_GL_MARCH }, { "`blur`", SSGI_GL_BLUR, 0 }
+    static const struct { const char *title; ssgi_gl_desc desc; } rows[] = {
+        { "`ssao`", { .pass = SSGI_GL_SSAO } }, { "`hsao`, slices", { .pass = SSGI_GL_HSAO } }, { "`hsao`, march", { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH } },
+        { "`ssdo`, map", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP } }, { "`ssdo`, sh", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH } },
+        { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
+        { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
+        { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = 1 } }
     };
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         static const int kinds[] = { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT };
-        ssgi_gl_desc d;
         ssgi_gl_io io[SSGI_GL_MAX_IO];
-        int n;
-        memset(&d, 0, sizeof d);
-        d.pass = rows[i].pass;
-        d.search = rows[i].search;
-        n = ssgi_gl_reflect(&d, io, SSGI_GL_MAX_IO);
+        const int n = ssgi_gl_reflect(&rows[i].desc, io, SSGI_GL_MAX_IO);
         printf("| %s ", rows[i].title);
         for (size_t k = 0; k < 3; ++k) {
             const char *between = "| ";
@@ -83,7 +88,7 @@ static void print_passes(void)
             }
             printf(" ");
         }
-        printf("| %d |\n", ssgi_gl_fetches(&d));
+        printf("| %d |\n", ssgi_gl_fetches(&rows[i].desc));
     }
 }
 
@@ -95,15 +100,15 @@ int main(int argc, char **argv)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < CHOICES; ++a)
-                for (int b = 0; b <= a; ++b) {
+                for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
                     ssgi_gl_desc d;
                     memset(&d, 0, sizeof d);
                     d.pass = pass;
                     d.dialect = dialect;
-                    d.fetch = choices[a].value == SSGI_GL_DEPTH_CUSTOM || choices[a].value == SSGI_GL_NORMAL_CUSTOM || choices[b].value == SSGI_GL_NORMAL_CUSTOM ? custom : NULL;
+                    if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
                     memcpy((char *)&d + choices[b].offset, &choices[b].value, b ? sizeof(int) : 0);
                     memcpy((char *)&d + choices[a].offset, &choices[a].value, a ? sizeof(int) : 0);
-                    if (d.depth != SSGI_GL_DEPTH_CUSTOM && d.normal != SSGI_GL_NORMAL_CUSTOM) d.fetch = NULL;
+                    if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM) d.fetch = custom;
                     if (write_text(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
     printf("%s: %d fragment texts\n", argv[1], files);

@@ -4,6 +4,8 @@
       build/render room --truth 256 --out truth.exr
       build/render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20
       build/render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png
+      build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
+      build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
       build/render --list
 
    Bad input: one line on stderr that names it, status 2, nothing written. */
@@ -18,7 +20,10 @@ static const char usage[] =
     "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --fovy DEGREES | --ortho-height UNITS  --near N  --far F  --size WxH\n"
     "  --ground            puts a square under the mesh\n"
-    "  --gbuffer F.exr     a captured frame: channels Z (positive view depth), N.X N.Y N.Z (view space)\n"
+    "  --env F.exr | F.hdr | sky   latitude-longitude radiance: +y up, the centre looks to +z (lit methods)\n"
+    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; direction to the light and irradiance facing it; up to 16\n"
+    "  --gbuffer F.exr     a captured frame: channels Z (positive view depth), N.X N.Y N.Z (view space), maybe albedo.R .., direct.R ..,\n"
+    "                      layer1.Z .. (farther depth layers); --camera tells where it was taken\n"
     "  --method NAME       --list names all, with their settings   [hsao]\n"
     "  --set key=value,..  settings of the method\n"
     "  --radius R          farthest occluder, scene units   [the scene's own]\n"
@@ -26,14 +31,14 @@ static const char usage[] =
     "  --floor RAYS        exact answer from what the depth buffer holds, instead of the method\n"
     "  --score REF.exr     prints RMSE, bias, p95, SSIM against a reference\n"
     "  --time N            prints each pass's median GL time over N frames\n"
-    "  --out F.exr|F.png   the picture: channel Y = ambient visibility\n"
+    "  --out F.exr|F.png   the picture: channel Y = ambient visibility; lit methods: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
     "  --save-gbuffer F.exr  the G-buffer as a frame that --gbuffer takes\n"
     "  --json              prints machine-readable\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n";
 
 typedef struct options {
-    const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context;
-    int sets, ground, list, json, truth, floor, time, has_camera, has_up;
+    const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
+    int sets, lights, ground, list, json, truth, floor, time, has_camera, has_up;
     float camera[6], up[3];
     double fovy, ortho_height, znear, zfar, radius;
     int width, height;
@@ -101,6 +106,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--save-gbuffer")) o->save = v;
         else if (!strcmp(a, "--context")) o->context = v;
         else if (!strcmp(a, "--set")) { if (o->sets == 32) return kit_fail(err, "--set %s: at most 32 of them", v); o->set[o->sets++] = v; }
+        else if (!strcmp(a, "--env")) o->env = v;
+        else if (!strcmp(a, "--light")) { if (o->lights == KIT_MAX_LIGHTS) return kit_fail(err, "--light %s: at most %d of them", v, KIT_MAX_LIGHTS); o->light[o->lights++] = v; }
         else if (!strcmp(a, "--camera")) { bad = numbers(a, v, o->camera, 6, err); o->has_camera = 1; }
         else if (!strcmp(a, "--up")) { bad = numbers(a, v, o->up, 3, err); o->has_up = 1; }
         else if (!strcmp(a, "--fovy")) bad = number(a, v, 0.1, 179, &o->fovy, err);
@@ -178,27 +185,43 @@ static int camera_check(const kit_camera *c, kit_error *err)
     return 0;
 }
 
-/* The result, its foreground mask, and what was measured. */
-typedef struct result { kit_image picture, frame; const kit_run *run; double *ms; int frames; kit_score score; double nothing; } result;
+/* The result, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and bounce, their three channels together. */
+enum { GROUPS = 3 };
+static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
+typedef struct result { kit_image picture, frame; const kit_run *run; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
 
 static int score_of(result *r, const char *path, kit_error *err)
 {
-    kit_image reference, open;
-    int status;
+    static const char *const names[10] = { "Y", "R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B", "bounce.R", "bounce.G", "bounce.B" };
+    kit_image reference, none;
+    int status = 0;
+    const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
-    if (!kit_image_channel(&reference, "Y") || reference.width != r->picture.width || reference.height != r->picture.height) {
-        kit_fail(err, "--score %s: must have channel Y and %dx%d pixels", path, r->picture.width, r->picture.height);
-        kit_image_free(&reference);
-        return -1;
+    for (int i = r->lit; i < (r->lit ? 10 : 1); ++i)
+        if (!kit_image_channel(&reference, names[i]) || reference.width != r->picture.width || reference.height != r->picture.height) {
+            kit_fail(err, "--score %s: must have channel %s and %dx%d pixels", path, names[i], r->picture.width, r->picture.height);
+            kit_image_free(&reference);
+            return -1;
+        }
+    if (kit_image_new(&none, reference.width, reference.height, r->lit ? "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B" : "Y", err)) status = -1;
+    if (!status && !r->lit) for (size_t i = 0; i < (size_t)none.width * (size_t)none.height; ++i) none.data[i] = 1.0f;
+    for (int i = r->lit; i < (r->lit ? 10 : 1) && !status; ++i) {
+        kit_score s, n, *sum = &r->score[i > 0 ? (i - 1) / 3 : 0];
+        status = kit_score_channel(&s, &r->picture, &reference, names[i], mask, err) || kit_score_channel(&n, &none, &reference, names[i], mask, err) ? -1 : 0;
+        if (!r->lit) {
+            *sum = s;
+            r->nothing[0] = n.rmse;
+        } else {
+            sum->rmse += s.rmse * s.rmse / 3;
+            sum->bias += s.bias / 3;
+            sum->p95 += s.p95 / 3;
+            sum->ssim += s.ssim / 3;
+            sum->pixels = s.pixels;
+            r->nothing[(i - 1) / 3] -= n.bias / 3;
+        }
     }
-    status = kit_score_channel(&r->score, &r->picture, &reference, "Y", kit_image_channel(&r->frame, "Z"), err);
-    if (!status && !kit_image_new(&open, reference.width, reference.height, "Y", err)) {
-        kit_score s;
-        for (size_t i = 0; i < (size_t)open.width * (size_t)open.height; ++i) open.data[i] = 1.0f;
-        status = kit_score_channel(&s, &open, &reference, "Y", kit_image_channel(&r->frame, "Z"), err);
-        r->nothing = s.rmse;
-        kit_image_free(&open);
-    }
+    if (r->lit) for (int g = 0; g < GROUPS; ++g) r->score[g].rmse = sqrt(r->score[g].rmse);
+    if (none.data) kit_image_free(&none);
     kit_image_free(&reference);
     return status;
 }
@@ -231,7 +254,11 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
             printf("]");
         }
-        if (o->score) printf(", \"score\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"share\": %.4f, \"pixels\": %zu}", r->score.rmse, r->score.bias, r->score.p95, r->score.ssim, r->nothing > 0 ? r->score.rmse / r->nothing : 0.0, r->score.pixels);
+        for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
+            const kit_score *s = &r->score[g];
+            printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, \"pixels\": %zu}", !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim,
+                   r->lit ? "mean" : "share", r->lit ? r->nothing[g] : r->nothing[g] > 0 ? s->rmse / r->nothing[g] : 0.0, s->pixels);
+        }
         printf("}\n");
         return;
     }
@@ -243,11 +270,17 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         }
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }
-    if (o->score) printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, r->score.rmse, r->nothing > 0 ? r->score.rmse / r->nothing : 0.0, r->score.bias, r->score.p95, r->score.ssim, r->score.pixels);
+    if (o->score && !r->lit)
+        printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, r->score[0].rmse,
+               r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias, r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
+    for (int g = 0; g < GROUPS && o->score && r->lit; ++g)
+        printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, group_names[g], r->score[g].rmse,
+               r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias, r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
 }
 
 int main(int argc, char **argv)
 {
+    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
     options o;
     kit_error err = { "" };
     kit_method method;
@@ -255,16 +288,24 @@ int main(int argc, char **argv)
     kit_camera camera;
     kit_gbuffer gbuffer;
     kit_run run;
+    kit_lighting lighting;
+    kit_world world = { NULL, &lighting };
     result r;
     double radius;
     int attenuation;
     memset(&scene, 0, sizeof scene);
+    memset(&lighting, 0, sizeof lighting);
     memset(&r, 0, sizeof r);
     if (argc < 2) { fputs(usage, stderr); return 2; }
     if (parse(&o, argc, argv, &err)) return fail(err.text);
     if (o.list) { list_methods(); return 0; }
     if (kit_method_find(&method, o.method, &err)) return fail(err.text);
     for (int i = 0; i < o.sets; ++i) if (kit_method_set(&method, o.set[i], &err)) return fail(err.text);
+    for (; lighting.lights < o.lights; ++lighting.lights) if (kit_light_parse(&lighting.light[lighting.lights], o.light[lighting.lights], &err)) return fail(err.text);
+    if (o.env && kit_env_read(&lighting.env, o.env, &err)) return fail(err.text);
+    if (!method.lit && (o.env || o.lights)) { kit_fail(&err, "%s: method %s is not lit; ssdo is", o.env ? "--env" : "--light", method.name); return fail(err.text); }
+    if (method.lit && o.floor) return fail("--floor: is of ambient visibility; lit methods have none");
+    r.lit = method.lit;
     if (kit_gl_open(o.context, &err)) return fail(err.text);
 
     if (o.gbuffer) {
@@ -289,17 +330,23 @@ int main(int argc, char **argv)
         if (camera_check(&camera, &err)) return fail(err.text);
         if (kit_gbuffer_from_scene(&gbuffer, &scene, &camera, NULL, &err)) return fail(err.text);
         radius = o.radius > 0 ? o.radius : (double)scene.radius;
+        world.scene = &scene;
     }
     if (kit_gbuffer_read(&r.frame, &gbuffer, &err)) return fail(err.text);
     if (o.save && kit_exr_write(&r.frame, o.save, &err)) return fail(err.text);
 
-    attenuation = kit_method_value(&method, "hard") > 0 ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
-    if (o.truth) {
+    attenuation = falloffs[(int)kit_method_value(&method, "falloff")];
+    if (kit_method_value(&method, "hard") > 0) attenuation = KIT_ATTENUATION_NONE;
+    if (o.truth && r.lit) {
+        const int all = kit_method_value(&method, "suns") > 0 || kit_method_value(&method, "vpls") > 0;    /* these see as far as shadow maps do */
+        if (kit_truth_lit(&r.picture, &scene, &gbuffer.camera, &lighting, all ? INFINITY : (float)radius, all ? KIT_ATTENUATION_NONE : attenuation,
+                          kit_method_value(&method, "bounce") > 0 || kit_method_value(&method, "vpls") > 0, o.truth, 1, &err)) return fail(err.text);
+    } else if (o.truth) {
         if (kit_truth_ao(&r.picture, &scene, &gbuffer.camera, (float)radius, attenuation, o.truth, 1, &err)) return fail(err.text);
     } else if (o.floor) {
         if (kit_floor_ao(&r.picture, &r.frame, &gbuffer.camera, (float)radius, attenuation, o.floor, 1, &err)) return fail(err.text);
     } else if (o.out || o.score || o.time) {
-        if (kit_run_open(&run, &gbuffer, &method, (float)radius, &err)) return fail(err.text);
+        if (kit_run_open(&run, &gbuffer, &method, (float)radius, &world, &err)) return fail(err.text);
         kit_run_draw(&run, 0);
         r.run = &run;
         if (o.time) {
@@ -321,7 +368,7 @@ int main(int argc, char **argv)
     if (o.score && score_of(&r, o.score, &err)) return fail(err.text);
     if (o.out) {
         int png = !strcmp(strrchr(o.out, '.'), ".png");
-        if (png ? kit_png_write(&r.picture, "Y", 0, o.out, &err) : kit_exr_write(&r.picture, o.out, &err)) return fail(err.text);
+        if (png ? kit_png_write(&r.picture, r.lit ? "R,G,B" : "Y", r.lit, o.out, &err) : kit_exr_write(&r.picture, o.out, &err)) return fail(err.text);
     }
     report(&o, &method, &r, radius);
     free(r.ms);
@@ -329,6 +376,7 @@ int main(int argc, char **argv)
     kit_gbuffer_free(&gbuffer);
     kit_image_free(&r.picture);
     kit_image_free(&r.frame);
+    kit_image_free(&lighting.env);
     kit_scene_free(&scene);
     kit_gl_close();
     return 0;

@@ -196,7 +196,7 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
 static int run_open(kit_run *run, const stage *s, const entry *e, kit_error *err)
 {
     kit_method m;
-    return kit_method_find(&m, e->method, err) || kit_method_set(&m, e->settings, err) || kit_run_open(run, &s->gbuffer, &m, s->radius, err) ? -1 : 0;
+    return kit_method_find(&m, e->method, err) || kit_method_set(&m, e->settings, err) || kit_run_open(run, (kit_gbuffer *)&s->gbuffer, &m, s->radius, NULL, err) ? -1 : 0;
 }
 
 static double draw(kit_run *run)

@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, lights and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -6,6 +6,7 @@
 #define SSGI_GL_IMPLEMENTATION
 #include "../ssgi_gl.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -13,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #define MUST(condition) do { if (!(condition)) { fprintf(stderr, "fuzz.c:%d: %s\n", __LINE__, #condition); abort(); } } while (0)
 
-enum { FIELDS = (int)(offsetof(ssgi_gl_desc, version) / sizeof(int)), CODE = 16, MOST = 24 * 1024 };
+enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE = 16, MOST = 32 * 1024 };
 
 /* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay cheap. */
 static void descs(const uint8_t *data, size_t size)
@@ -54,6 +55,59 @@ static void descs(const uint8_t *data, size_t size)
     free(exact);
 }
 
+static int all_finite(const float *f, size_t count)
+{
+    while (count && isfinite(*f)) { ++f; --count; }
+    return !count;
+}
+
+/* Pictures of random size as environments, pixels as a reflective shadow map. */
+static void pictures(const float *f, size_t count)
+{
+    const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels, height = pixels / width;
+    const float *const faces[6] = { f, f, f, f, f, f };
+    const int bands = 1 + (int)(count % SSGI_SH_MAX_BANDS), many = 1 + (int)(count % 17);
+    float sh[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], quadric[36], map[3 * 8 * 8], e[2], d[3];
+    ssgi_sun sun[17];
+    ssgi_vpl vpl[17];
+    const char *why = NULL;
+    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, (int)height, &why) == SSGI_OK && all_finite(sh, (size_t)(3 * bands * bands)));
+    MUST(ssgi_sh_project_cube(sh, 3, faces, (int)sqrt((double)pixels), &why) == SSGI_OK && all_finite(sh, 27));
+    ssgi_sh_quadric(quadric, sh, count >= 16 ? f : NULL);
+    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, 0, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "height:", 7));
+    MUST(ssgi_environment_suns(sun, many, f, (int)width, (int)height, &why) == SSGI_OK);
+    for (int i = 0; i < many; ++i) MUST(all_finite(sun[i].irradiance, 3) && all_finite(sun[i].direction, 3));
+    if (count > 64 && count % 16 == 9)                     /* takes long */
+        MUST(ssgi_environment_map(map, 8, f, (int)width, (int)height, fabsf(f[1]) < 10.0f ? fabsf(f[1]) : 0.0f, &why) == SSGI_OK && all_finite(map, 3 * 8 * 8));
+    if (ssgi_vpl_choose(vpl, many, f, f, f, pixels, &why) != SSGI_OK) MUST(!strncmp(why, "flux:", 5));
+    else for (int i = 0; i < many; ++i) MUST(all_finite(vpl[i].intensity, 3));
+    for (size_t i = 0; i + 3 <= count; i += 3) {
+        ssgi_octahedral_encode(f + i, e);
+        ssgi_octahedral_decode(e, d);
+        if (all_finite(f + i, 3)) MUST(fabsf(e[0]) <= 1.0f && fabsf(e[1]) <= 1.0f && fabsf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) < 1e-5f);
+        if (all_finite(f + i, 3)) MUST(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2])) >= 0.0f && isfinite(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2]))));
+    }
+}
+
+/* An extra camera of whatever matrix and bounds; extra and light cameras of whatever two matrices. */
+static void cameras(const float *f, size_t count, const ssgi_view *view)
+{
+    const float *last = f + count - 16, turn[16] = { 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, f[12], f[13], f[14], 1 };
+    float to[16], projection[16], displacement[3];
+    ssgi_view other;
+    ssgi_gl_views views;
+    ssgi_gl_light light;
+    const char *why = NULL;
+    ssgi_extra_displacement((int)(count % 4), displacement);
+    for (int k = 0; k < 2; ++k) {                          /* hardly ever rigid; always, but for its translation */
+        if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why) != SSGI_OK) MUST(strchr(why, ':'));
+        else MUST(ssgi_view_from_projection(&other, projection, SSGI_CLIP_GL, 64, 64, &why) == SSGI_OK && all_finite(to, 16));
+    }
+    if (ssgi_gl_views_set(&views, (int)(count % 4), view, f, last, &why) != SSGI_OK)
+        MUST(!strncmp(why, "picture_world_to_view:", 22) && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
+    else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
+}
+
 static void floats(const float *f, size_t count)
 {
     static char memory[64 * 1024];
@@ -74,8 +128,10 @@ static void floats(const float *f, size_t count)
                 MUST(ssgi_pixel_footprint(&view, z) >= 0.0f);
             }
             MUST(ssgi_radius_guess(&view, 1.0f, f, f + 3) > 0.0f);
+            cameras(f, count, &view);
         } else MUST(why && !strncmp(why, "projection:", 11));
     }
+    pictures(f, count);
     for (size_t i = 1; i * 9 <= count && i <= 256; i += i < 4 ? 1 : i / 2) {
         MUST(ssgi_trace_build(&trace, memory, sizeof memory, f, 12, NULL, i, &why) == SSGI_OK && trace.skipped <= i);
         if (!ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) continue;
@@ -98,14 +154,13 @@ static uint32_t next(uint32_t *state) { *state = *state * 1664525u + 1013904223u
 int main(int argc, char **argv)
 {
     static const float plain[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
-    static const uint8_t most[FIELDS] = { 2, 5, 1, 2, 4, 1, 2, 64, 1, 32, 64, 8, 1, 1, 1, 1, 4, 1, 1 };
     const long times = argc > 1 ? atol(argv[1]) : 1000000;
     uint32_t state = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
     uint8_t bytes[4 * 9 * 64];
     for (long i = 0; i < times; ++i) {
         size_t size = FIELDS + next(&state) % CODE, k;     /* most inputs: a desc that is right but for a byte or none */
         if (i % 16 == 0) size = next(&state) % (sizeof bytes + 1);
-        for (k = 0; k < size; ++k) bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % (most[k] + 1u) : next(&state));
+        for (k = 0; k < size; ++k) bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % ((uint32_t)ssgi_gl__fields[k].most + 1u) : next(&state));
         if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
         if (i % 32 == 0)                                    /* floats of a size that means something, and a projection */
             for (k = 0; 4 * k + 4 <= size; ++k) {

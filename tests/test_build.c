@@ -48,6 +48,7 @@ static const char *const rooms =
     "#include \"ssgi_gl.h\"\n"
     "#include <stdio.h>\n"
     "int use(void);\n"
+    "int light(void);\n"
     "int use(void) {\n"
     "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
     "    static const float o[3] = { 0.2f, 0.2f, 0 }, d[3] = { 0, 0, -1 };\n"
@@ -62,6 +63,25 @@ static const char *const rooms =
     "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
     "    bad += !ssgi_gl_fetches(&desc) || ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || !ssgi_gl_dialect_name(0);\n"
     "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory || ssgi_radius_guess(&v, 1.0f, o, o) <= 0.0f;\n"
+    "    return bad + light();\n"
+    "}\n"
+    "int light(void) {\n"
+    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };\n"
+    "    static const float texel[6] = { 1, 2, 3, 4, 5, 6 }, up[3] = { 0, 1, 0 };\n"
+    "    const float *faces[6] = { texel, texel, texel, texel, texel, texel };\n"
+    "    static float map[3 * 64];\n"
+    "    float sh[27], quadric[36], basis[9], e[2], d[3], to[16], projection[16]; ssgi_sun sun[2]; ssgi_vpl vpl[2]; ssgi_view v; ssgi_gl_views views; ssgi_gl_light light; int bad = 0;\n"
+    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
+    "    ssgi_sh_basis(basis, 3, up);\n"
+    "    bad += ssgi_sh_project_equirect(sh, 3, texel, 2, 1, NULL) != SSGI_OK || ssgi_sh_project_cube(sh, 3, faces, 1, NULL) != SSGI_OK || !(ssgi_sh_cosine(0) > 3.0f) || !(basis[0] > 0.0f);\n"
+    "    ssgi_sh_quadric(quadric, sh, rigid);\n"
+    "    ssgi_octahedral_encode(up, e);\n"
+    "    ssgi_octahedral_decode(e, d);\n"
+    "    bad += !(d[1] > 0.99f) || ssgi_environment_map(map, 8, texel, 2, 1, 0.0f, NULL) != SSGI_OK || ssgi_environment_suns(sun, 2, texel, 2, 1, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK || !(ssgi_shadow_bias(ssgi_shadow_patch(1.0f, 1.0f, 64), 0.5f, 1.0f) > 0.0f);\n"
+    "    ssgi_extra_displacement(0, d);\n"
+    "    bad += ssgi_extra_camera(to, projection, rigid, up, 1.0f, d, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_gl_views_set(&views, 0, &v, rigid, to, NULL) != SSGI_OK || ssgi_gl_light_map(&light, &v, 0, 0, rigid, to, NULL) != SSGI_OK;\n"
     "    return bad;\n"
     "}\n";
 
@@ -155,7 +175,15 @@ static void command_line(void)
         { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" }, { "room --fovy 999 --out a.exr", "--fovy 999" }, { "room --out a.bmp", "--out a.bmp" }, { "room --size 8x8 --out none/a.exr", "none/a.exr" },
         { "room --size 8x8 --out none/a.png", "none/a.png" }, { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" }, { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },
         { "--gbuffer y.exr --radius 1 --out a.exr", "--fovy" }, { "room --size 8x8 --score y.exr", "y.exr" }, { "room --radius nan --out a.exr", "--radius nan" }, { "room --radius -1 --out a.exr", "--radius -1" },
-        { "room --wrong 1 --out a.exr", "--wrong" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" }
+        { "room --wrong 1 --out a.exr", "--wrong" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" },
+        { "room --env sky --out a.exr", "--env" }, { "room --light sun:0,1,0,1,1,1 --method hsao-march --out a.exr", "--light" }, { "room --method ssdo --env none.hdr --out a.exr", "none.hdr" },
+        { "room --method ssdo --env sky.png --out a.exr", "sky.png" }, { "room --method ssdo --env y.exr --out a.exr", "y.exr" }, { "room --method ssdo --light lamp:1,2 --out a.exr", "lamp:1,2" },
+        { "room --method ssdo --light point:0,1,0,1,1 --out a.exr", "point:0,1,0,1,1" }, { "room --method ssdo --light sun:0,0,0,1,1,1 --out a.exr", "sun:0,0,0" },
+        { "room --method ssdo --light point:0,0,0,1,-1,1 --out a.exr", "1,-1,1" }, { "room --method ssdo --floor 4 --out a.exr", "--floor" },
+        { "room --method ssdo --set bounce=three --out a.exr", "bounce=three" }, { "room --method ssdo --set layers=9 --out a.exr", "layers=9" },
+        { "room --size 8x8 --method ssdo --set vpls=4 --out a.exr", "vpls=4" }, { "room --size 8x8 --method ssdo --env sky --score y.exr", "y.exr" },
+        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssao --set layers=2 --out a.exr", "layers=2" }, { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --env sky --set views=1 --out a.exr", "views=1" },
+        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" }
     };
     char text[4000];
     kit_image y;
@@ -165,6 +193,7 @@ static void command_line(void)
     snprintf(path, sizeof path, "%s/y.exr", folder);
     if (!kit_image_new(&y, 4, 4, "Y", NULL)) { kit_exr_write(&y, path, NULL); kit_image_free(&y); }
     shell(text, sizeof text, "head -c 300 %s > cut.exr%s", "y.exr", "");
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", getenv("PWD"), ""), "a frame of one layer: %s", text);
     shell(text, sizeof text, "ls > before%s%s", "", "");
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         int status = shell(text, sizeof text, "'%s/build/render' %s", getenv("PWD"), cases[i].arguments);

@@ -1,4 +1,5 @@
-/* test_math.c - ssgi.h's rooms of view, kernel and bias against double precision, and the horizon algebra of HSAO's normal rays. */
+/* test_math.c - ssgi.h's rooms of view, kernel, sh, environment, vpl and bias against double precision and closed forms, and the horizon algebra of HSAO's
+   normal rays. */
 #include "t.h"
 #include "../ssgi.h"
 
@@ -107,6 +108,94 @@ static void bad_views(void)
         REFUSED("height:", &view, good, 0, 64, k ? -1 : 65537);
     }
     CHECK(!memcmp(&view, &was, sizeof view), "a refused projection changed the view");
+}
+
+static void direction(float d[3])
+{
+    const float z = uniform(-1, 1), a = uniform(0, 6.2831853f), r = sqrtf(1 - z * z);
+    d[0] = r * cosf(a); d[1] = r * sinf(a); d[2] = z;
+}
+
+static double dot(const float *a, const float *b) { return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2]; }
+
+/* Camera axes as a rigid matrix: z any direction, turned about it by chance. */
+static void rigid(float m[16], const float z[3])
+{
+    float x[3], y[3], aside[3];
+    double length;
+    do { direction(aside); } while (fabs(dot(aside, z)) > 0.9);
+    for (int k = 0; k < 3; ++k) x[k] = aside[(k + 1) % 3] * z[(k + 2) % 3] - aside[(k + 2) % 3] * z[(k + 1) % 3];
+    length = sqrt(dot(x, x));
+    for (int k = 0; k < 3; ++k) x[k] = (float)((double)x[k] / length);
+    for (int k = 0; k < 3; ++k) y[k] = z[(k + 1) % 3] * x[(k + 2) % 3] - z[(k + 2) % 3] * x[(k + 1) % 3];
+    for (int k = 0; k < 3; ++k) { m[4 * k] = x[k]; m[4 * k + 1] = y[k]; m[4 * k + 2] = z[k]; m[4 * k + 3] = 0; m[12 + k] = uniform(-5, 5); }
+    m[15] = 1;
+}
+
+static void through(const float m[16], const float p[3], float w, float out[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
+}
+
+static void extra_cameras(void)
+{
+    for (int t = 0; t < 300; ++t) {
+        float z[3], main_view[16], view[16], clip[16], centre[3], offset[3], p[3], q[3], up[3], pixel[3];
+        const float radius = expf(uniform(-3, 3)), far_away = t % 3 ? uniform(1.35f, 6) : uniform(0.05f, 1.3f);     /* 1/sin 50 = 1.305 radii: nearer, the angle is held */
+        const char *why = "";
+        ssgi_view v;
+        direction(z);
+        rigid(main_view, z);
+        direction(z);                                    /* from the centre to the new eye */
+        if (t % 10 == 0) for (int k = 0; k < 3; ++k) z[k] = main_view[4 * k + 1];        /* along the main camera's up */
+        for (int k = 0; k < 3; ++k) offset[k] = uniform(-3, 3);
+        for (int k = 0; k < 3; ++k) {                    /* the eye as main eye + radius * displacement; the centre so that z and the distance come out */
+            float eye = 0;
+            for (int i = 0; i < 3; ++i) eye += main_view[4 * k + i] * (radius * offset[i] - main_view[12 + i]);
+            centre[k] = eye - far_away * radius * z[k];
+        }
+        if (!CHECK(ssgi_extra_camera(view, clip, main_view, centre, radius, offset, &why) == SSGI_OK && ssgi_view_from_projection(&v, clip, SSGI_CLIP_GL, 1000, 1000, &why) == SSGI_OK, "%s", why)) continue;
+        const float reach = far_away * radius, within = 1e-4f * (reach + radius + 10), held = t % 3 == 0 ? 1 : 0;
+        through(view, centre, 1, p);
+        CHECK(fabsf(p[0]) < within && fabsf(p[1]) < within && fabsf(p[2] + reach) < within, "the centre at %g %g %g, %g away", (double)p[0], (double)p[1], (double)p[2], (double)reach);
+        for (int k = 0; k < 3; ++k) up[k] = main_view[4 * k + 1];
+        through(view, up, 0, q);
+        CHECK(t % 10 == 0 || (fabsf(q[0]) < 1e-3f && q[1] > 0), "the main camera's up at %g %g %g", (double)q[0], (double)q[1], (double)q[2]);
+        for (int a = 0; a < 3; ++a) for (int b = 0; b < 3; ++b) {
+            const float row[3] = { view[a], view[4 + a], view[8 + a] }, other[3] = { view[b], view[4 + b], view[8 + b] };
+            CHECK(fabs(dot(row, other) - (a == b)) < 1e-5, "axes %d and %d: %g", a, b, dot(row, other));
+        }
+        const double near_plane = (double)clip[14] / ((double)clip[10] - 1), far_plane = (double)clip[14] / ((double)clip[10] + 1), want = fmax((double)(reach - radius), (double)radius / 50);
+        CHECK(fabs(near_plane / want - 1) < 1e-3 && fabs(far_plane / (double)(reach + radius) - 1) < 1e-3, "planes %g %g of a sphere of %g at %g", near_plane, far_plane, (double)radius, (double)reach);
+        if (held > 0) { CHECK(fabsf(clip[0] - 0.8390996f) < 1e-5f, "near the sphere: %g, not the cotangent of 50 degrees", (double)clip[0]); continue; }
+        for (int i = 0; i < 6; ++i) {
+            float extreme[3] = { centre[0], centre[1], centre[2] };
+            extreme[i / 2] += i & 1 ? -radius : radius;
+            through(view, extreme, 1, p);
+            ssgi_view_project(&v, p, pixel);
+            CHECK(pixel[0] > -0.1f && pixel[0] < 1000.1f && pixel[1] > -0.1f && pixel[1] < 1000.1f && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
+                  "extreme point %d at %g %g, depth %g", i, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
+        }
+        const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0, -(far_away - 1 / far_away) * radius };     /* where the view's right edge touches the sphere */
+        ssgi_view_project(&v, touch, pixel);
+        CHECK(fabsf(pixel[0] - 1000) < 0.1f, "the sphere's outline at %g, not at the edge", (double)pixel[0]);
+    }
+    const float main_view[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, origin[3] = { 0, 0, 0 }, onto[3] = { 0, 0, -2 }, above[3] = { 0, 2, -2 };     /* eye (0,0,2), two radii away */
+    static const double angles[4][2] = { { -60, 20 }, { 60, 20 }, { 0, 75 }, { 180, 50 } };      /* to the side, up */
+    float view[16], clip[16], d[3];
+    for (int i = 0; i < 4; ++i) {
+        ssgi_extra_displacement(i, d);
+        ssgi_extra_camera(view, clip, main_view, origin, 1, d, NULL);
+        const double side = angles[i][0] * PI / 180, up = angles[i][1] * PI / 180, turned[3] = { 2 * sin(side) * cos(up), 2 * sin(up), 2 * cos(side) * cos(up) };
+        for (int k = 0; k < 3; ++k) {                    /* minus translation along the axes: the eye */
+            const float column[3] = { view[4 * k], view[4 * k + 1], view[4 * k + 2] };
+            CHECK(fabs(-dot(column, view + 12) - turned[k]) < 2e-5, "default %d: eye's %d is %g", i, k, -dot(column, view + 12));
+        }
+    }
+    ssgi_extra_camera(view, clip, main_view, origin, 1, above, NULL);
+    CHECK(fabsf(view[1]) < 1e-6f && fabsf(view[5]) < 1e-6f && fabsf(view[9] + 1) < 1e-6f, "straight above, up is %g %g %g, not forward", (double)view[1], (double)view[5], (double)view[9]);
+    memcpy(view, main_view, sizeof view);
+    CHECK(ssgi_extra_camera(view, clip, view, origin, 1, onto, NULL) == SSGI_OK && fabsf(view[10] - 1) < 1e-6f && fabsf(view[14]) < 1e-6f, "at the centre, output over input: %g %g", (double)view[10], (double)view[14]);
 }
 
 /* ---- >>kernel ---------------------------------------------------------------------------------------------------- */
@@ -222,6 +311,334 @@ static void jitter(void)
     CHECK(ssgi_jitter_tile(tile, 4, 0, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "directions:") && ssgi_jitter_tile(tile, 4, 1025, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
 }
 
+/* ---- >>sh ---------------------------------------------------------------------------------------------------------- */
+
+enum { WIDE = 128, HIGH = 64, CUBE = 24 };
+
+static double sh_sum(const float *coefficients, int channel, const double d[3], const double factor[3])
+{
+    const float f[3] = { (float)d[0], (float)d[1], (float)d[2] };
+    float basis[9];
+    double sum = 0;
+    ssgi_sh_basis(basis, 3, f);
+    for (int l = 0, i = 0; l < 3; ++l) for (; i < (l + 1) * (l + 1); ++i) sum += (double)basis[i] * (double)coefficients[3 * i + channel] * factor[l];
+    return sum;
+}
+
+/* OpenEXR's: latitude falls from pi/2, longitude from pi; +z at the centre, +x left of it. */
+static double equirect(double d[3], int x, int y, int width, int height)
+{
+    const double lat = PI * (0.5 - (y + 0.5) / height), lon = PI - 2 * PI * (x + 0.5) / width;
+    d[0] = cos(lat) * sin(lon); d[1] = sin(lat); d[2] = cos(lat) * cos(lon);
+    return (sin(lat + PI / 2 / height) - sin(lat - PI / 2 / height)) * 2 * PI / width;
+}
+
+static const double ones[3] = { 1, 1, 1 };
+
+/* An environment of bands 0..2 with the coefficients; band 0 lifts it above 0. */
+static void smooth(float *rgb, float coefficients[27], int width, int height)
+{
+    double d[3];
+    for (int i = 0; i < 27; ++i) coefficients[i] = i < 3 ? uniform(9, 12) : uniform(-1, 1);
+    for (int i = 0; i < width * height; ++i)
+        for (int c = 0; c < 3; ++c) { equirect(d, i % width, i / width, width, height); rgb[3 * i + c] = (float)sh_sum(coefficients, c, d, ones); }
+}
+
+static void harmonics(void)
+{
+    static const double constant[16] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.48860251190291992, 1.0925484305920792, 1.0925484305920792, 0.31539156525252005,
+        1.0925484305920792, 0.54627421529603959, 0.59004358992664352, 2.8906114426405538, 0.45704579946446577, 0.3731763325901154, 0.45704579946446577, 1.4453057213202769, 0.59004358992664352 };
+    for (int t = 0; t < 200; ++t) {
+        float a[3], b[3], ya[37], yb[36];
+        direction(a); direction(b);
+        const double x = (double)a[0], y = (double)a[1], z = (double)a[2], c = dot(a, b);
+        const double polynomial[16] = { 1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y, y * (3 * x * x - y * y), x * y * z, y * (5 * z * z - 1), z * (5 * z * z - 3), x * (5 * z * z - 1),
+            z * (x * x - y * y), x * (x * x - 3 * y * y) };
+        const double legendre[6] = { 1, c, (3 * c * c - 1) / 2, (5 * c * c * c - 3 * c) / 2, (35 * c * c * c * c - 30 * c * c + 3) / 8, (63 * c * c * c * c * c - 70 * c * c * c + 15 * c) / 8 };
+        ya[36] = 7;
+        ssgi_sh_basis(ya, t & 1 ? 6 : 99, a); ssgi_sh_basis(yb, 6, b);
+        CHECK(ya[36] == 7.0f, "more bands than there are were written");
+        for (int i = 0; i < 16; ++i) CHECK(fabs((double)ya[i] - constant[i] * polynomial[i]) < 1e-6, "function %d: %.9g, the table has %.9g", i, (double)ya[i], constant[i] * polynomial[i]);
+        for (int l = 0; l < 6; ++l) {                    /* the addition theorem, for the bands that the table leaves out */
+            double sum = 0;
+            for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum += (double)ya[i] * (double)yb[i];
+            CHECK(fabs(sum * 4 * PI / (2 * l + 1) - legendre[l]) < 1e-5, "band %d at cosine %g: %.9g, Legendre %.9g", l, c, sum * 4 * PI / (2 * l + 1), legendre[l]);
+        }
+    }
+    for (int l = 0; l < 6; ++l) {                        /* 2 pi times the integral of z P_l(z) over [0,1] */
+        static const double want[6] = { 1, 2.0 / 3, 0.25, 0, -1.0 / 24, 0 };
+        CHECK(fabs((double)ssgi_sh_cosine(l) / PI - want[l]) < 1e-7, "cosine, band %d: %.9g", l, (double)ssgi_sh_cosine(l));
+    }
+    CHECK(ssgi_sh_cosine(-1) == 0.0f && ssgi_sh_cosine(99) == 0.0f, "cosine beyond the bands");
+}
+
+static void projections(void)
+{
+    static float rgb[3 * WIDE * HIGH], cube[6][3 * CUBE * CUBE];
+    const float *const faces[6] = { cube[0], cube[1], cube[2], cube[3], cube[4], cube[5] };
+    static const float turn[16] = { 0.36f, 0.48f, -0.8f, 0, -0.8f, 0.6f, 0, 0, 0.48f, 0.64f, 0.6f, 0, 7, 8, 9, 1 };      /* a rotation, and a way that must not matter */
+    float given[27], got[48], quadric[36], d[3];
+    const char *why = "";
+    smooth(rgb, given, WIDE, HIGH);
+    CHECK(ssgi_sh_project_equirect(got, 4, rgb, WIDE, HIGH, &why) == SSGI_OK, "%s", why);
+    for (int i = 0; i < 48; ++i) CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3], "latitude-longitude, coefficient %d: %g, given %g", i, (double)got[i], i < 27 ? (double)given[i] : 0);
+    for (int i = 0; i < 6 * CUBE * CUBE; ++i) {
+        const int face = i / (CUBE * CUBE), at = i % (CUBE * CUBE);
+        const double s = (at % CUBE * 2 + 1.0) / CUBE - 1, t = (at / CUBE * 2 + 1.0) / CUBE - 1, length = sqrt(1 + s * s + t * t);
+        const double table[6][3] = { { 1, -t, -s }, { -1, -t, s }, { s, 1, t }, { s, -1, -t }, { s, -t, 1 }, { -s, -t, -1 } };     /* OpenGL 4.6 table 8.19, solved for the direction */
+        const double p[3] = { table[face][0] / length, table[face][1] / length, table[face][2] / length };
+        for (int c = 0; c < 3; ++c) cube[face][3 * at + c] = (float)sh_sum(given, c, p, ones);
+    }
+    CHECK(ssgi_sh_project_cube(got, 4, faces, CUBE, &why) == SSGI_OK, "%s", why);
+    for (int i = 0; i < 48; ++i) CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3], "cube, coefficient %d: %g, given %g", i, (double)got[i], i < 27 ? (double)given[i] : 0);
+    for (int f = 0; f < 6; ++f) for (int i = 0; i < 3 * CUBE * CUBE; ++i) cube[f][i] = 1;
+    ssgi_sh_project_cube(got, 1, faces, CUBE, NULL);
+    CHECK(fabs((double)got[0] - 2 * sqrt(PI)) < 1e-6, "a cube of ones: %.9g, not 2 sqrt(pi): solid angles do not sum to 4 pi", (double)got[0]);
+
+    for (int t = 0; t < 300; ++t) {
+        direction(d);
+        const int c = t % 3, turned = t % 2;
+        const double h[3] = { (double)d[0], (double)d[1], (double)d[2] };
+        double x[3], sum;
+        for (int i = 0; i < 3; ++i) x[i] = turned ? (double)turn[i] * h[0] + (double)turn[4 + i] * h[1] + (double)turn[8 + i] * h[2] : h[i];
+        ssgi_sh_quadric(quadric, given, turned ? turn : NULL);
+        const float *q = quadric + 12 * c;
+        sum = (double)q[3];
+        for (int i = 0; i < 3; ++i) sum += (double)q[i] * x[i] * x[i] + (double)q[4 + i] * x[i] * x[(i + 1) % 3] + (double)q[8 + i] * x[i];
+        CHECK(fabs(sum - sh_sum(given, c, h, ones)) < 1e-5, "quadric %.9g, harmonics %.9g, turned %d", sum, sh_sum(given, c, h, ones), turned);
+    }
+}
+
+/* ---- >>environment, >>vpl --------------------------------------------------------------------------------------------- */
+
+static void octahedral(void)
+{
+    for (int t = 0; t < 3000; ++t) {
+        float d[3], e[2], back[3];
+        double n[3], fold, length;
+        direction(d);
+        if (t < 26) { const int k = t < 13 ? t : t + 1; for (int i = 0; i < 3; ++i) d[i] = (float)(k / (i == 0 ? 1 : i == 1 ? 3 : 9) % 3 - 1); }     /* axes, edges, corners */
+        length = sqrt(dot(d, d));
+        for (int i = 0; i < 3; ++i) d[i] = (float)((double)d[i] / length);
+        ssgi_octahedral_encode(d, e);
+        ssgi_octahedral_decode(e, back);
+        CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6, "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1], (double)back[0], (double)back[1], (double)back[2]);
+        e[0] = uniform(-1, 1); e[1] = uniform(-1, 1);
+        ssgi_octahedral_decode(e, back);                 /* the GLSL twin, word for word */
+        n[0] = (double)e[0]; n[1] = (double)e[1]; n[2] = 1 - fabs(n[0]) - fabs(n[1]);
+        fold = fmax(-n[2], 0);
+        for (int i = 0; i < 2; ++i) n[i] += n[i] >= 0 ? -fold : fold;
+        for (int i = 0; i < 3; ++i) CHECK(fabs((double)back[i] - n[i] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])) < 1e-6, "decode, %d: %g", i, (double)back[i]);
+    }
+    const float zero[3] = { 0, 0, 0 };
+    float e[2] = { 7, 7 };
+    ssgi_octahedral_encode(zero, e);
+    CHECK(e[0] == 0.0f && e[1] == 0.0f, "no direction: %g %g", (double)e[0], (double)e[1]);
+}
+
+static double map_texel(float d[3], int size, int at)    /* its solid angle, up to a factor */
+{
+    const float e[2] = { ((float)(at % size) + 0.5f) / (float)size * 2 - 1, ((float)(at / size) + 0.5f) / (float)size * 2 - 1 };
+    const double x = fabs((double)e[0]), y = fabs((double)e[1]), z = 1 - x - y, xx = z < 0 ? 1 - y : x, yy = z < 0 ? 1 - x : y;
+    ssgi_octahedral_decode(e, d);
+    return pow(xx * xx + yy * yy + z * z, -1.5);
+}
+
+static void environment_maps(void)
+{
+    static const float angles[] = { 0, 1e-6f, 0.05f, 0.39f, 3, 12 };
+    static const int sizes[][2] = { { 1, 1 }, { 5, 3 }, { 97, 41 }, { 300, 100 } };
+    static float rgb[3 * 300 * 150], map[3 * 32 * 32], other[3 * 32 * 32];
+    const char *why = "";
+    float d[3], given[27];
+    for (size_t k = 0; k < sizeof angles / sizeof angles[0]; ++k) {
+        const double kappa = angles[k] > 0 ? 4 * PI / fmax((double)angles[k], 0.05) : 0;
+        const double lobe[3] = { 1, k ? 1 / tanh(kappa) - 1 / kappa : 2.0 / 3, k ? 1 - 3 * (1 / tanh(kappa) - 1 / kappa) / kappa : 0.25 };     /* what it leaves of a band */
+        for (int s = 0; s < 4; ++s) {
+            for (int i = 0; i < sizes[s][0] * sizes[s][1]; ++i) { rgb[3 * i] = 0.7f; rgb[3 * i + 1] = 1e4f; rgb[3 * i + 2] = 0; }
+            CHECK(ssgi_environment_map(map, 8, rgb, sizes[s][0], sizes[s][1], angles[k], &why) == SSGI_OK, "%s", why);
+            for (int i = 0; i < 64; ++i)
+                CHECK(fabsf(map[3 * i] / 0.7f - 1) < 1e-6f && fabsf(map[3 * i + 1] / 1e4f - 1) < 1e-6f && map[3 * i + 2] == 0.0f, "constant, %d x %d, lobe %g: %.9g", sizes[s][0], sizes[s][1], (double)angles[k], (double)map[3 * i]);
+        }
+        smooth(rgb, given, 300, 150);
+        ssgi_environment_map(map, 32, rgb, 300, 150, angles[k], NULL);
+        double worst = 0, mean = 0, all = 0;
+        for (int i = 0; i < 32 * 32; ++i) {
+            const double weight = map_texel(d, 32, i), at[3] = { (double)d[0], (double)d[1], (double)d[2] };
+            for (int c = 0; c < 3; ++c) worst = fmax(worst, fabs((double)map[3 * i + c] - sh_sum(given, c, at, lobe)) * sqrt(4 * PI) / (double)given[c]);
+            mean += weight * (double)map[3 * i];
+            all += weight;
+        }
+        CHECK(worst < 3e-3 && fabs(mean / all * sqrt(4 * PI) / (double)given[0] - 1) < 1e-3, "lobe %g: off by %g of the mean; mean %.9g of %.9g", (double)angles[k], worst, mean / all, (double)given[0] / sqrt(4 * PI));
+        t_note("lobe of %g sr: worst error %.2g of the mean", (double)angles[k], worst);
+    }
+    /* what is no light counts as 0, everywhere */
+    ssgi_sun suns[2][5];
+    float sh[2][27];
+    const float kept = rgb[30000];
+    for (int pass = 0; pass < 2; ++pass) {
+        rgb[0] = pass ? 0 : NAN; rgb[301] = pass ? 0 : INFINITY; rgb[20000] = pass ? 0 : -INFINITY;
+        ssgi_sh_project_equirect(sh[pass], 3, rgb, 300, 150, NULL);
+        rgb[30000] = pass ? 0 : -5;
+        ssgi_environment_map(pass ? other : map, 32, rgb, 300, 150, 0.39f, NULL);
+        ssgi_environment_suns(suns[pass], 5, rgb, 300, 150, NULL);
+        rgb[30000] = kept;
+    }
+    CHECK(!memcmp(sh[0], sh[1], sizeof sh[0]) && !memcmp(map, other, sizeof map) && !memcmp(suns[0], suns[1], sizeof suns[0]), "what is not finite or negative does not count as 0");
+}
+
+static void sunlight(void)
+{
+    static const int counts[] = { 1, 2, 3, 5, 16, 17, 256, 1000, 1024 };
+    static float rgb[3 * 600 * 150];
+    static ssgi_sun suns[1024];
+    const char *why = "";
+    double d[3];
+    for (int wide = 0; wide < 2; ++wide) {               /* sides above 256 are cut in two looks */
+        const int width = wide ? 600 : 64, height = wide ? 150 : 32;
+        double total[3] = { 0, 0, 0 };
+        for (int i = 0; i < width * height; ++i)
+            for (int c = 0; c < 3; ++c) { rgb[3 * i + c] = uniform(0, 1) * (i % 97 ? 1 : 20); total[c] += (double)rgb[3 * i + c] * equirect(d, i % width, i / width, width, height); }
+        for (size_t k = 0; k < sizeof counts / sizeof counts[0]; ++k) {
+            double sum[3] = { 0, 0, 0 }, least = 1e30, most = 0;
+            int unit = 1;
+            CHECK(ssgi_environment_suns(suns, counts[k], rgb, width, height, &why) == SSGI_OK, "%s", why);
+            for (int i = 0; i < counts[k]; ++i) {
+                const double light = 0.2126 * (double)suns[i].irradiance[0] + 0.7152 * (double)suns[i].irradiance[1] + 0.0722 * (double)suns[i].irradiance[2];
+                for (int c = 0; c < 3; ++c) sum[c] += (double)suns[i].irradiance[c];
+                least = fmin(least, light); most = fmax(most, light);
+                unit &= fabs(dot(suns[i].direction, suns[i].direction) - 1) < 1e-6;
+            }
+            for (int c = 0; c < 3; ++c) CHECK(fabs(sum[c] / total[c] - 1) < 1e-5, "%d suns of %d x %d: irradiances sum to %.9g, not %.9g", counts[k], width, height, sum[c], total[c]);
+            CHECK(unit, "%d suns: a direction is not unit", counts[k]);
+            if (wide && counts[k] <= 16 && (counts[k] & (counts[k] - 1)) == 0) CHECK(most < 1.3 * least, "%d suns of %d x %d are not about equal: %g to %g", counts[k], width, height, least, most);
+        }
+    }
+    for (int t = 0; t < 60; ++t) {                       /* one lit texel: one sun, exactly there */
+        const int width = t % 2 ? 500 : 32, height = 20, at = (int)uniform(0, (float)(width * height)), count = 1 + t % 20;
+        const double area = equirect(d, at % width, at / width, width, height);
+        int lit = 0;
+        for (int i = 0; i < 3 * width * height; ++i) rgb[i] = i / 3 == at ? 3.0f : 0.0f;
+        ssgi_environment_suns(suns, count, rgb, width, height, NULL);
+        for (int i = 0; i < count; ++i) {
+            const float *s = suns[i].direction;
+            if (suns[i].irradiance[1] == 0.0f) continue;
+            ++lit;
+            CHECK(fabs((double)s[0] - d[0]) < 1e-6 && fabs((double)s[1] - d[1]) < 1e-6 && fabs((double)s[2] - d[2]) < 1e-6 && fabs((double)suns[i].irradiance[0] / (3 * area) - 1) < 1e-5, "texel %d of %d: sun at %g %g %g", at, width, (double)s[0], (double)s[1], (double)s[2]);
+        }
+        CHECK(lit == 1, "%d suns of one texel are lit", lit);
+    }
+    for (int i = 0; i < 24; ++i) rgb[i] = i < 21 ? 1 : 7;       /* the median by hand: seven texels of 1 beside one of 7 */
+    ssgi_environment_suns(suns, 2, rgb, 8, 1, NULL);
+    CHECK(fabs((double)suns[0].irradiance[0] / (7 * PI / 2) - 1) < 1e-6 && fabs((double)suns[1].irradiance[0] / (7 * PI / 2) - 1) < 1e-6, "halves of 7 and 7: %g %g", (double)suns[0].irradiance[0], (double)suns[1].irradiance[0]);
+    for (int i = 0; i < 18; ++i) rgb[i] = 1;             /* more suns than texels */
+    ssgi_environment_suns(suns, 40, rgb, 3, 2, NULL);
+    double sum = 0;
+    int lit = 0;
+    for (int i = 0; i < 40; ++i) { sum += (double)suns[i].irradiance[0]; lit += suns[i].irradiance[0] > 0; CHECK(fabs(dot(suns[i].direction, suns[i].direction) - 1) < 1e-6, "sun %d has no direction", i); }
+    CHECK(lit == 6 && fabs(sum / (4 * PI) - 1) < 1e-6, "%d suns of six texels are lit, by %g", lit, sum);
+}
+
+static void vpls(void)
+{
+    enum { PIXELS = 500 };
+    static float position[3 * PIXELS], normal[3 * PIXELS], flux[3 * PIXELS];
+    static ssgi_vpl lights[4096], again[4096];
+    static const float luminance[3] = { 0.2126f, 0.7152f, 0.0722f };
+    const char *why = "";
+    double total = 0;
+    for (int i = 0; i < PIXELS; ++i) {
+        position[3 * i] = (float)i;
+        direction(normal + 3 * i);
+        for (int c = 0; c < 3; ++c) flux[3 * i + c] = i % 3 == 1 ? uniform(0, 1) * (i % 5 ? 1 : 30) : i % 3 == 0 ? 0 : c == 0 ? NAN : c == 1 ? -1 : 0;
+        if (i % 3 == 1) total += dot(flux + 3 * i, luminance);
+    }
+    for (int count = 1; count <= 4096; count = count * 2 + (count == 64)) {
+        int chosen[PIXELS] = { 0 };
+        double sum = 0;
+        if (count > 4096) break;
+        CHECK(ssgi_vpl_choose(lights, count, position, normal, flux, PIXELS, &why) == SSGI_OK, "%s", why);
+        ssgi_vpl_choose(again, count, position, normal, flux, PIXELS, NULL);
+        CHECK(!memcmp(lights, again, (size_t)count * sizeof *lights), "%d lights: two calls differ", count);
+        for (int i = 0; i < count; ++i) {
+            const int k = (int)lights[i].position[0];
+            const float *f = flux + 3 * k, *g = lights[i].intensity;
+            CHECK(k % 3 == 1 && !memcmp(lights[i].normal, normal + 3 * k, sizeof lights[i].normal), "%d lights: one at pixel %d, which is dark, or another's normal", count, k);
+            CHECK(fabsf(g[0] * f[1] - g[1] * f[0]) <= 1e-5f * g[0] * f[1] && fabsf(g[2] * f[1] - g[1] * f[2]) <= 1e-5f * g[2] * f[1], "%d lights: colour of pixel %d", count, k);
+            sum += PI * dot(g, luminance);
+            ++chosen[k];
+        }
+        CHECK(fabs(sum / total - 1) < 1e-5, "%d lights send %.9g, the map %.9g", count, sum, total);
+        for (int k = 0; k < PIXELS; ++k) {               /* strata: no pixel has two more or less than its share */
+            const double share = k % 3 == 1 ? dot(flux + 3 * k, luminance) / total * count : 0;
+            CHECK(fabs(chosen[k] - share) < 2, "%d lights: pixel %d is chosen %d times, its share is %g", count, k, chosen[k], share);
+        }
+    }
+}
+
+/* ---- bad arguments of those rooms --------------------------------------------------------------------------------- */
+
+static void bad_light(void)
+{
+    static const float grid[12] = { 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1 }, id[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, c[3] = { 0, 0, -3 }, dark[3] = { 0, -1, NAN }, nan[3] = { 0, NAN, 0 };
+    static const float scaled[16] = { 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, skewed[16] = { 1, 0.1f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, tilted[16] = { 1, 0, 0, 0.1f, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static const float *const faces[6] = { grid, grid, grid, grid, grid, grid }, *const five[6] = { grid, grid, grid, NULL, grid, grid };
+    static float out[3 * 64], was[3 * 64];
+    static ssgi_sun suns[1024];
+    static ssgi_vpl lights[4096];
+    float *const v = out, *const p = out + 16;
+    const char *why;
+    for (int i = 0; i < 3 * 64; ++i) out[i] = was[i] = 7;
+    memset(suns, 0x5a, sizeof suns);
+    memset(lights, 0x5a, sizeof lights);
+#define NAMED(start, function, ...) (why = "", CHECK(function(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT && function(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), "%s %s \"%s\"", #function, start, why))
+    NAMED("world_to_view:", ssgi_extra_camera, NULL, p, id, c, 1, c);
+    NAMED("projection:", ssgi_extra_camera, v, NULL, id, c, 1, c);
+    NAMED("centre:", ssgi_extra_camera, v, p, id, NULL, 1, c);
+    NAMED("centre:", ssgi_extra_camera, v, p, id, nan, 1, c);
+    NAMED("displacement:", ssgi_extra_camera, v, p, id, c, 1, NULL);
+    NAMED("displacement:", ssgi_extra_camera, v, p, id, c, 1, nan);
+    const float *const wrong[] = { NULL, scaled, skewed, tilted };
+    for (int k = 0; k < 4; ++k) NAMED("main_world_to_view:", ssgi_extra_camera, v, p, wrong[k], c, 1, c);
+    const float radii[] = { 0, -1, NAN, INFINITY, 1e-44f };
+    for (int k = 0; k < 5; ++k) NAMED("radius:", ssgi_extra_camera, v, p, id, c, radii[k], c);
+    NAMED("out:", ssgi_sh_project_equirect, NULL, 3, grid, 2, 2);
+    NAMED("rgb:", ssgi_sh_project_equirect, out, 3, NULL, 2, 2);
+    NAMED("out:", ssgi_sh_project_cube, NULL, 3, faces, 2);
+    NAMED("faces:", ssgi_sh_project_cube, out, 3, NULL, 2);
+    NAMED("faces:", ssgi_sh_project_cube, out, 3, five, 2);
+    NAMED("out:", ssgi_environment_map, NULL, 8, grid, 2, 2, 0);
+    NAMED("rgb:", ssgi_environment_map, out, 8, NULL, 2, 2, 0);
+    NAMED("out:", ssgi_environment_suns, NULL, 8, grid, 2, 2);
+    NAMED("rgb:", ssgi_environment_suns, suns, 8, NULL, 2, 2);
+    NAMED("out:", ssgi_vpl_choose, NULL, 8, grid, grid, grid, 4);
+    NAMED("position:", ssgi_vpl_choose, lights, 8, NULL, grid, grid, 4);
+    NAMED("normal:", ssgi_vpl_choose, lights, 8, grid, NULL, grid, 4);
+    NAMED("flux:", ssgi_vpl_choose, lights, 8, grid, grid, NULL, 4);
+    NAMED("flux:", ssgi_vpl_choose, lights, 8, grid, grid, dark, 1);
+    NAMED("pixels:", ssgi_vpl_choose, lights, 8, grid, grid, grid, 0);
+    for (int k = 0; k < 2; ++k) {
+        const int side = k ? 65537 : 0;
+        NAMED("bands:", ssgi_sh_project_equirect, out, k ? 7 : 0, grid, 2, 2);
+        NAMED("width:", ssgi_sh_project_equirect, out, 3, grid, side, 2);
+        NAMED("height:", ssgi_sh_project_equirect, out, 3, grid, 2, side);
+        NAMED("bands:", ssgi_sh_project_cube, out, k ? 7 : 0, faces, 2);
+        NAMED("size:", ssgi_sh_project_cube, out, 3, faces, side);
+        NAMED("size:", ssgi_environment_map, out, k ? 257 : 7, grid, 2, 2, 0);
+        NAMED("width:", ssgi_environment_map, out, 8, grid, side, 2, 0);
+        NAMED("height:", ssgi_environment_map, out, 8, grid, 2, side, 0);
+        NAMED("solid_angle:", ssgi_environment_map, out, 8, grid, 2, 2, k ? NAN : -1);
+        NAMED("count:", ssgi_environment_suns, suns, k ? 1025 : 0, grid, 2, 2);
+        NAMED("width:", ssgi_environment_suns, suns, 8, grid, side, 2);
+        NAMED("height:", ssgi_environment_suns, suns, 8, grid, 2, side);
+        NAMED("count:", ssgi_vpl_choose, lights, k ? 4097 : 0, grid, grid, grid, 4);
+    }
+    int untouched = !memcmp(out, was, sizeof out);
+    for (size_t i = 0; i < sizeof suns; ++i) untouched &= ((const char *)suns)[i] == 0x5a;
+    for (size_t i = 0; i < sizeof lights; ++i) untouched &= ((const char *)lights)[i] == 0x5a;
+    CHECK(untouched, "a refused call wrote");
+}
+
 /* ---- >>bias, >>horizon ------------------------------------------------------------------------------------------- */
 
 static void bias(void)
@@ -241,6 +658,30 @@ static void bias(void)
             for (int k = 0; k < 4; ++k) CHECK(fabs((double)ssgi_radius_guess(&v, z, small, odd[k]) / most - 1) < 1e-6, "box %d: %g, a quarter of the height is %g", k, (double)ssgi_radius_guess(&v, z, small, odd[k]), most);
         }
     }
+}
+
+static void shadow_bias(void)
+{
+    static const double alpha[8] = { 0, 30, 45, 60, 80, 85, 89, 89.9 };     /* degrees; closed forms in double precision */
+    static const struct { double angle; int resolution; double depth, patch, bias[8]; } row[3] = {
+        { 60, 1024, 10, 0.0112763724, { 0, 0.00460355977, 0.00797359942, 0.0138106793, 0.0452205294, 0.0911386584, 0.456807205, 4.56853131 } },
+        { 90, 512, 5, 0.01953125, { 0, 0.00797359942, 0.0138106793, 0.0239207983, 0.0783242545, 0.157856787, 0.791213288, 7.91292834 } },
+        { 45, 2048, 20, 0.00809010864, { 0, 0.00330277302, 0.00572057068, 0.00990831907, 0.0324429685, 0.0653864221, 0.327731275, 3.27764224 } } };
+    static const float odd[] = { 0, -0.0f, -1, -1e30f, 1e-45f, 1e-30f, 2, 1e30f };
+    for (int i = 0; i < 3; ++i) {
+        const float patch = ssgi_shadow_patch((float)row[i].depth, (float)(row[i].angle * PI / 180), row[i].resolution);
+        CHECK(fabs((double)patch / row[i].patch - 1) < 1e-6, "patch %.9g, not %.9g", (double)patch, row[i].patch);
+        for (int k = 0; k < 8; ++k) {
+            const float c = (float)cos(alpha[k] * PI / 180), bias = ssgi_shadow_bias((float)row[i].patch, c, 100);
+            CHECK(fabs((double)bias - row[i].bias[k]) <= 2e-6 * row[i].bias[k], "bias at %g degrees: %.9g, not %.9g", alpha[k], (double)bias, row[i].bias[k]);
+            CHECK(ssgi_shadow_bias((float)row[i].patch, c, 0.05f) == fminf(bias, 0.05f), "at most 0.05 at %g degrees", alpha[k]);
+        }
+    }
+    for (size_t k = 0; k < sizeof odd / sizeof odd[0]; ++k) {
+        const float want = odd[k] > 1 ? 0 : 3, got = ssgi_shadow_bias(k & 1 ? 3e38f : 1, odd[k], 3);
+        CHECK(got == want, "cosine %g: bias %g, not %g", (double)odd[k], (double)got, (double)want);
+    }
+    CHECK(ssgi_shadow_bias(-3e38f, 1e-45f, 3) == 0.0f && ssgi_shadow_patch(1, 1.5707964f, 0) == ssgi_shadow_patch(1, 1.5707964f, 1), "negative patch, no texels");
 }
 
 /* The loops of ssgi_horizon and ssgi_above, with what they find given: horizons that rise to H, rays above it. [ERRATA 5.1, 5.6] */
@@ -273,9 +714,18 @@ void test_math(void)
 {
     RUN("views: every layout decodes its depth, and pixels come back, as by the matrix in double", views);
     RUN("views: bad projections are named and leave the view as it was", bad_views);
+    RUN("additional cameras hold the sphere, centred and no wider, with the main camera's up", extra_cameras);
     RUN("kernels: counts sum to 1, one length a stratum, unit directions, moments of their shape", kernels);
     RUN("points are spread far better than random; noise is even over 3x3", evenness);
     RUN("jitter: angles and offsets stratified over the tile", jitter);
     RUN("the offset is half a pixel's footprint; a radius stays within the picture", bias);
+    RUN("harmonics: the table's functions, the addition theorem, the cosine's factors", harmonics);
+    RUN("harmonics: latitude-longitude and cube maps give back what made them; so does the quadric", projections);
+    RUN("octahedral: there and back, as the GLSL twin", octahedral);
+    RUN("environment maps: constants exact, each band as the lobe leaves it, the mean kept", environment_maps);
+    RUN("suns: no light lost, about equal shares, one texel is one sun", sunlight);
+    RUN("virtual point lights: the map's flux in all, only where it is lit, by share", vpls);
+    RUN("shadow bias: rows of the closed form, finite everywhere", shadow_bias);
+    RUN("cameras and lights: bad arguments are named, outputs stay", bad_light);
     RUN("horizons: increments sum to H^2, normal rays weigh what is left", horizons);
 }

@@ -6,7 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. */
+/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. u_side: 1 turns normals toward the
+   viewer, -1 away.
+
+   PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what this same program interpolated,
+   so a surface finds its own depth again bit by bit; the tolerance is for surfaces that coincide (a box on a floor), whose depths differ by
+   rounding. Window depth would not do: away from a near plane its steps are coarser than that by far. */
 static const char vertex_source[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -14,22 +19,36 @@ static const char vertex_source[] =
     "layout(location = 3) in vec3 a_albedo;\n"
     "uniform mat4 u_view;\n"
     "uniform mat4 u_projection;\n"
+    "uniform float u_side;\n"
+    "invariant gl_Position;\n"
+    "out float v_depth;\n"
     "out vec3 v_normal;\n"
     "flat out vec3 v_facing;\n"
     "flat out vec3 v_albedo;\n"
     "void main() {\n"
     "    v_normal = mat3(u_view) * a_normal;\n"
-    "    v_facing = mat3(u_view) * a_facing;\n"
+    "    v_facing = mat3(u_view) * a_facing * u_side;\n"
     "    v_albedo = a_albedo;\n"
-    "    gl_Position = u_projection * (u_view * vec4(a_position, 1.0));\n"
+    "    vec4 position = u_view * vec4(a_position, 1.0);\n"
+    "    v_depth = -position.z;\n"
+    "    gl_Position = u_projection * position;\n"
     "}\n";
 static const char fragment_source[] =
+    "in float v_depth;\n"
     "in vec3 v_normal;\n"
     "flat in vec3 v_facing;\n"
     "flat in vec3 v_albedo;\n"
     "layout(location = 0) out vec4 o_normal;\n"
     "layout(location = 1) out vec4 o_albedo;\n"
+    "#ifdef PEEL\n"
+    "layout(location = 2) out float o_depth;\n"
+    "uniform sampler2D u_previous;\n"
+    "#endif\n"
     "void main() {\n"
+    "#ifdef PEEL\n"
+    "    if (!(v_depth > 1.000004 * texelFetch(u_previous, ivec2(gl_FragCoord.xy), 0).x)) discard;\n"
+    "    o_depth = v_depth;\n"
+    "#endif\n"
     "    vec3 n = dot(v_normal, v_normal) > 0.0 ? normalize(v_normal) : v_facing;\n"
     "    o_normal = vec4(dot(n, v_facing) < 0.0 ? -n : n, 0.0);\n"
     "    o_albedo = vec4(v_albedo, 1.0);\n"
@@ -66,71 +85,93 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
     return vertices;
 }
 
-static GLuint program_new(kit_error *err)
+/* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one too, for its view depth, into
+   the slices that the second will have; view depths go from layer to layer through a pair of textures, so that none reads the array that it writes. */
+static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program, int peels)
 {
-    static const GLenum stage[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    const char *prelude = kit_gl_is_es() ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n";
-    char text[2][sizeof vertex_source + sizeof fragment_source + 64];
-    const char *source[2] = { text[0], text[1] };
-    snprintf(text[0], sizeof text[0], "%s%s", prelude, vertex_source);
-    snprintf(text[1], sizeof text[1], "%s%s", prelude, fragment_source);
-    return kit_program(source, stage, 2, err);
-}
-
-static void draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, const float view[16], GLuint program)
-{
-    static const GLfloat zero[4] = { 0, 0, 0, 0 };
+    static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+    static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
     const GLfloat clear = reversed ? 0.0f : 1.0f;
-    GLuint vertex_array, buffer;
-    GLint vertex_array_was = 0;
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_was);
-    glGenVertexArrays(1, &vertex_array);
-    glBindVertexArray(vertex_array);
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(mesh->triangles * 3 * VERTEX_FLOATS * sizeof *vertices), vertices, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < 4; i++) {
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, VERTEX_FLOATS * sizeof *vertices, (const void *)(3 * i * sizeof *vertices));
-        glEnableVertexAttribArray(i);
-    }
+    float view[16], projection[16];
+    GLuint framebuffer, view_depth[2] = { 0, 0 };
+    int complete = 1;
+    kit_soup soup;
+    kit_camera_matrices(&g->camera, view, projection);
+    while (glGetError() != GL_NO_ERROR) {}
+    kit_soup_open(&soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDrawBuffers(peels ? 3 : 2, targets);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
-
-    glDisable(GL_SCISSOR_TEST); glDisable(GL_BLEND); glDisable(GL_CULL_FACE); glDisable(GL_STENCIL_TEST);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDepthRangef(0, 1);
-    glEnable(GL_DEPTH_TEST);
+    glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
     glDepthFunc(reversed ? GL_GREATER : GL_LESS);
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glClearBufferfv(GL_COLOR, 0, zero);
-    glClearBufferfv(GL_COLOR, 1, zero);
-    glClearBufferfv(GL_DEPTH, 0, &clear);
-    glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
-    glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
+    if (peels) {
+        for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[1], 0);
+        glClearBufferfv(GL_COLOR, 2, zero);                    /* what the first layer is behind of */
+        glActiveTexture(GL_TEXTURE0);
+    }
+    for (int layer = 0; layer < (peels ? g->layers : 1) && complete; layer++) {
+        const int slice = layer ? layer - 1 : 0;
+        if (peels) {
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[0], g->layer_normal, 0, slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[1], g->layer_albedo, 0, slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, g->layer_depth, 0, slice);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[layer % 2], 0);
+            glBindTexture(GL_TEXTURE_2D, view_depth[(layer + 1) % 2]);
+        } else {
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[0], GL_TEXTURE_2D, g->normal, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[1], GL_TEXTURE_2D, g->albedo, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, g->depth, 0);
+        }
+        complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+        if (!complete) break;
+        for (int i = 0; i < 2; i++) glClearBufferfv(GL_COLOR, i, zero);
+        if (peels) glClearBufferfv(GL_COLOR, 2, farthest);
+        glClearBufferfv(GL_DEPTH, 0, &clear);
+        glUniform1f(glGetUniformLocation(program, "u_side"), layer % 2 ? -1.0f : 1.0f);
+        glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
+    }
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    glDepthFunc(GL_LESS);
-    glDisable(GL_DEPTH_TEST);
-    glUseProgram(0);
-    glBindVertexArray((GLuint)vertex_array_was);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    glDeleteBuffers(1, &buffer);
-    glDeleteVertexArrays(1, &vertex_array);
+    if (peels) glBindTexture(GL_TEXTURE_2D, 0);
+    kit_soup_close(&soup);
+    glDeleteTextures(2, view_depth);
+    glDeleteFramebuffers(1, &framebuffer);
+    return complete && glGetError() == GL_NO_ERROR;
+}
+
+static int rasterise(const kit_gbuffer *g, const kit_scene *scene, int peels, kit_error *err)
+{
+    float *vertices;
+    GLuint program;
+    int drawn;
+    if (scene->mesh.triangles > 0x7fffffff / 3)
+        return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name, scene->mesh.triangles);
+    vertices = vertices_new(&scene->mesh, &g->camera);
+    if (!vertices) return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
+    program = kit_program_text(peels ? "#define PEEL\n" : "", vertex_source, fragment_source, err);
+    drawn = program && draw(g, &scene->mesh, vertices, program, peels);
+    free(vertices);
+    if (!program) return -1;
+    glDeleteProgram(program);
+    if (!drawn) return kit_fail(err, "G-buffer of %s: %s cannot draw %d layers of %d x %d RGBA32F and RGBA16F texels with %zu triangles",
+                                scene->name, kit_gl_name(), g->layers, g->width, g->height, scene->mesh.triangles);
+    return 0;
 }
 
 int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4], kit_error *err)
 {
-    static const GLenum targets[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
     static const int none[4] = { 0, 0, 0, 0 };
     kit_gbuffer g;
-    float view[16], *vertices;
-    GLuint framebuffer, program;
+    float view[16];
     GLint limit = 0;
-    int complete;
     memset(&g, 0, sizeof g);
     if (!margin) margin = none;
+    g.layers = 1;
     g.camera = *camera;
     kit_camera_planes(&g.camera, &scene->mesh);
     kit_camera_matrices(&g.camera, view, g.projection);
@@ -143,36 +184,43 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
         return kit_fail(err, "G-buffer of %s: %d x %d texels is not a size that this context can draw (1 to %d)", scene->name, g.width, g.height, (int)limit);
     if (camera->depth != KIT_DEPTH_NORMAL && !glClipControl)
         return kit_fail(err, "G-buffer of %s: reversed depth needs glClipControl, which %s lacks", scene->name, kit_gl_name());
-    if (scene->mesh.triangles > 0x7fffffff / 3)
-        return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name, scene->mesh.triangles);
-    vertices = vertices_new(&scene->mesh, &g.camera);
-    if (!vertices) return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
-    program = program_new(err);
-    if (!program) { free(vertices); return -1; }
-
     g.depth  = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
     g.normal = kit_texture(g.width, g.height, GL_RGBA32F, NULL);
     g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, NULL);
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, g.normal, 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, g.albedo, 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, g.depth, 0);
-    glDrawBuffers(2, targets);
-    complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    while (glGetError() != GL_NO_ERROR) {}
-    if (complete) draw(&g, &scene->mesh, vertices, view, program);
-    complete = complete && glGetError() == GL_NO_ERROR;
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteProgram(program);
-    free(vertices);
-    if (!complete) {
+    if (rasterise(&g, scene, 0, err)) {
         kit_gbuffer_free(&g);
-        return kit_fail(err, "G-buffer of %s: %s cannot draw %d x %d RGBA32F and RGBA16F targets with %zu triangles",
-                        scene->name, kit_gl_name(), g.width, g.height, scene->mesh.triangles);
+        return -1;
     }
     *gbuffer = g;
+    return 0;
+}
+
+static void layers_free(kit_gbuffer *g)
+{
+    glDeleteTextures(1, &g->layer_depth);
+    glDeleteTextures(1, &g->layer_normal);
+    glDeleteTextures(1, &g->layer_albedo);
+    g->layer_depth = g->layer_normal = g->layer_albedo = 0;
+    g->layers = 1;
+}
+
+int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err)
+{
+    kit_gbuffer g = *gbuffer;
+    if (layers < 1 || layers > KIT_MAX_LAYERS) return kit_fail(err, "layers %d: must be 1..%d", layers, KIT_MAX_LAYERS);
+    if (g.depth_is_linear) return kit_fail(err, "G-buffer: it came from a frame, which has no scene to peel");
+    if (layers > 1) {
+        g.layers       = layers;
+        g.layer_depth  = kit_texture_array(g.width, g.height, layers - 1, GL_DEPTH_COMPONENT32F, NULL);
+        g.layer_normal = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA32F, NULL);
+        g.layer_albedo = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA16F, NULL);
+        if (rasterise(&g, scene, 1, err)) {
+            layers_free(&g);
+            return -1;
+        }
+        layers_free(gbuffer);
+        *gbuffer = g;
+    } else layers_free(gbuffer);
     return 0;
 }
 
@@ -191,51 +239,97 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
     if (!(camera->zfar > camera->znear)) camera->zfar = 2.0f * camera->znear;
 }
 
+/* Channels of a layer; DIRECT is the first layer's alone. */
+enum { Z, N, ALBEDO = 4, DIRECT = 7, CHANNELS = 10 };
+static const char *const channel_names[CHANNELS] =
+    { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.G", "direct.B" };
+
+static void channel_name(char out[32], int layer, int c)
+{
+    if (layer) snprintf(out, 32, "layer%d.%s", layer, channel_names[c]);
+    else       snprintf(out, 32, "%s", channel_names[c]);
+}
+
+/* Channels first .. last - 1 of a layer: 1 if all are there, 0 if none is, -1 if some are missing; the line names the first of these. */
+static int channels_find(const float **channel, const kit_image *frame, int layer, int first, int last, kit_error *err)
+{
+    char name[32], missing[32] = "";
+    int found = 0;
+    for (int c = first; c < last; c++) {
+        channel_name(name, layer, c);
+        channel[c] = kit_image_channel(frame, name);
+        found += channel[c] != NULL;
+        if (!channel[c] && !missing[0]) memcpy(missing, name, sizeof missing);
+    }
+    return !missing[0] ? 1 : !found ? 0 :
+           kit_fail(err, "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z, and all of albedo.R/G/B or none, as all of direct.R/G/B", missing);
+}
+
 int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err)
 {
-    static const char *const names[7] = { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B" };
     const size_t width = (size_t)frame->width, texels = width * (size_t)frame->height;
-    const float *channel[7];
-    float view[16], *depth, *normal, *albedo;
+    const float *channel[KIT_MAX_LAYERS][CHANNELS];
+    float view[16], *depth, *normal, *albedo, *direct;
     kit_gbuffer g;
     GLint limit = 0;
-    int colours = 0;
-    for (int c = 0; c < 7; c++) {
-        channel[c] = kit_image_channel(frame, names[c]);
-        if (c >= 4) colours += channel[c] != NULL;
-        else if (!channel[c]) return kit_fail(err, "frame: channel %s is missing; Z, N.X, N.Y and N.Z are needed", names[c]);
+    int colours, lit;
+    size_t layers = 0;
+    memset(&g, 0, sizeof g);
+    while (g.layers < KIT_MAX_LAYERS) {
+        const int found = channels_find(channel[g.layers], frame, g.layers, Z, ALBEDO, err);
+        if (found < 0) return -1;
+        if (!found) break;
+        g.layers++;
     }
-    for (int c = 4; c < 7; c++)
-        if (colours && !channel[c]) return kit_fail(err, "frame: channel %s is missing; albedo has all of R, G and B, or none", names[c]);
+    if (!g.layers) return kit_fail(err, "frame: channel Z is missing; Z, N.X, N.Y and N.Z are needed");
+    colours = channels_find(channel[0], frame, 0, ALBEDO, DIRECT, err);
+    lit = channels_find(channel[0], frame, 0, DIRECT, CHANNELS, err);
+    if (colours < 0 || lit < 0) return -1;
+    for (int layer = 1; layer < g.layers && colours; layer++)
+        if (channels_find(channel[layer], frame, layer, ALBEDO, DIRECT, err) != 1)
+            return kit_fail(err, "frame: layer%d lacks albedo, which the first layer has", layer);
+    layers = (size_t)g.layers;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (frame->width > limit || frame->height > limit)
         return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height, (int)limit);
-    memset(&g, 0, sizeof g);
     g.camera = *camera;
     g.camera.width  = g.width  = g.viewport[2] = frame->width;
     g.camera.height = g.height = g.viewport[3] = frame->height;
     g.depth_is_linear = 1;
-    planes_from_depths(&g.camera, channel[0], texels);
+    planes_from_depths(&g.camera, channel[0][Z], texels);
     kit_camera_matrices(&g.camera, view, g.projection);
-    depth = calloc(texels * 9, sizeof *depth);
-    if (!depth) return kit_fail(err, "frame: no memory for %d x %d texels", frame->width, frame->height);
-    normal = depth + texels;
-    albedo = normal + 4 * texels;
-    for (size_t i = 0; i < texels; i++) {
+    depth = calloc(texels * (9 * layers + 4), sizeof *depth);
+    if (!depth) return kit_fail(err, "frame: no memory for %d x %d texels in %zu layers", frame->width, frame->height, layers);
+    normal = depth + layers * texels;
+    albedo = normal + 4 * layers * texels;
+    direct = albedo + 4 * layers * texels;
+    for (size_t at = 0; at < layers * texels; at++) {
+        const size_t layer = at / texels, i = at % texels;
         const size_t from = (size_t)frame->height * width - (i / width + 1) * width + i % width;      /* rows turn over */
+        const float *const *c_of = channel[layer];
         double n[3], length;
-        if (!(channel[0][from] > 0 && channel[0][from] <= FLT_MAX)) continue;
-        depth[i] = channel[0][from];
-        for (int c = 0; c < 3; c++) n[c] = (double)channel[1 + c][from];
+        if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) continue;
+        depth[at] = c_of[Z][from];
+        for (int c = 0; c < 3; c++) n[c] = (double)c_of[N + c][from];
         length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        normal[4 * i + 2] = 1;
-        for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * i + c] = (float)(n[c] / length);
-        for (size_t c = 0; c < 3 && colours; c++) albedo[4 * i + c] = channel[4 + c][from];
-        albedo[4 * i + 3] = 1;
+        normal[4 * at + 2] = layer % 2 ? -1.0f : 1.0f;
+        for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * at + c] = (float)(n[c] / length);
+        for (size_t c = 0; c < 3 && colours; c++) albedo[4 * at + c] = c_of[ALBEDO + c][from];
+        albedo[4 * at + 3] = 1;
+        for (size_t c = 0; c < 3 && lit && !layer; c++) {
+            const float value = c_of[DIRECT + c][from];
+            direct[4 * i + c] = value > 0 && value <= FLT_MAX ? value : 0.0f;
+        }
     }
     g.depth  = kit_texture(g.width, g.height, GL_R32F, depth);
     g.normal = kit_texture(g.width, g.height, GL_RGBA32F, normal);
     if (colours) g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, albedo);
+    if (lit)     g.direct = kit_texture(g.width, g.height, GL_RGBA32F, direct);
+    if (g.layers > 1) {
+        g.layer_depth  = kit_texture_array(g.width, g.height, g.layers - 1, GL_R32F, depth + texels);
+        g.layer_normal = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA32F, normal + 4 * texels);
+        if (colours) g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
+    }
     free(depth);
     *gbuffer = g;
     return 0;
@@ -252,45 +346,76 @@ static double view_depth(const kit_gbuffer *g, double depth)
     return ((double)p[14] - z * (double)p[15]) / ((double)p[10] - z * (double)p[11]);
 }
 
+/* a layer of the textures: 2D ones for the first, slices of arrays for the others */
+static int layer_read(GLuint texture, GLuint array, int layer, const kit_gbuffer *g, int components, float *out)
+{
+    return layer ? kit_texture_slice_read(array, layer - 1, g->width, g->height, components, out)
+                 : kit_texture_read(texture, g->width, g->height, components, out);
+}
+
+/* adds channels first .. last - 1 of a layer to a list of names */
+static void names_add(char *names, size_t size, int layer, int first, int last)
+{
+    for (int c = first; c < last; c++) {
+        size_t length = strlen(names);
+        char name[32];
+        channel_name(name, layer, c);
+        snprintf(names + length, size - length, "%s%s", length ? "," : "", name);
+    }
+}
+
 int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 {
-    const size_t texels = (size_t)g->width * (size_t)g->height;
+    const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO;
     const size_t width = (size_t)g->viewport[2], height = (size_t)g->viewport[3], pixels = width * height;
-    float *depth = malloc(texels * 9 * sizeof *depth), *normal, *albedo;
+    char names[KIT_MAX_CHANNELS * 32] = "";
+    float *depth, *normal, *albedo, *direct;
     kit_image image;
+    int result = 0;
+    for (int layer = 0; layer < g->layers; layer++) names_add(names, sizeof names, layer, Z, (int)channels);
+    if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
+    depth = malloc(texels * 13 * sizeof *depth);
     if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
-    normal = depth + texels;
-    albedo = normal + 4 * texels;
-    if (kit_texture_read(g->depth, g->width, g->height, 1, depth) || kit_texture_read(g->normal, g->width, g->height, 4, normal) ||
-        (g->albedo && kit_texture_read(g->albedo, g->width, g->height, 4, albedo))) {
-        free(depth);
-        return kit_fail(err, "G-buffer: %s cannot read its textures back", kit_gl_name());
-    }
-    if (kit_image_new(&image, g->viewport[2], g->viewport[3],
-                      g->albedo ? "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B" : "Z,N.X,N.Y,N.Z", err)) {
+    if (kit_image_new(&image, g->viewport[2], g->viewport[3], names, err)) {
         free(depth);
         return -1;
     }
-    for (size_t i = 0; i < pixels; i++) {
-        const size_t y = height - 1 - i / width;
-        const size_t from = ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
-        const double z = view_depth(g, (double)depth[from]);
-        if (!(z > 0)) continue;
-        image.data[i] = (float)z;
-        for (size_t c = 0; c < 3; c++) {
-            image.data[(1 + c) * pixels + i] = normal[4 * from + c];
-            if (g->albedo) image.data[(4 + c) * pixels + i] = albedo[4 * from + c];
+    normal = depth + texels;
+    albedo = normal + 4 * texels;
+    direct = albedo + 4 * texels;
+    if (g->direct) result = kit_texture_read(g->direct, g->width, g->height, 4, direct);
+    for (int layer = 0; layer < g->layers && !result; layer++) {
+        float *out = image.data + (size_t)layer * channels * pixels, *out_direct = image.data + (size_t)g->layers * channels * pixels;
+        result = layer_read(g->depth, g->layer_depth, layer, g, 1, depth) || layer_read(g->normal, g->layer_normal, layer, g, 4, normal) ||
+                 (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo));
+        for (size_t i = 0; i < pixels && !result; i++) {
+            const size_t y = height - 1 - i / width;
+            const size_t from = ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
+            const double z = view_depth(g, (double)depth[from]);
+            if (!(z > 0)) continue;
+            out[i] = (float)z;
+            for (size_t c = 0; c < 3; c++) {
+                out[(N + c) * pixels + i] = normal[4 * from + c];
+                if (g->albedo) out[(ALBEDO + c) * pixels + i] = albedo[4 * from + c];
+                if (g->direct && !layer) out_direct[c * pixels + i] = direct[4 * from + c];
+            }
         }
     }
     free(depth);
+    if (result) {
+        kit_image_free(&image);
+        return kit_fail(err, "G-buffer: %s cannot read its textures back", kit_gl_name());
+    }
     *frame = image;
     return 0;
 }
 
 void kit_gbuffer_free(kit_gbuffer *gbuffer)
 {
+    layers_free(gbuffer);
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);
+    glDeleteTextures(1, &gbuffer->direct);
     memset(gbuffer, 0, sizeof *gbuffer);
 }

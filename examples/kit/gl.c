@@ -237,6 +237,7 @@ static const struct format { GLenum internal, format; int components; GLenum typ
     { GL_R8,    GL_RED, 1, GL_UNSIGNED_BYTE }, { GL_RG8,   GL_RG, 2, GL_UNSIGNED_BYTE }, { GL_RGBA8,   GL_RGBA, 4, GL_UNSIGNED_BYTE },
     { GL_R16F,  GL_RED, 1, GL_FLOAT },         { GL_RG16F, GL_RG, 2, GL_FLOAT },         { GL_RGBA16F, GL_RGBA, 4, GL_FLOAT },
     { GL_R32F,  GL_RED, 1, GL_FLOAT },         { GL_RG32F, GL_RG, 2, GL_FLOAT },         { GL_RGBA32F, GL_RGBA, 4, GL_FLOAT },
+    { GL_RG32UI, GL_RG_INTEGER, 2, GL_UNSIGNED_INT }, { GL_RGBA32UI, GL_RGBA_INTEGER, 4, GL_UNSIGNED_INT },
     { GL_DEPTH_COMPONENT24,  GL_DEPTH_COMPONENT, 1, GL_UNSIGNED_INT },
     { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1, GL_FLOAT },
 };
@@ -253,8 +254,10 @@ static void *packed(const float *data, size_t count, GLenum type)
     return out;
 }
 
-GLuint kit_texture(int width, int height, GLenum internal_format, const float *data_or_null)
+/* layers 0: not an array */
+static GLuint texture_new(int width, int height, int layers, GLenum internal_format, const float *data_or_null)
 {
+    const GLenum target = layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
     const struct format *f = NULL;
     const void *data = data_or_null;
     void *copy = NULL;
@@ -262,26 +265,44 @@ GLuint kit_texture(int width, int height, GLenum internal_format, const float *d
     GLint bound = 0;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (formats[i].internal == internal_format) f = &formats[i];
-    if (!f || width < 1 || height < 1) return 0;
-    if (data && f->type != GL_FLOAT) {
-        data = copy = packed(data_or_null, (size_t)width * (size_t)height * (size_t)f->components, f->type);
+    if (!f || width < 1 || height < 1 || layers < 0) return 0;
+    if (data && (f->type == GL_UNSIGNED_BYTE || internal_format == GL_DEPTH_COMPONENT24)) {
+        data = copy = packed(data_or_null, (size_t)width * (size_t)height * (size_t)(layers ? layers : 1) * (size_t)f->components, f->type);
         if (!copy) return 0;
     }
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    glGetIntegerv(layers ? GL_TEXTURE_BINDING_2D_ARRAY : GL_TEXTURE_BINDING_2D, &bound);
     glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width, height, 0, f->format, f->type, data);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glBindTexture(GL_TEXTURE_2D, (GLuint)bound);
+    glBindTexture(target, texture);
+    if (layers) glTexImage3D(target, 0, (GLint)internal_format, width, height, layers, 0, f->format, f->type, data);
+    else        glTexImage2D(target, 0, (GLint)internal_format, width, height, 0, f->format, f->type, data);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(target, (GLuint)bound);
     free(copy);
     return texture;
 }
 
-int kit_texture_read(GLuint texture, int width, int height, int components, float *out)
+GLuint kit_texture(int width, int height, GLenum internal_format, const float *data_or_null)
+{
+    return texture_new(width, height, 0, internal_format, data_or_null);
+}
+
+GLuint kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null)
+{
+    return layers < 1 ? 0 : texture_new(width, height, layers, internal_format, data_or_null);
+}
+
+/* slice -1: a texture that is no array */
+static void attach_to_read(GLenum attachment, GLuint texture, int slice)
+{
+    if (slice < 0) glFramebufferTexture2D(GL_READ_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
+    else           glFramebufferTextureLayer(GL_READ_FRAMEBUFFER, attachment, texture, 0, slice);
+}
+
+static int texture_read(GLuint texture, int slice, int width, int height, int components, float *out)
 {
     size_t texels = (size_t)width * (size_t)height;
     GLint type = GL_FLOAT, framebuffer_was = 0;
@@ -295,11 +316,11 @@ int kit_texture_read(GLuint texture, int width, int height, int components, floa
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer_was);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    attach_to_read(GL_COLOR_ATTACHMENT0, texture, slice);
     is_depth = glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
     if (is_depth) {                                            /* GLES reads depth by NV_read_depth, which Mesa and NVIDIA have */
-        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0);
-        glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+        attach_to_read(GL_COLOR_ATTACHMENT0, 0, slice);
+        attach_to_read(GL_DEPTH_ATTACHMENT, texture, slice);
     }
     if (glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) goto done;
     while (glGetError() != GL_NO_ERROR) {}
@@ -321,12 +342,13 @@ int kit_texture_read(GLuint texture, int width, int height, int components, floa
             if (!bytes) goto done;
             glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
             for (size_t i = 0; i < texels * 4; i++) data[i] = (float)bytes[i] / 255.0f;
-        } else
+        } else if (type == GL_UNSIGNED_INT)
+            glReadPixels(0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, data);
+        else
             glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
     }
     if (glGetError() != GL_NO_ERROR) goto done;
-    for (size_t i = 0; i < texels; i++)
-        for (int c = 0; c < components; c++) out[i * (size_t)components + (size_t)c] = data[4 * i + (size_t)c];
+    for (size_t i = 0; i < texels; i++) memcpy(out + i * (size_t)components, data + 4 * i, (size_t)components * sizeof *out);
     result = 0;
 done:
     glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)framebuffer_was);
@@ -334,6 +356,16 @@ done:
     free(bytes);
     free(data);
     return result;
+}
+
+int kit_texture_read(GLuint texture, int width, int height, int components, float *out)
+{
+    return texture_read(texture, -1, width, height, components, out);
+}
+
+int kit_texture_slice_read(GLuint array, int slice, int width, int height, int components, float *out)
+{
+    return slice < 0 ? -1 : texture_read(array, slice, width, height, components, out);
 }
 
 /* ---- >>program ---------------------------------------------------------------------------------------------- */
@@ -391,6 +423,62 @@ GLuint kit_program(const char *const *source, const GLenum *stage, int count, ki
     }
     if (!ok) { glDeleteProgram(program); program = 0; }
     return program;
+}
+
+GLuint kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err)
+{
+    static const GLenum stage[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
+    const char *prelude = gl.es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
+    const char *body[2] = { vertex, fragment };
+    char *text[2] = { NULL, NULL };
+    GLuint program = 0;
+    for (int i = 0; i < 2; i++) {
+        size_t size = strlen(prelude) + strlen(head) + strlen(body[i]) + 1;
+        text[i] = malloc(size);
+        if (text[i]) snprintf(text[i], size, "%s%s%s", prelude, head, body[i]);
+    }
+    if (text[0] && text[1]) program = kit_program((const char *const *)text, stage, 2, err);
+    else kit_fail(err, "program: no memory for its text");
+    free(text[0]);
+    free(text[1]);
+    return program;
+}
+
+/* ---- >>soup ------------------------------------------------------------------------------------------------- */
+
+void kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attributes)
+{
+    const size_t stride = 3 * sizeof *vertices * (size_t)attributes;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &soup->vertex_array_was);
+    glGenVertexArrays(1, &soup->vertex_array);
+    glBindVertexArray(soup->vertex_array);
+    glGenBuffers(1, &soup->buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, soup->buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * stride), vertices, GL_STATIC_DRAW);
+    for (int i = 0; i < attributes; i++) {
+        glVertexAttribPointer((GLuint)i, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)(3 * (size_t)i * sizeof *vertices));
+        glEnableVertexAttribArray((GLuint)i);
+    }
+    glDisable(GL_SCISSOR_TEST); glDisable(GL_BLEND); glDisable(GL_CULL_FACE); glDisable(GL_STENCIL_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthRangef(0, 1);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+}
+
+void kit_soup_close(kit_soup *soup)
+{
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindVertexArray((GLuint)soup->vertex_array_was);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glDeleteBuffers(1, &soup->buffer);
+    glDeleteVertexArrays(1, &soup->vertex_array);
+    memset(soup, 0, sizeof *soup);
 }
 
 /* ---- >>timer ------------------------------------------------------------------------------------------------ */

@@ -6,7 +6,8 @@
      util.c     errors, progress, threads, memory files
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
      mesh.c     triangles: OBJ and MTL reader, built-in scenes
-     truth.c    cameras, ray-traced truth, floor, both over ssgi.h's trace room
+     light.c    environments and lights
+     truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
      method.c   the table of methods: settings, passes, running and timing them
@@ -116,6 +117,36 @@ int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor
 void        kit_scene_free(kit_scene *scene);
 const char *kit_scene_builtin(int i, const char **about);                 /* name of the i-th built-in scene, NULL past the last */
 
+/* Appends a closed box to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all finite; albedo linear, [0, 1]. */
+int         kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err);
+
+/* ---- >>light ------------------------------------------------------------------------------------------------ */
+
+enum { KIT_SUN, KIT_POINT };
+typedef struct kit_light {
+    int   kind;
+    float at[3];                           /* SUN: unit direction to the light; POINT: where it is. World space */
+    float colour[3];                       /* SUN: irradiance facing it; POINT: radiant intensity */
+} kit_light;
+
+#define KIT_MAX_LIGHTS 16
+typedef struct kit_lighting {
+    kit_image env;                         /* radiance as kit_env_read gives it; data NULL = none */
+    int       lights;
+    kit_light light[KIT_MAX_LIGHTS];
+} kit_lighting;
+
+/* "sky": a built-in clear sky with a soft sun side, no sharp sun; else an .exr or .hdr file with channels R, G, B. Latitude-longitude, oriented as
+   OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the centre; texels are areas, the first row reaches up to the pole. env gets
+   channels R,G,B in this order; values that are not finite or below 0 become 0. */
+int  kit_env_read(kit_image *env, const char *path_or_sky, kit_error *err);
+void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);   /* bilinear; wraps around; direction need not be unit; 0 if data is NULL */
+/* Between a direction and its place in the picture, in texels from the top left corner: (0.5, 0.5) is the first texel's centre. */
+void kit_env_place(const kit_image *env, const float direction[3], double at[2]);      /* in [0, width] x [0, height]; direction need not be unit */
+void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
+/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be unit, but not 0. */
+int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
+
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */
 
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh);         /* fills znear and zfar where they are 0 */
@@ -125,13 +156,26 @@ void kit_camera_matrices(const kit_camera *camera, float view[16], float project
    or on the plane of the eye (orthographic) */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
 
-enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE };
+/* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2, 1 - (t/R)^3; 0 beyond R */
+enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
 
 /* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's centre, then rays
-   cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by the nearest hit at t < radius with weight
-   1 - t/radius (LINEAR) or 1 (NONE). stride > 1 computes one pixel in every stride x stride block (its top-left one offset by stride/2) and leaves NaN
-   elsewhere. Same result for any number of threads. */
+   cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by the nearest hit at t < radius with the
+   attenuation's weight. rays 1..65536; radius above 0, INFINITY only with NONE. stride > 1 computes one pixel in every stride x stride block (its
+   top-left one offset by stride/2) and leaves NaN elsewhere. Same result for any number of threads. */
 int  kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+/* Ray-traced light of every pixel; all channels 0 where nothing is seen:
+     R, G, B            outgoing radiance: albedo * (irradiance + bounce)
+     irradiance.R .G .B irradiance over pi, before albedo: the environment, each direction blocked by the nearest hit at t < radius with the attenuation's
+                        weight; and the lights, shadowed by the whole scene
+     bounce.R .G .B     the same of light reflected once (all 0 if bounce is 0, else it must be 1): each direction's nearest hit at t < radius sends albedo *
+                        irradiance (as above, at the hit, on the side that is hit) with the attenuation's weight
+   Primary rays, normals, stride, threads and limits as in kit_truth_ao. Half of the rays are cosine-weighted and also find the bounce, half seek the
+   environment's light (without environment all are of the first kind); every hit that bounces sends one of each and one to each light.
+   lighting: env without data or as kit_env_read gives it (fewer than 3 channels fail; values that are not finite or below 0 spoil the result). */
+int  kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce,
+                   int rays, int stride, kit_error *err);
 
 /* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render contract (view depth, view-space
    normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres are joined where they lie on one surface) and traced likewise. */

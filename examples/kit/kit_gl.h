@@ -20,14 +20,16 @@
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS) X(DeleteProgram, DELETEPROGRAM) X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) \
     X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) \
     X(DrawArrays, DRAWARRAYS) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) \
-    X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) \
-    X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) \
+    X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
+    X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) \
+    X(GenVertexArrays, GENVERTEXARRAYS) X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) \
     X(GetActiveUniformsiv, GETACTIVEUNIFORMSIV) X(GetError, GETERROR) X(GetFragDataLocation, GETFRAGDATALOCATION) \
     X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, GETINTEGERV) X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
     X(GetProgramiv, GETPROGRAMIV) X(GetShaderInfoLog, GETSHADERINFOLOG) X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) X(GetStringi, GETSTRINGI) \
     X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) X(GetUniformiv, GETUNIFORMIV) \
     X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) \
-    X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) X(Uniform1i, UNIFORM1I) \
+    X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) \
+    X(Uniform1f, UNIFORM1F) X(Uniform1i, UNIFORM1I) \
     X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) X(UseProgram, USEPROGRAM) \
     X(VertexAttribPointer, VERTEXATTRIBPOINTER) X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
@@ -57,14 +59,26 @@ const char *kit_gl_name(void);                    /* "renderer, version"; "" whe
 int         kit_gl_is_es(void);
 int         kit_gl_is_software(void);
 
-/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F RGBA32F,
-   DEPTH_COMPONENT24, DEPTH_COMPONENT32F; 0 is returned for others. data: as many floats a texel as the format has components. */
+/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F RGBA32F, RG32UI RGBA32UI,
+   DEPTH_COMPONENT24, DEPTH_COMPONENT32F; 0 is returned for others. data: as many floats a texel as the format has components; of the UI
+   formats their bits, so uint32_t behind the pointer. */
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
+/* The same with layers slices, a 2D array; data slice after slice. Draw into one with glFramebufferTextureLayer. */
+GLuint      kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null);
 /* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this texture. */
 int         kit_texture_read(GLuint texture, int width, int height, int components, float *out);
+int         kit_texture_slice_read(GLuint array, int slice, int width, int height, int components, float *out);
 
 /* Compiles and links; 0 on failure. The shaders stay attached, so a caller that needs transform feedback names its varyings and links again. */
 GLuint      kit_program(const char *const *source, const GLenum *stage, int count, kit_error *err);
+/* The same of a vertex and a fragment stage, each after the #version line and precisions that suit the context, then head (#define lines or ""). */
+GLuint      kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
+
+/* Opaque drawing of count vertices: vec3 attributes 0, 1 .. interleaved, uploaded once; both sides, all written, depth test LESS. Closing
+   goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off. */
+typedef struct kit_soup { GLuint vertex_array, buffer; GLint vertex_array_was; } kit_soup;
+void        kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attributes);
+void        kit_soup_close(kit_soup *soup);
 
 /* Milliseconds of GL time between the two: a timer query on hardware, the clock around glFinish on software. No nesting. */
 void        kit_timer_begin(void);
@@ -81,19 +95,47 @@ typedef struct kit_gbuffer {
     GLuint     albedo;                     /* RGBA16F; 0 = there is none */
     kit_camera camera;                     /* planes filled in */
     float      projection[16];             /* of the viewport */
+    GLuint     direct;                     /* RGBA32F, outgoing radiance of the first layer; 0 = there is none (only frames bring it) */
+    int        layers;                     /* 1 when not peeled. The second, third .. layer are slices 0, 1 .. of these 2D arrays: */
+    GLuint     layer_depth, layer_normal, layer_albedo;   /* kinds as above; normals of even layers point away from the viewer */
 } kit_gbuffer;
 
 /* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture, which hold the
    background; NULL = none. Leaves framebuffer 0 and program 0 bound, depth test off, clip control at GL's default. */
 int  kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4], kit_error *err);
 
+/* Depth peeling [Everitt 2001]: makes the second and farther layers, up to layers [limit: 1..KIT_MAX_LAYERS] of them in all, of a G-buffer that came
+   from this scene, in place of those that it has. A surface is the next layer's when it is more than 4e-6 of its view depth behind the last one's, so none
+   is peeled against itself. Normals of odd layers (1st, 3rd ..) are turned toward the viewer, of even ones away: both sides of a closed solid
+   face open space. Leaves GL as kit_gbuffer_from_scene does, and unit 0 without a 2D texture. */
+#define KIT_MAX_LAYERS 8
+int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
+
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero normal is taken
-   as +z) and perhaps albedo.R/G/B. The camera's size becomes the frame's; its planes, where 0, bracket Z. */
+   as +z, -z in even layers) and perhaps albedo.R/G/B; the same as layer1.Z, layer1.N.X .. of the second layer, layer2.Z .. of the third, and so on
+   to KIT_MAX_LAYERS; and perhaps direct.R/G/B (what is not finite or below 0 becomes 0). The camera's size becomes the frame's; its planes, where 0, bracket Z. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* The inverse: Z, N.X, N.Y, N.Z and, where there is albedo, albedo.R/G/B of the viewport; background is 0 in all. */
+/* The inverse, of the viewport: those channels of all layers, and direct.R/G/B where there is direct; background is 0 in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
+
+/* ---- >>shadow ----------------------------------------------------------------------------------------------- */
+
+typedef struct kit_shadow_camera {
+    float view[16], projection[16];        /* world to light view (the camera along -z); GL's clip space, perspective or orthographic */
+    int   tile[4];                         /* x, y, width, height in texels of the atlas */
+} kit_shadow_camera;
+
+/* A DEPTH_COMPONENT32F atlas of shadow maps, 1 where nothing is; both sides of every triangle. Tiles must lie in the atlas; of tiles that overlap the
+   nearest depth stays. 0 on failure. Leaves GL as kit_gbuffer_from_scene does. */
+GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count, kit_error *err);
+
+/* A light's reflective shadow map [Dachsbacher and Stamminger 2005] in three arrays of 3 floats a pixel, for the caller to free: world position, world
+   normal (unit, toward the light), reflected flux = albedo * the light's power that falls on the pixel. POINT: six cube faces of resolution x resolution
+   pixels, power = intensity * the pixel's exact solid angle; what is nearer than 1e-4 of the bounds' diagonal is not seen. SUN: one orthographic map
+   around the scene's bounds, power = irradiance * the pixel's area. All 0 where a pixel sees no surface. resolution [limit: 1..4096]. */
+int  kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene, const kit_light *light, int resolution, kit_error *err);
 
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
 
@@ -105,7 +147,7 @@ typedef struct kit_setting {
     int         whole;                     /* takes whole numbers only */
 } kit_setting;
 
-#define KIT_MAX_SETTINGS 24
+#define KIT_MAX_SETTINGS 40
 typedef struct kit_method {
     const char *name, *about;
     int         lit;                       /* 0: writes ambient visibility Y */
@@ -120,29 +162,45 @@ int  kit_method_find(kit_method *method, const char *name, kit_error *err);
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 double kit_method_value(const kit_method *method, const char *key);
 
-#define KIT_MAX_PASSES 8
+/* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a frame); light, for lit methods (NULL = none). */
+typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;
+
+enum { KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
+       KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };   /* uniform buffers: the picture's frame, two an extra camera, then these */
 typedef struct kit_pass {
-    ssgi_gl_desc desc;
-    GLuint       program, framebuffer, texture;
-    int          width, height;            /* of the target */
-    double       ms;                       /* of the last kit_run_draw that was timed */
+    ssgi_gl_desc       desc;
+    const kit_gbuffer *gbuffer;
+    GLuint             program, framebuffer, target[2];     /* target: 0 when it draws into a slice of senders */
+    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights */
+    int                frame, width, height;
+    uint64_t           key;                /* equal ones share their program */
+    double             ms;                 /* of the last kit_run_draw that was timed */
 } kit_pass;
 
-/* A method made ready on one G-buffer: programs, targets, uniforms. The G-buffer stays the caller's and must outlive it. */
+/* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays the caller's and must outlive it. */
 typedef struct kit_run {
-    const kit_gbuffer *gbuffer;
-    ssgi_gl_frame      frame;              /* change it as you like before a draw, then kit_run_update */
-    int                passes;
-    kit_pass           pass[KIT_MAX_PASSES];
-    GLuint             block, noise;
-    double             fetches;            /* texel fetches a pixel of the picture, all passes */
+    kit_gbuffer  *gbuffer;
+    ssgi_gl_frame frame;                   /* change it as you like before a draw, then kit_run_update */
+    int           lit, passes, textures, views, vpls, base_falloff;
+    kit_pass      pass[KIT_MAX_PASSES];
+    GLuint        light, bounce;           /* the result: ambient visibility or irradiance over pi; that of the bounce */
+    GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
+    GLuint        noise, kernel, environment, irradiance, senders, view_senders, view_depth, atlas, grey;
+    GLuint        block[KIT_FRAMES];
+    kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
+    ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
+    ssgi_gl_views cameras;
+    float        *equirect, harmonics[27]; /* the environment, interleaved; its first three bands */
+    double        fetches;                 /* texel fetches a pixel of the picture, all passes */
 } kit_run;
 
-int  kit_run_open(kit_run *run, const kit_gbuffer *gbuffer, const kit_method *method, float radius, kit_error *err);
+/* Peels the G-buffer as far as the method asks, when the world has a scene. */
+int  kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world, kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
 void kit_run_draw(kit_run *run, int timed);
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
-int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);   /* the picture: Y */
+/* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R .. (irradiance over pi, before albedo). */
+int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);
 
 /* Compiles both stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */

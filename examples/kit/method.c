@@ -1,48 +1,81 @@
-/* method.c - the table of methods: settings, passes, running and timing them. */
+/* method.c - the table of methods: their settings, the passes they are made of, running and timing them. Declared in kit_gl.h. */
 #include "kit_gl.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>settings: one row a setting; where it goes is its place in a desc or in the frame ----------------------- */
+#define PI 3.14159265358979323846
 
-enum { IN_AO, IN_BLUR, IN_BOTH, IN_FRAME /* times the radius */, IN_FRAME_PLAIN, IN_PLAN /* the method's own */ };
+/* ---- >>settings: a row each; where its value goes in a desc or in the frame ---------------------------------------- */
+
+enum { GATHER = 1, LIGHTS = 2, BLUR = 4 /* fields of those passes' descs */, FRAME = 8, SCALED = 16 /* of the frame; times the radius */, PLAN = 0 /* the method asks for it itself */ };
 
 typedef struct row { kit_setting setting; int where; size_t offset; } row;
-#define AO(field)    IN_AO, offsetof(ssgi_gl_desc, field)
-#define BOTH(field)  IN_BOTH, offsetof(ssgi_gl_desc, field)
-#define BLUR(field)  IN_BLUR, offsetof(ssgi_gl_desc, field)
+#define DESC(field)  offsetof(ssgi_gl_desc, field)
+#define FRAMED(field) offsetof(ssgi_gl_frame, field)
 
-static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient tile texture", 0, 0, 2, 1 }, AO(noise) };
-static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, IN_PLAN, 0 };
-static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
-static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, AO(thin) };
-static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, BOTH(half) };
-static const row rays_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0, 100, 0 }, IN_FRAME, offsetof(ssgi_gl_frame, thickness) };
-static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, AO(hard) };
-static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, offset) };
-static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, IN_PLAN, 0 };
-static const row filter_row    = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR(filter) };
-static const row compare_row   = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 }, BLUR(filter_normals) };
-static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, IN_FRAME_PLAIN, offsetof(ssgi_gl_frame, phase) };
+static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient tile texture", 0, 0, 2, 1 }, GATHER | LIGHTS, DESC(noise) };
+static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0 };
+static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness) };
+static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0, 100, 0 }, SCALED, FRAMED(thickness) };
+static const row most_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.7, 0, 100, 0 }, SCALED, FRAMED(thickness) };
+static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, GATHER, DESC(thin) };
+static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, GATHER | BLUR, DESC(half) };
+static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, GATHER, DESC(hard) };
+static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, FRAME, FRAMED(offset) };
+static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, PLAN, 0 };
+static const row filter_row    = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR, DESC(filter) };
+static const row compare_row   = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 }, BLUR, DESC(filter_normals) };
+static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
+static const row layers_row    = { { "layers", "depth layers, peeled", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(layers) };
+static const row views_row     = { { "views", "extra cameras", NULL, 0, 0, 4, 1 }, GATHER | LIGHTS, DESC(views) };
+static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(view_layers) };
+static const row view_size_row = { { "view_size", "pixels of an extra camera's side", NULL, 512, 16, 4096, 1 }, PLAN, 0 };
 
-static const row samples_row   = { { "samples", "points per pixel", NULL, 16, 1, 64, 1 }, AO(samples) };
-static const row slices_row    = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 }, AO(directions) };
-static const row dirs_row      = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 }, AO(directions) };
-static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1 }, AO(steps) };
-static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 }, AO(normal_rays) };
+static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
+static const row march_row     = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps) };
+static const row falloff_row   = { { "falloff", "weight of a blocker at distance t: 1 - t/radius, or the square or cube of that ratio", "linear square cube", 0, 0, 2, 1 }, GATHER, DESC(falloff) };
+static const row fade_row      = { { "fade", "1: blockers fade out toward the radius, by where they are seen", NULL, 0, 0, 1, 1 }, GATHER, DESC(fade) };
+static const row fade_from_row = { { "fade_from", "where fading begins, in radii", NULL, 0.5, 0, 1, 0 }, SCALED, FRAMED(fade) };
+static const row sets_row      = { { "sets", "sets of directions in a texture, one a pixel; 0 = one set, turned", NULL, 0, 0, 256, 1 }, PLAN, 0 };
+static const row slices_row    = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 }, GATHER, DESC(directions) };
+static const row dirs_row      = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 }, GATHER, DESC(directions) };
+static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1 }, GATHER, DESC(steps) };
+static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 }, GATHER, DESC(normal_rays) };
+
+static const row environment_row = { { "environment", "how --env is used", "map sh none", 0, 0, 2, 1 }, PLAN, 0 };
+static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch disc", 1, 0, 3, 1 }, GATHER, DESC(bounce) };
+static const row reuse_row     = { { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
+static const row nearest_row   = { { "nearest", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(nearest) };
+static const row gain_row      = { { "gain", "area of patches and discs, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME, FRAMED(gain) };
+static const row shadows_row   = { { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space", "segment map fill none", 2, 0, 3, 1 }, LIGHTS, DESC(shadow) };
+static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
+static const row solid_row     = { { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row steepest_row  = { { "steepest", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(steepest) };
+static const row shadow_row    = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
+static const row suns_row      = { { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 }, PLAN, 0 };
+static const row vpls_row      = { { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0, 4096, 1 }, PLAN, 0 };
 
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
+#define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
+#define SSDO { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
+    &reuse_row, &two_sided_row, &nearest_row, &gain_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, \
+    &blur_row, &filter_row, &compare_row }
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
-      { &samples_row, &half_row, &thin_row, &thickness_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
+        &filter_row, &compare_row } },
     { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
     { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH, SSGI_GL_BALANCED,
-      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &rays_thick_row, &hard_row, &offset_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } }
+      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &half_thick_row, &hard_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED, SSDO },
+    { "ssdo-fast", "the same, half size, fewer directions", SSGI_GL_SSDO, 0, SSGI_GL_FAST, SSDO },
+    { "ssdo-best", "the same, more directions", SSGI_GL_SSDO, 0, SSGI_GL_BEST, SSDO }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -54,15 +87,17 @@ int kit_method_at(kit_method *method, int i)
     memset(&m, 0, sizeof m);
     m.name = plans[i].name;
     m.about = plans[i].about;
+    m.lit = plans[i].pass == SSGI_GL_SSDO;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
     desc.search = plans[i].search;
+    desc.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     ssgi_gl_preset(&desc, plans[i].preset, NULL);
     for (; plans[i].rows[m.count]; ++m.count) {            /* what the preset sets, the setting starts from */
         const row *w = plans[i].rows[m.count];
         int value = 0;
         m.setting[m.count] = w->setting;
-        if (w->where == IN_AO || w->where == IN_BOTH) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
+        if (w->where & GATHER) memcpy(&value, (const char *)&desc + w->offset, sizeof value);
         if (value) m.setting[m.count].value = value;
         if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
     }
@@ -157,111 +192,663 @@ GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
     glUseProgram(program);
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
         if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
-    block = glGetUniformBlockIndex(program, "ssgi_frame");
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, 0);
+    for (GLuint k = 0; k < 2; ++k) {
+        block = glGetUniformBlockIndex(program, k ? "ssgi_views" : "ssgi_frame");
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, k);
+    }
     return program;
 }
 
-static int add_pass(kit_run *run, const ssgi_gl_desc *desc, int width, int height, GLenum format, kit_error *err)
+/* What kit_run_open works with; the run is its result. */
+typedef struct making {
+    kit_run           *run;
+    const plan        *plan;
+    const kit_method  *method;
+    const kit_world   *world;
+    ssgi_gl_desc       gather, lights, blur;
+    int                blurred;
+    GLuint             rows[1 + KIT_MAX_VIEWS];    /* lights, as the picture's camera and the extra ones have them; 0 = none */
+    kit_error         *err;
+} making;
+
+static GLuint keep(kit_run *run, GLuint texture)
 {
+    if (texture && run->textures < KIT_MAX_TEXTURES) run->texture[run->textures++] = texture;
+    return texture;
+}
+
+/* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
+static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice)
+{
+    static const GLenum attachment[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+    kit_run *run = m->run;
     kit_pass *p = &run->pass[run->passes];
-    GLenum buffer = GL_COLOR_ATTACHMENT0;
+    const int half = desc->half && desc->pass != SSGI_GL_BLUR, lit = desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS || (desc->pass == SSGI_GL_BLUR && desc->colour);
+    const GLenum format = lit ? GL_RGBA32F : desc->pass == SSGI_GL_BLUR ? GL_R32F : GL_RG32F;
+    const int outputs = desc->pass == SSGI_GL_SSDO && desc->environment && desc->bounce ? 2 : 1;
+    const uint64_t key = ssgi_gl_key(desc);
+    if (run->passes == KIT_MAX_PASSES) { kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES); return NULL; }
     memset(p, 0, sizeof *p);
     p->desc = *desc;
-    p->width = width;
-    p->height = height;
-    p->program = kit_pass_program(desc, err);
-    if (!p->program) return -1;
+    p->gbuffer = g;
+    p->frame = frame;
+    p->source = source;
+    p->width = half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
+    p->height = half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
+    for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
+    if (!p->program) p->program = kit_pass_program(desc, m->err);
+    if (!p->program) return NULL;
+    p->key = key;
     ++run->passes;
-    p->texture = kit_texture(width, height, format, NULL);
     glGenFramebuffers(1, &p->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, p->texture, 0);
-    glDrawBuffers(1, &buffer);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return kit_fail(err, "the context cannot draw into a target of format 0x%x", format);
-    run->fetches += ssgi_gl_fetches(desc) * (double)width * height / ((double)run->frame.size[0] * run->frame.size[1]);
+    if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
+    for (int i = 0; i < outputs && !array; ++i) {
+        p->target[i] = keep(run, kit_texture(p->width, p->height, format, NULL));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[i], GL_TEXTURE_2D, p->target[i], 0);
+    }
+    glDrawBuffers(outputs, attachment);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
+    for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
+    run->fetches += ssgi_gl_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    return p;
+}
+
+static int add_blur(making *m, GLuint *texture)
+{
+    kit_pass *p;
+    if (!m->blurred) return 0;
+    p = add_pass(m, &m->blur, m->run->gbuffer, 0, *texture, 0, 0);
+    if (!p) return -1;
+    *texture = p->target[0];
     return 0;
 }
 
-int kit_run_open(kit_run *run, const kit_gbuffer *g, const kit_method *method, float radius, kit_error *err)
+/* The direct light of a layer that camera v sees (-1: the picture's own): environment, then lights. *light: the texture, 0 = there is none. */
+static int add_direct(making *m, const kit_gbuffer *g, int v, int receiver, GLuint *light)
 {
-    kit_run r;
-    ssgi_gl_desc ao, blur;
+    ssgi_gl_desc gather = m->gather, lights = m->lights;
+    const int picture = v < 0 && !receiver;
+    *light = 0;
+    if (v >= 0) {
+        gather.views = lights.views = 0;
+        gather.layers = lights.layers = m->gather.view_layers;
+        gather.depth = lights.depth = SSGI_GL_DEPTH_WINDOW;
+        gather.orthographic = lights.orthographic = 0;
+    }
+    gather.receiver = lights.receiver = receiver;
+    gather.bounce = SSGI_GL_BOUNCE_NONE;
+    gather.falloff = m->run->base_falloff;
+    if (!picture) gather.half = 0;
+    if (gather.environment) {
+        kit_pass *p = add_pass(m, &gather, g, v < 0 ? 0 : 1 + 2 * v, 0, 0, 0);
+        if (!p) return -1;
+        *light = p->target[0];
+        if (picture && add_blur(m, light)) return -1;
+    }
+    if (m->rows[1 + v]) {
+        kit_pass *p;
+        lights.accumulate = *light != 0;
+        p = add_pass(m, &lights, g, v < 0 ? 0 : 1 + 2 * v, *light, 0, 0);
+        if (!p) return -1;
+        p->lights = m->rows[1 + v];
+        *light = p->target[0];
+    }
+    return 0;
+}
+
+static int add_senders(making *m, const kit_gbuffer *g, int v, int receiver, GLuint light)
+{
+    ssgi_gl_desc d = m->lights;
+    d.pass = SSGI_GL_SENDERS;
+    d.receiver = receiver;
+    d.layers = v < 0 ? m->gather.layers : m->gather.view_layers;
+    d.views = 0;
+    if (v >= 0) {
+        d.depth = SSGI_GL_DEPTH_WINDOW;
+        d.orthographic = 0;
+        d.world_normals = 1;                /* that camera's view space to the picture's */
+    }
+    d.radiance = light && g->direct ? SSGI_GL_RADIANCE_BOTH : light ? SSGI_GL_RADIANCE_LIGHT : SSGI_GL_RADIANCE_DIRECT;
+    return add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders, v < 0 ? receiver : v * m->gather.view_layers + receiver) ? 0 : -1;
+}
+
+/* ---- >>cameras: what is seen, extra cameras, shadow maps ----------------------------------------------------------- */
+
+typedef struct sphere { float centre[3], radius; } sphere;
+
+static int by_value(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* all: the sphere that holds most of what the G-buffer shows, for shadow maps. middle: at the median depth in the middle of the picture, as wide as that,
+   for extra cameras. In the world. */
+static int seen(const kit_gbuffer *g, sphere *all, sphere *middle, kit_error *err)
+{
+    kit_image frame;
+    const kit_camera *c = &g->camera;
+    const float *z;
+    float *depths, view[16], projection[16], o[3], d[3];
+    double sum[4] = { 0, 0, 0, 0 }, squares = 0, median = 1;
+    int count = 0;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    depths = malloc((size_t)(frame.width * frame.height + 1) * sizeof *depths);
+    if (!depths) { kit_image_free(&frame); return kit_fail(err, "out of memory"); }
+    z = kit_image_channel(&frame, "Z");
+    kit_camera_matrices(c, view, projection);
+#define TOWARD(d) -((double)view[2] * (double)(d)[0] + (double)view[6] * (double)(d)[1] + (double)view[10] * (double)(d)[2])
+    for (int i = 0; i < frame.width * frame.height; i += 7) {
+        const int x = i % frame.width, y = i / frame.width;
+        if (!(z[i] > 0)) continue;
+        kit_camera_ray(c, x, y, o, d);
+        for (int k = 0; k < 3; ++k) {
+            const double at = (double)o[k] + (double)z[i] / TOWARD(d) * (double)d[k];
+            sum[k] += at;
+            squares += at * at;
+        }
+        sum[3] += 1;
+        if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2) depths[count++] = z[i];
+    }
+    if (count) {
+        qsort(depths, (size_t)count, sizeof *depths, by_value);
+        median = (double)depths[count / 2];
+    }
+    free(depths);
+    kit_image_free(&frame);
+    if (!(sum[3] > 0)) sum[3] = 1;
+    squares /= sum[3];
+    kit_camera_ray(c, c->width / 2, c->height / 2, o, d);
+    for (int k = 0; k < 3; ++k) {
+        all->centre[k] = (float)(sum[k] / sum[3]);
+        squares -= sum[k] / sum[3] * (sum[k] / sum[3]);
+        middle->centre[k] = (float)((double)o[k] + median / TOWARD(d) * (double)d[k]);
+    }
+#undef TOWARD
+    all->radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
+    middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height) * fmaxf(1, (float)c->width / (float)c->height);
+    return 0;
+}
+
+static int view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err)
+{
+    const char *why = "";
+    return ssgi_view_from_projection(view, projection, depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, width, height, &why) == SSGI_OK ? 0 : kit_fail(err, "%s", why);
+}
+
+static void rotation_of(float rotation[12], const float a[16], const float b[16])     /* a * transpose(b), as mat3 */
+{
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) {
+            rotation[4 * c + r] = 0;
+            for (int k = 0; k < 3; ++k) rotation[4 * c + r] += a[4 * k + r] * (b ? b[4 * k + c] : k == c ? 1.0f : 0.0f);
+        }
+}
+
+/* Extra cameras: their G-buffers, their frames, their depths as one array. */
+static int add_views(making *m, const float picture[16], const sphere *about)
+{
+    kit_run *run = m->run;
+    const int size = (int)kit_method_value(m->method, "view_size"), layers = m->gather.view_layers;
+    const size_t texels = (size_t)size * (size_t)size;
+    float *depth = malloc(texels * (size_t)(m->gather.views * layers) * sizeof *depth);
+    int failed = !depth;
+    if (failed) kit_fail(m->err, "no memory for %d extra cameras", m->gather.views);
+    for (int v = 0; v < m->gather.views && !failed; ++v) {
+        const char *why = "";
+        float to[16], projection[16], displacement[3];
+        kit_camera c = run->gbuffer->camera;
+        ssgi_view view;
+        ssgi_gl_frame frame;
+        kit_gbuffer *g = &run->view[v];
+        ssgi_extra_displacement(v, displacement);
+        if (ssgi_extra_camera(to, projection, picture, about->centre, about->radius, displacement, &why) != SSGI_OK) failed = kit_fail(m->err, "extra camera: %s", why);
+        if (failed) break;
+        for (int k = 0; k < 3; ++k) {
+            c.eye[k] = -(to[4 * k] * to[12] + to[4 * k + 1] * to[13] + to[4 * k + 2] * to[14]);
+            c.up[k] = to[4 * k + 1];
+            c.target[k] = c.eye[k] - to[4 * k + 2] * about->radius;
+        }
+        c.fovy = (float)(2 * atan(1 / (double)projection[5]) * 180 / PI);
+        c.ortho_height = 0;
+        c.znear = projection[14] / (projection[10] - 1);
+        c.zfar = projection[14] / (projection[10] + 1);
+        c.depth = KIT_DEPTH_NORMAL;
+        c.shift[0] = c.shift[1] = 0;
+        c.width = c.height = size;
+        failed = kit_gbuffer_from_scene(g, m->world->scene, &c, NULL, m->err) || kit_gbuffer_peel(g, m->world->scene, layers, m->err) ||
+                 view_of(&view, g->projection, KIT_DEPTH_NORMAL, size, size, m->err);
+        if (failed) break;
+        run->views = v + 1;
+        kit_camera_matrices(&g->camera, to, projection);
+        ssgi_gl_views_set(&run->cameras, v, &view, picture, to, NULL);
+        frame = run->frame;
+        ssgi_gl_frame_init(&frame, &view, run->frame.radius, NULL);
+        frame.offset = run->frame.offset;
+        frame.thickness = run->frame.thickness;
+        frame.fade = run->frame.fade;
+        frame.steepest = run->frame.steepest;
+        frame.lights = run->frame.lights;
+        ssgi_sh_quadric(frame.environment, run->harmonics, to);
+        rotation_of(frame.rotation, to, NULL);
+        run->extra[2 * v] = frame;
+        rotation_of(frame.rotation, picture, to);
+        run->extra[2 * v + 1] = frame;
+        for (int j = 0; j < layers && !failed; ++j) {
+            float *out = depth + texels * (size_t)(v * layers + j);
+            if (j ? kit_texture_slice_read(g->layer_depth, j - 1, size, size, 1, out) : kit_texture_read(g->depth, size, size, 1, out))
+                failed = kit_fail(m->err, "%s cannot read the extra cameras' depth back", kit_gl_name());
+        }
+    }
+    if (!failed) run->view_depth = keep(run, kit_texture_array(size, size, m->gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
+    free(depth);
+    return failed ? -1 : 0;
+}
+
+typedef struct lamp { ssgi_gl_light light; kit_camera camera; int mapped; } lamp;     /* in the world; camera: of its map */
+
+static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear, float zfar, int size)
+{
+    memset(c, 0, sizeof *c);
+    for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + along[k]; }
+    c->up[fabsf(along[1]) < 0.9f * sqrtf(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]) ? 1 : 0] = 1;
+    c->fovy = fovy;
+    c->ortho_height = height;
+    c->znear = znear;
+    c->zfar = zfar;
+    c->width = c->height = size;
+}
+
+/* A sun's map looks at the sphere of what is seen, from beyond all that could shadow it. */
+static lamp sun(const float at[3], const float colour[3], const kit_scene *scene, const sphere *all, int size)
+{
+    lamp l;
+    float eye[3], along[3], nearest = 1e30f, farthest = -1e30f;
+    memset(&l, 0, sizeof l);
+    memcpy(l.light.at, at, sizeof l.light.at);
+    memcpy(l.light.colour, colour, sizeof l.light.colour);
+    l.light.kind = SSGI_GL_SUN;
+    if (!scene) return l;
+    for (int i = 0; i < 8; ++i) {
+        float t = 0;
+        for (int k = 0; k < 3; ++k) t += ((i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k]) - all->centre[k]) * at[k];
+        nearest = fminf(nearest, t);
+        farthest = fmaxf(farthest, t);
+    }
+    const float margin = 0.01f * (farthest - nearest) + 1e-6f;
+    for (int k = 0; k < 3; ++k) { eye[k] = all->centre[k] + at[k] * (farthest + 2 * margin); along[k] = -at[k]; }
+    look(&l.camera, eye, along, 0, 2 * all->radius, margin, farthest - nearest + 3 * margin, size);
+    l.mapped = 1;
+    return l;
+}
+
+/* All lights of the world as lamps: --light, the environment's suns, virtual point lights (which the caller counts apart). NULL on failure. */
+static lamp *lamps_new(making *m, const sphere *all, int *count, int *direct)
+{
+    static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+    const kit_lighting *lighting = m->world->lighting;
+    const kit_scene *scene = m->world->scene;
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
+    const size_t room = (size_t)(6 * lighting->lights + suns + vpls + 1);
+    int size = (int)kit_method_value(m->method, "shadow_size"), n = 0;
+    lamp *lamps = calloc(room, sizeof *lamps);
+    const char *why = "";
+    float extent = 0;
+    while (size > 16 && (double)size * ceil(sqrt((double)room)) > 8192) size /= 2;
+    if (!lamps) { kit_fail(m->err, "no memory for %d lights", (int)room); return NULL; }
+    for (int k = 0; scene && k < 3; ++k) extent += scene->mesh.upper[k] - scene->mesh.lower[k];
+    for (int i = 0; i < lighting->lights; ++i) {
+        const kit_light *w = &lighting->light[i];
+        if (w->kind == KIT_SUN) lamps[n++] = sun(w->at, w->colour, mapped ? scene : NULL, all, size);
+        for (int f = 0; w->kind == KIT_POINT && f < (mapped ? 6 : 1); ++f) {
+            lamp *l = &lamps[n++];
+            memcpy(l->light.at, w->at, sizeof l->light.at);
+            memcpy(l->light.colour, w->colour, sizeof l->light.colour);
+            l->light.kind = mapped ? SSGI_GL_SPOT : SSGI_GL_POINT;
+            l->mapped = mapped;
+            look(&l->camera, w->at, face[f], 90, 0, 1e-3f * all->radius, extent, size);
+        }
+    }
+    if (suns && lighting->env.data) {
+        ssgi_sun *found = malloc((size_t)suns * sizeof *found);
+        if (!found || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why) != SSGI_OK) { kit_fail(m->err, "suns: %s", why); free(found); free(lamps); return NULL; }
+        for (int i = 0; i < suns; ++i) lamps[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
+        free(found);
+    }
+    *direct = n;
+    if (vpls) {
+        float *position, *normal, *flux;
+        size_t pixels;
+        ssgi_vpl *found = malloc((size_t)vpls * sizeof *found);
+        int failed;
+        if (!scene || !lighting->lights || !found) { kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls); free(found); free(lamps); return NULL; }
+        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) { free(found); free(lamps); return NULL; }
+        failed = ssgi_vpl_choose(found, vpls, position, normal, flux, pixels, &why) != SSGI_OK;
+        free(position);
+        free(normal);
+        free(flux);
+        if (failed) { kit_fail(m->err, "vpls: %s", why); free(found); free(lamps); return NULL; }
+        for (int i = 0; i < vpls; ++i) {
+            lamp *l = &lamps[n++];
+            memcpy(l->light.at, found[i].position, sizeof l->light.at);
+            memcpy(l->light.normal, found[i].normal, sizeof l->light.normal);
+            memcpy(l->light.colour, found[i].intensity, sizeof l->light.colour);
+            l->light.kind = SSGI_GL_VPL;
+            l->light.least = m->run->frame.radius;
+            l->mapped = mapped;
+            look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * all->radius, extent, size);
+        }
+        free(found);
+    }
+    *count = n;
+    return lamps;
+}
+
+/* The lamps' shadow maps, and their rows for every camera of the run: first..last of them. */
+static int add_atlas(making *m, const lamp *lamps, int count)
+{
+    kit_shadow_camera *camera = malloc((size_t)count * sizeof *camera);
+    const int size = count && lamps[0].mapped ? lamps[0].camera.width : 0, columns = size ? 8192 / size < count ? 8192 / size : count : 1;
+    int mapped = 0;
+    if (!camera) return kit_fail(m->err, "no memory for %d lights", count);
+    for (int i = 0; i < count; ++i)
+        if (lamps[i].mapped) {
+            const int tile[4] = { i % columns * size, i / columns * size, size, size };
+            kit_camera_matrices(&lamps[i].camera, camera[mapped].view, camera[mapped].projection);
+            memcpy(camera[mapped++].tile, tile, sizeof tile);
+        }
+    if (mapped) m->run->atlas = keep(m->run, kit_shadow_atlas(columns * size, (count + columns - 1) / columns * size, m->world->scene, camera, mapped, m->err));
+    free(camera);
+    return mapped && !m->run->atlas ? -1 : 0;
+}
+
+static GLuint rows_of(making *m, const lamp *lamps, int first, int last, const float picture[16])
+{
+    const int size = first < last ? lamps[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
+    ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
+    GLuint texture;
+    (void)m;
+    for (int i = first; rows && i < last; ++i) {
+        ssgi_gl_light *l = &rows[i - first];
+        *l = lamps[i].light;
+        for (int k = 0; k < 3; ++k) {
+            l->at[k] = l->normal[k] = l->kind > 0 ? picture[12 + k] : 0;
+            if (l->kind > 0) l->normal[k] = 0;
+            for (int j = 0; j < 3; ++j) {
+                l->at[k] += picture[4 * j + k] * lamps[i].light.at[j];
+                l->normal[k] += picture[4 * j + k] * lamps[i].light.normal[j];
+            }
+        }
+        if (lamps[i].mapped) {
+            float view[16], projection[16];
+            ssgi_view decoded;
+            kit_camera_matrices(&lamps[i].camera, view, projection);
+            ssgi_view_from_projection(&decoded, projection, SSGI_CLIP_GL, size, size, NULL);
+            ssgi_gl_light_map(l, &decoded, i % columns * size, i / columns * size, picture, view, NULL);
+        }
+    }
+    texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
+    free(rows);
+    return texture;
+}
+
+/* ---- >>open ----------------------------------------------------------------------------------------------------- */
+
+/* size * size texels of three floats, with room for four more a texel behind them */
+static GLuint rgba(float *map, int size)
+{
+    float *four = map + 3 * size * size;
+    for (int i = 0; i < size * size; ++i) {
+        memcpy(four + 4 * i, map + 3 * i, 3 * sizeof *map);
+        four[4 * i + 3] = 1;
+    }
+    return kit_texture(size, size, GL_RGBA32F, four);
+}
+
+/* The environment as the passes read it. */
+static int add_environment(making *m)
+{
+    enum { SIZE = 64, OPEN = 32 };
+    const kit_image *env = &m->world->lighting->env;
+    const size_t pixels = (size_t)env->width * (size_t)env->height;
+    kit_run *run = m->run;
+    const char *why = "";
+    float *map = malloc(7 * SIZE * SIZE * sizeof *map);
+    int failed;
+    run->equirect = malloc(3 * pixels * sizeof *run->equirect);
+    failed = !map || !run->equirect;
+    for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
+    if (!failed) failed = ssgi_sh_project_equirect(run->harmonics, 3, run->equirect, env->width, env->height, &why) != SSGI_OK;
+    if (!failed) failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, (float)(2 * PI / m->gather.samples), &why) != SSGI_OK;
+    if (!failed) failed = !(run->environment = keep(run, rgba(map, SIZE)));
+    if (!failed) failed = ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK;
+    if (!failed) failed = !(run->irradiance = keep(run, rgba(map, OPEN)));
+    free(map);
+    return failed ? kit_fail(m->err, "--env: %s", why) : 0;
+}
+
+/* From the settings: the passes' descs, and what of the frame they set. */
+static void settings(making *m, float radius)
+{
+    ssgi_gl_desc *to[3] = { &m->gather, &m->lights, &m->blur };
+    for (int i = 0; i < m->method->count; ++i) {
+        const row *w = m->plan->rows[i];
+        const double v = m->method->setting[i].value;
+        const int whole = (int)v;
+        const float real = (float)(w->where == SCALED ? v * (double)radius : v);
+        for (int k = 0; k < 3; ++k) if (w->where & 1 << k) memcpy((char *)to[k] + w->offset, &whole, sizeof whole);
+        if (w->where & (FRAME | SCALED)) memcpy((char *)&m->run->frame + w->offset, &real, sizeof real);
+    }
+    m->blurred = (int)kit_method_value(m->method, "blur");
+    m->blur.filter_radius = m->blurred;
+    m->gather.kernel = kit_method_value(m->method, "sets") > 0;
+    m->lights.thin = !(kit_method_value(m->method, "solid") > 0);
+    if (kit_method_value(m->method, "normal") > 0) m->gather.normal = m->lights.normal = m->blur.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+}
+
+static int open_lit(making *m, const float picture[16])
+{
+    static const int environments[] = { SSGI_GL_ENVIRONMENT_MAP, SSGI_GL_ENVIRONMENT_SH, SSGI_GL_ENVIRONMENT_NONE };
+    static const kit_lighting dark;
+    kit_run *run = m->run;
+    kit_gbuffer *g = run->gbuffer;
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), bounce = m->gather.bounce;
+    const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
+    const kit_world world = { m->world->scene, lighting };
+    int count = 0, direct = 0, failed;
+    sphere all, middle;
+    lamp *lamps;
+    GLuint light = 0, received = 0;
+    m->world = &world;
+    run->base_falloff = m->gather.falloff;
+    m->blur.colour = 1;
+    m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")] : SSGI_GL_ENVIRONMENT_NONE;
+    if (lighting->env.data && add_environment(m)) return -1;
+    rotation_of(run->frame.rotation, picture, NULL);
+    ssgi_sh_quadric(run->frame.environment, run->harmonics, picture);
+    if (seen(g, &all, &middle, m->err)) return -1;
+    lamps = lamps_new(m, &all, &count, &direct);
+    if (!lamps) return -1;
+    run->frame.lights = direct;
+    failed = (m->gather.views && add_views(m, picture, &middle)) || add_atlas(m, lamps, count);
+    for (int v = -1; v < run->views && direct && !failed; ++v) {
+        float to[16], projection[16];
+        if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
+        m->rows[1 + v] = keep(run, rows_of(m, lamps, 0, direct, v < 0 ? picture : to));
+        failed = !m->rows[1 + v] && kit_fail(m->err, "no memory for %d lights", direct);
+    }
+    if (!failed && !g->albedo) {                     /* the grey of meshes without a material */
+        const size_t texels = (size_t)g->width * (size_t)g->height;
+        float *grey = malloc(4 * texels * sizeof *grey);
+        for (size_t i = 0; grey && i < 4 * texels; ++i) grey[i] = 0.8f;
+        run->grey = keep(run, grey ? kit_texture(g->width, g->height, GL_RGBA16F, grey) : 0);
+        free(grey);
+    }
+    if (!failed && bounce) {
+        run->senders = keep(run, kit_texture_array(g->viewport[2], g->viewport[3], m->gather.layers, GL_RG32UI, NULL));
+        if (run->views) run->view_senders = keep(run, kit_texture_array(run->view[0].width, run->view[0].height, run->views * m->gather.view_layers, GL_RG32UI, NULL));
+    }
+    for (int v = 0; v < run->views && bounce && !failed; ++v)           /* hidden senders: lit in their own camera's picture */
+        for (int j = 0; j < m->gather.view_layers && !failed; ++j)
+            failed = add_direct(m, &run->view[v], v, j, &light) || (light && add_senders(m, &run->view[v], v, j, light));
+    for (int j = m->gather.layers - 1; j > 0 && bounce && !failed; --j)
+        failed = add_direct(m, g, -1, j, &light) || (light && add_senders(m, g, -1, j, light));
+    if (!failed && bounce && m->gather.environment && kit_method_value(m->method, "reuse") > 0) {
+        kit_pass *p, *senders;
+        failed = add_senders(m, g, -1, 0, 1);        /* its source is set below */
+        senders = &run->pass[run->passes - 1];
+        p = failed ? NULL : add_pass(m, &m->gather, g, 0, 0, 0, 0);
+        failed = !p;
+        light = p ? p->target[0] : 0;
+        received = p ? p->target[1] : 0;
+        failed = failed || add_blur(m, &light) || add_blur(m, &received);
+        if (!failed && m->rows[0]) {
+            ssgi_gl_desc d = m->lights;
+            d.accumulate = 1;
+            p = add_pass(m, &d, g, 0, light, 0, 0);
+            failed = !p;
+            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
+        }
+        senders->source = light;
+    } else if (!failed) {
+        failed = add_direct(m, g, -1, 0, &light);
+        if (!failed && bounce && (light || g->direct)) {
+            ssgi_gl_desc d = m->gather;
+            kit_pass *p;
+            d.environment = SSGI_GL_ENVIRONMENT_NONE;
+            if (vpls) d.falloff = SSGI_GL_FALLOFF_SQUARE;   /* what the clamp of the virtual point lights leaves out */
+            failed = add_senders(m, g, -1, 0, light);
+            p = failed ? NULL : add_pass(m, &d, g, 0, 0, 0, 0);
+            failed = !p;
+            if (p) received = p->target[0];
+            failed = failed || add_blur(m, &received);
+        }
+    }
+    if (!failed && vpls) {
+        ssgi_gl_desc d = m->lights;
+        kit_pass *p;
+        d.accumulate = received != 0;
+        p = add_pass(m, &d, g, KIT_FRAME_VPLS, received, 0, 0);
+        failed = !p;
+        if (p) {
+            p->lights = keep(run, rows_of(m, lamps, direct, count, picture));
+            received = p->target[0];
+        }
+        run->vpls = count - direct;
+    }
+    free(lamps);
+    run->light = light;
+    run->bounce = received;
+    return failed ? -1 : 0;
+}
+
+int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
+{
+    static const kit_world nothing;
+    making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
     ssgi_view view;
     const char *why = "";
-    const plan *p = NULL;
-    int width = g->viewport[2], height = g->viewport[3], blur_radius = 0;
-    memset(&r, 0, sizeof r);
-    memset(&ao, 0, sizeof ao);
-    for (int i = 0; i < PLANS; ++i) if (!strcmp(plans[i].name, method->name)) p = &plans[i];
-    if (!p) return kit_fail(err, "method %s: there is none of that name", method->name);
-    if (ssgi_view_from_projection(&view, g->projection, g->camera.depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, width, height, &why) != SSGI_OK
-        || ssgi_gl_frame_init(&r.frame, &view, radius, &why) != SSGI_OK) return kit_fail(err, "%s", why);
-    r.gbuffer = g;
-    r.frame.origin[0] = g->viewport[0];
-    r.frame.origin[1] = g->viewport[1];
-    ao.pass = p->pass;
-    ao.search = p->search;
-    ao.dialect = kit_dialect();
-    ao.orthographic = view.orthographic;
-    ao.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
-    blur = ao;
-    blur.pass = SSGI_GL_BLUR;
-    for (int i = 0; i < method->count; ++i) {
-        const row *w = p->rows[i];
-        double v = method->setting[i].value;
-        int whole = (int)v;
-        float real = (float)(w->where == IN_FRAME ? v * (double)radius : v);
-        if (w->where == IN_AO || w->where == IN_BOTH) memcpy((char *)&ao + w->offset, &whole, sizeof whole);
-        if (w->where == IN_BLUR || w->where == IN_BOTH) memcpy((char *)&blur + w->offset, &whole, sizeof whole);
-        if (w->where == IN_FRAME || w->where == IN_FRAME_PLAIN) memcpy((char *)&r.frame + w->offset, &real, sizeof real);
-        if (w == &blur_row) blur_radius = whole;
-        if (w == &normal_row) ao.normal = blur.normal = whole ? SSGI_GL_NORMAL_FROM_DEPTH : SSGI_GL_NORMAL_SIGNED;
+    float picture[16], projection[16];
+    int failed;
+    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
+    for (int i = 0; i < PLANS; ++i) if (!strcmp(plans[i].name, method->name)) m.plan = &plans[i];
+    if (!m.plan) return kit_fail(err, "method %s: there is none of that name", method->name);
+    if (view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    if (ssgi_gl_frame_init(&run->frame, &view, radius, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    run->gbuffer = g;
+    run->lit = method->lit;
+    run->frame.origin[0] = g->viewport[0];
+    run->frame.origin[1] = g->viewport[1];
+    m.gather.pass = m.plan->pass;
+    m.gather.search = m.plan->search;
+    m.gather.dialect = kit_dialect();
+    m.gather.orthographic = view.orthographic;
+    m.gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
+    m.lights = m.blur = m.gather;
+    m.lights.pass = SSGI_GL_LIGHTS;
+    m.blur.pass = SSGI_GL_BLUR;
+    settings(&m, radius);
+    if (m.gather.half && !m.blurred) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (m.gather.layers > g->layers && !m.world->scene) return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
+    if (m.gather.views && !m.world->scene) return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
+    if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
+    kit_camera_matrices(&g->camera, picture, projection);
+    if (run->lit) {
+        failed = open_lit(&m, picture);
+    } else {
+        kit_pass *p;
+        sphere all, middle;
+        failed = m.gather.views && (seen(g, &all, &middle, err) || add_views(&m, picture, &middle));
+        p = failed ? NULL : add_pass(&m, &m.gather, g, 0, 0, 0, 0);
+        failed = !p;
+        if (p) run->light = p->target[0];
+        failed = failed || add_blur(&m, &run->light);
     }
-    blur.filter_radius = blur_radius;
-    if (ao.half && !blur_radius) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
-    if (add_pass(&r, &ao, ao.half ? (width + 1) / 2 : width, ao.half ? (height + 1) / 2 : height, GL_RG32F, err) || (blur_radius && add_pass(&r, &blur, width, height, GL_R32F, err))) { kit_run_close(&r); return -1; }
-    if (ao.noise == SSGI_GL_NOISE_TEXTURE) {
+    if (m.gather.kernel) {
+        const int sets = (int)kit_method_value(method, "sets");
+        float *kernel = malloc(4 * (size_t)(sets * m.gather.samples) * sizeof *kernel);
+        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, SSGI_COSINE, NULL);
+        run->kernel = keep(run, kernel ? kit_texture(m.gather.samples, sets, GL_RGBA32F, kernel) : 0);
+        free(kernel);
+    }
+    if (m.gather.noise == SSGI_GL_NOISE_TEXTURE) {
         float tile[4 * 16];
-        ssgi_jitter_tile(tile, 4, ao.directions ? ao.directions : 1, NULL);
-        r.noise = kit_texture(4, 4, GL_RGBA32F, tile);
+        ssgi_jitter_tile(tile, 4, m.gather.directions ? m.gather.directions : 1, NULL);
+        run->noise = keep(run, kit_texture(4, 4, GL_RGBA32F, tile));
     }
-    glGenBuffers(1, &r.block);
-    kit_run_update(&r);
-    *run = r;
+    glGenBuffers(KIT_FRAMES, run->block);
+    if (!failed) kit_run_update(run);
+    if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);      /* a last frame to reuse */
+    if (failed) { kit_run_close(run); return -1; }
     return 0;
+}
+
+static void upload(GLuint buffer, const void *data, size_t size)
+{
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer);
+    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, data, GL_DYNAMIC_DRAW);
 }
 
 void kit_run_update(kit_run *run)
 {
-    glBindBuffer(GL_UNIFORM_BUFFER, run->block);
-    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)sizeof run->frame, &run->frame, GL_DYNAMIC_DRAW);
+    ssgi_gl_frame vpls = run->frame;
+    vpls.lights = run->vpls;
+    upload(run->block[0], &run->frame, sizeof run->frame);
+    for (int i = 0; i < 2 * run->views; ++i) upload(run->block[1 + i], &run->extra[i], sizeof run->extra[i]);
+    upload(run->block[KIT_FRAME_VPLS], &vpls, sizeof vpls);
+    upload(run->block[KIT_FRAME_VIEWS], &run->cameras, sizeof run->cameras);
 }
 
-static GLuint texture_of(const kit_run *run, int pass, const char *name)
+static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
 {
-    if (!strcmp(name, "t_ssgi_depth")) return run->gbuffer->depth;
-    if (!strcmp(name, "t_ssgi_normal")) return run->gbuffer->normal;
-    if (!strcmp(name, "t_ssgi_noise")) return run->noise;
-    return run->pass[pass - 1].texture;
+    const struct { const char *name; GLuint texture; } table[] = {
+        { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
+        { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
+        { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
+        { "lights", p->lights }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
+    return 0;
 }
 
 void kit_run_draw(kit_run *run, int timed)
 {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, run->block[KIT_FRAME_VIEWS]);
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
+        const ssgi_gl_frame *f = p->frame > 0 && p->frame < KIT_FRAME_VPLS ? &run->extra[p->frame - 1] : &run->frame;
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         for (int k = 0, n = ssgi_gl_reflect(&p->desc, io, SSGI_GL_MAX_IO); k < n; ++k)
             if (io[k].kind == SSGI_GL_TEXTURE) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)io[k].slot);
-                glBindTexture(GL_TEXTURE_2D, texture_of(run, i, io[k].name));
+                glBindTexture(strstr(io[k].type, "2DArray") ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, texture_of(run, p, io[k].name));
             }
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-        if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(run->frame.target[0] / 2, run->frame.target[1] / 2, (run->frame.size[0] + 1) / 2, (run->frame.size[1] + 1) / 2);
-        else glViewport(run->frame.target[0], run->frame.target[1], run->frame.size[0], run->frame.size[1]);
+        if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
+        else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
         glUseProgram(p->program);
         if (timed) kit_timer_begin();
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -279,19 +866,37 @@ double kit_run_ms(const kit_run *run)
 
 int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
 {
-    const kit_pass *p = &run->pass[run->passes - 1];
-    kit_image image;
-    float *rows;
-    if (kit_image_new(&image, p->width, p->height, "Y", err)) return -1;
-    rows = malloc((size_t)p->width * (size_t)p->height * sizeof *rows);
-    if (!rows || kit_texture_read(p->texture, p->width, p->height, 1, rows)) {
-        free(rows);
-        kit_image_free(&image);
-        return kit_fail(err, "the result cannot be read back");
+    const kit_gbuffer *g = run->gbuffer;
+    const kit_pass *last = &run->pass[run->passes ? run->passes - 1 : 0];
+    const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height, components = run->lit ? 4 : 1;
+    const size_t pixels = (size_t)width * (size_t)height;
+    const GLuint source[2] = { run->light, run->bounce };
+    kit_image image, frame;
+    float *texels = malloc(pixels * (size_t)components * sizeof *texels);
+    int failed = 0;
+    if (!texels || kit_image_new(&image, width, height, run->lit ? "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B" : "Y", err)) { free(texels); return -1; }
+    for (int s = 0; s < (run->lit ? 2 : 1) && !failed; ++s) {
+        if (!source[s]) continue;
+        failed = kit_texture_read(source[s], width, height, components, texels) != 0;
+        for (size_t i = 0; i < pixels && !failed; ++i) {
+            const size_t from = pixels - (i / (size_t)width + 1) * (size_t)width + i % (size_t)width;
+            if (!run->lit) image.data[i] = texels[from];
+            for (size_t c = 0; c < 3 && run->lit; ++c) image.data[(3 + 3 * (size_t)s + c) * pixels + i] = texels[4 * from + c];
+        }
     }
-    for (int y = 0; y < p->height; ++y)
-        memcpy(image.data + (size_t)y * (size_t)p->width, rows + (size_t)(p->height - 1 - y) * (size_t)p->width, (size_t)p->width * sizeof *rows);
-    free(rows);
+    free(texels);
+    if (!failed && run->lit && !(failed = kit_gbuffer_read(&frame, g, err))) {
+        static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" }, { "direct.R", "direct.G", "direct.B" } };
+        const float *z = kit_image_channel(&frame, "Z");
+        for (size_t c = 0; c < 3; ++c) {
+            const float *albedo = kit_image_channel(&frame, names[0][c]), *direct = kit_image_channel(&frame, names[1][c]);
+            for (size_t i = 0; i < pixels; ++i)
+                if (z[i] > 0)
+                    image.data[c * pixels + i] = (albedo ? albedo[i] : 0.8f) * (image.data[(3 + c) * pixels + i] + image.data[(6 + c) * pixels + i]) + (direct ? direct[i] : 0.0f);
+        }
+        kit_image_free(&frame);
+    }
+    if (failed) { kit_image_free(&image); return kit_fail(err, "the result cannot be read back"); }
     *out = image;
     return 0;
 }
@@ -299,11 +904,14 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {
-        glDeleteProgram(run->pass[i].program);
+        int shared = 0;
+        for (int k = 0; k < i; ++k) shared |= run->pass[k].program == run->pass[i].program;
+        if (!shared) glDeleteProgram(run->pass[i].program);
         glDeleteFramebuffers(1, &run->pass[i].framebuffer);
-        glDeleteTextures(1, &run->pass[i].texture);
     }
-    glDeleteBuffers(1, &run->block);
-    glDeleteTextures(1, &run->noise);
+    for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
+    glDeleteTextures(run->textures, run->texture);
+    glDeleteBuffers(KIT_FRAMES, run->block);
+    free(run->equirect);
     memset(run, 0, sizeof *run);
 }

@@ -13,7 +13,7 @@ typedef struct build {
     kit_mesh mesh;
     size_t   capacity;                     /* triangles */
     int      failed;                       /* out of memory */
-    double   at[3], turn;                  /* moved by at after turning by so many degrees about y */
+    double   at[3], turn, tilt;            /* turned by tilt degrees about x, then by turn about y, then moved by at */
     float    albedo[3];
     uint32_t random;
 } build;
@@ -25,7 +25,13 @@ static void colour(build *b, double r, double g, double blue)
 
 static void place(build *b, double x, double y, double z, double turn)
 {
-    b->at[0] = x; b->at[1] = y; b->at[2] = z; b->turn = turn;
+    b->at[0] = x; b->at[1] = y; b->at[2] = z; b->turn = turn; b->tilt = 0;
+}
+
+static void place_tilted(build *b, double x, double y, double z, double turn, double tilt)
+{
+    place(b, x, y, z, turn);
+    b->tilt = tilt;
 }
 
 /* [0, 1), the same on every machine (PCG hash) */
@@ -66,10 +72,18 @@ static int grow(build *b)
     return 0;
 }
 
+static void rotate(const build *b, const double in[3], double out[3])
+{
+    const double c = cos(b->turn * PI / 180), s = sin(b->turn * PI / 180), ct = cos(b->tilt * PI / 180), st = sin(b->tilt * PI / 180);
+    const double z = st * in[1] + ct * in[2];
+    out[0] = c * in[0] + s * z;
+    out[1] = ct * in[1] - st * in[2];
+    out[2] = -s * in[0] + c * z;
+}
+
 /* Wound to agree with the vertices' normals; nothing when it has no area. */
 static void triangle(build *b, const vertex *v0, const vertex *v1, const vertex *v2)
 {
-    const double c = cos(b->turn * PI / 180), s = sin(b->turn * PI / 180);
     const vertex *v[3] = { v0, v1, v2 };
     double e1[3], e2[3], face[3], sum[3];
     float *position, *normal;
@@ -85,13 +99,13 @@ static void triangle(build *b, const vertex *v0, const vertex *v1, const vertex 
     position = b->mesh.position + 9 * b->mesh.triangles;
     normal   = b->mesh.normal + 9 * b->mesh.triangles;
     for (int k = 0; k < 3; k++, position += 3, normal += 3) {
-        const double *p = v[k]->p, *n = v[k]->n;
-        position[0] = (float)(b->at[0] + c * p[0] + s * p[2]);
-        position[1] = (float)(b->at[1] + p[1]);
-        position[2] = (float)(b->at[2] - s * p[0] + c * p[2]);
-        normal[0] = (float)(c * n[0] + s * n[2]);
-        normal[1] = (float)n[1];
-        normal[2] = (float)(-s * n[0] + c * n[2]);
+        double p[3], n[3];
+        rotate(b, v[k]->p, p);
+        rotate(b, v[k]->n, n);
+        for (int i = 0; i < 3; i++) {
+            position[i] = (float)(b->at[i] + p[i]);
+            normal[i] = (float)n[i];
+        }
     }
     memcpy(b->mesh.albedo + 3 * b->mesh.triangles, b->albedo, sizeof b->albedo);
     b->mesh.triangles++;
@@ -181,6 +195,13 @@ static void turned(build *b, const moulding *profile, int count, int around)
 {
     for (int i = 0; i < count; i++)
         patch(b, around, profile[i].bulge < 0 || profile[i].bulge > 0 ? 8 : 1, moulding_surface, &profile[i]);
+}
+
+/* closed, standing on y = 0 */
+static void cylinder(build *b, double radius, double height, int around)
+{
+    const moulding profile[] = { {0, 0, radius, 0, 0}, {radius, 0, radius, height, 0}, {radius, height, 0, height, 0} };
+    turned(b, profile, 3, around);
 }
 
 /* ---- >>shapes of closed form; big planes are cut finer towards the origin, for a rasteriser's sake ----------- */
@@ -482,6 +503,91 @@ static void build_colonnade(build *b)
     }
 }
 
+/* ---- >>closed scenes: every solid is a closed two-manifold that touches no other, so depth peeling finds fronts and backs in pairs ---- */
+
+static void build_cornell(build *b)
+{
+    const double gap = 0.003;
+    colour(b, 0.73, 0.73, 0.73);
+    box(b, -2.98, -0.2, -5.79, 2.98, 0, 0); box(b, -2.98, 5.49, -5.79, 2.98, 5.69, 0);                /* floor, ceiling, back */
+    box(b, -2.98, gap, -5.79, 2.98, 5.49 - gap, -5.59);
+    place(b, 0.925, gap, -1.69, -17);  box(b, -0.825, 0, -0.825, 0.825, 1.65, 0.825);
+    place(b, -0.905, gap, -3.51, 17);  box(b, -0.825, 0, -0.825, 0.825, 3.30, 0.825);
+    place(b, 0, 0, 0, 0);
+    colour(b, 0.63, 0.06, 0.05); box(b, -2.98, gap, -5.59 + gap, -2.78, 5.49 - gap, 0);
+    colour(b, 0.14, 0.45, 0.09); box(b, 2.78, gap, -5.59 + gap, 2.98, 5.49 - gap, 0);
+}
+
+static void build_columns(build *b)
+{
+    static const double hidden[4][3] = { {0.88, 0.16, 0.48}, {0.10, 0.24, 0.85}, {0.88, 0.70, 0.06}, {0, 0, 0} };   /* none behind the last */
+    const double gap = 0.003;
+    colour(b, 0.60, 0.60, 0.60);
+    box(b, -7, -0.2, -1.7, 7, 0, 4); box(b, -7, gap, -1.7, 7, 4, -1.4);
+    for (int i = 0; i < 4; i++) {
+        const double x = 1.6 * i - 2.4;
+        colour(b, 0.80, 0.80, 0.78);
+        place(b, x, gap, 0, 0);
+        if (i & 1) cylinder(b, 0.32, 2.2, 64);
+        else box(b, -0.3, 0, -0.3, 0.3, 2.2, 0.3);
+        colour(b, hidden[i][0], hidden[i][1], hidden[i][2]);
+        place(b, 1.153 * x, gap, -0.95, 0);                              /* in line with the eye */
+        if (i < 3) box(b, -0.27, 0, -0.28, 0.27, 1.9, 0.28);
+    }
+    place(b, 0, gap, 0, 0);
+    colour(b, 0.10, 0.60, 0.16); box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);                              /* a panel seen edge-on */
+    colour(b, 0.88, 0.24, 0.04); place(b, 4.08, gap, -0.63, -28);                                     /* right of the picture */
+    box(b, -0.32, 0, -0.32, 0.32, 1.4, 0.32);
+}
+
+static void build_plates(build *b)
+{
+    static const double lying[2] = { 0.5, 0.05 }, standing[2] = { 0.42, 0.035 };
+    colour(b, 0.62, 0.60, 0.57); box(b, -7, -0.2, -7, 7, 0, 4);
+    colour(b, 0.75, 0.72, 0.66);
+    place(b, -0.65, 0.95, -0.35, 18);  box(b, -0.7, -0.015, -0.45, 0.7, 0.015, 0.45);
+    place(b, 0.95, 0.28, 0.75, -12);   box(b, -0.42, -0.015, -0.32, 0.42, 0.015, 0.32);
+    colour(b, 0.70, 0.26, 0.20); place(b, -0.75, 0.4, -0.2, 30);               box(b, -0.38, -0.012, -0.3, 0.38, 0.012, 0.3);
+    colour(b, 0.24, 0.42, 0.66); place_tilted(b, 1.15, 0.75, -0.55, -35, 35);  box(b, -0.4, -0.012, -0.4, 0.4, 0.012, 0.4);
+    colour(b, 0.30, 0.55, 0.28); place(b, -1.0, 0.12, 1.0, 35);                box(b, -0.45, 0, -0.012, 0.45, 0.5, 0.012);
+    colour(b, 0.78, 0.62, 0.22); place(b, 0.2, 1.3, 0.15, -30);                box(b, -1.6, -0.03, -0.03, 1.6, 0.03, 0.03);
+    place_tilted(b, 0.1, 0.42, 1.2, 80, 12);                                   box(b, -0.025, -0.025, -0.75, 0.025, 0.025, 0.75);
+    colour(b, 0.68, 0.68, 0.70);
+    place(b, 0.3, 0.55, 0.1, 0);                  patch(b, 96, 24, torus_surface, lying);
+    place_tilted(b, -1.75, 0.5, 0.35, 50, 70);    patch(b, 96, 24, torus_surface, standing);
+}
+
+static void build_pebbles(build *b)
+{
+    static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };   /* x, z, turn, half sides, height */
+    const double gap = 0.0005, cell = 0.1, leg = 0.007;
+    colour(b, 0.60, 0.58, 0.55); box(b, -1.8, -0.1, -1.8, 1.8, 0, 1.8);
+    for (int i = 0; i < 24 * 24; i++) {                                  /* one to a cell, and within it */
+        double x = cell * (i % 24 - 11.5), z = cell * (i / 24 - 11.5), size = between(b, 0.01, 0.032), kind = chance(b), tone = between(b, 0.50, 0.72);
+        double height = size * between(b, 0.3, 1.5), slack = cell / 2 - 1.42 * size, turn = between(b, 0, 360);
+        int blocked = chance(b) < 0.2;
+        x += slack * between(b, -1, 1); z += slack * between(b, -1, 1);
+        for (int k = 0; k < 2; k++) {                                    /* a table's leg is here */
+            const double *t = tables[k], c = cos(t[2] * PI / 180), s = sin(t[2] * PI / 180), dx = x - t[0], dz = z - t[1];
+            blocked |= hypot(fabs(c * dx - s * dz) - t[3], fabs(s * dx + c * dz) - t[4]) < 1.42 * (size + leg);
+        }
+        if (blocked) continue;
+        colour(b, tone, 0.97 * tone, 0.92 * tone);
+        place(b, x, kind < 0.25 ? gap + size : gap, z, turn);
+        if (kind < 0.25) patch(b, 24, 12, sphere_surface, &size);
+        else if (kind < 0.55) cylinder(b, size, 0.6 * height, 20);
+        else box(b, -size, 0, -0.7 * size, size, height, 0.7 * size);
+    }
+    colour(b, 0.56, 0.44, 0.33);
+    for (int k = 0; k < 2; k++) {
+        const double *t = tables[k], x = t[3], z = t[4], y = t[5];
+        place(b, t[0], gap, t[1], t[2]);
+        box(b, -x - 0.02, y + gap, -z - 0.02, x + 0.02, y + 0.02, z + 0.02);
+        for (int i = -1; i <= 1; i += 2)
+            for (int j = -1; j <= 1; j += 2) box(b, i * x - leg, 0, j * z - leg, i * x + leg, y, j * z + leg);
+    }
+}
+
 /* ---- >>scenes ----------------------------------------------------------------------------------------------- */
 
 static const struct builtin {
@@ -492,6 +598,10 @@ static const struct builtin {
     { "room",      "corner of a furnished room: boxes, books, thin railing, torus, lamp", build_room, {4.55f, 1.75f, 4.25f}, {1.35f, 0.85f, 0.85f}, 50, 0.1f, 0.5f },
     { "grass",     "some thousands of bent blades on rolling ground, with stones", build_grass, {0, 0.85f, 3}, {0, 0.05f, 0.2f}, 42, 0.05f, 0.3f },
     { "colonnade", "columns, arches, coffered ceiling and steps", build_colonnade, {-0.75f, 1.75f, 2.9f}, {0.35f, 2.0f, -6}, 55, 0.05f, 0.8f },
+    { "cornell",   "open box: red and green walls, two white boxes", build_cornell, {0, 2.745f, 7.7f}, {0, 2.745f, 0}, 38, 0.1f, 1.5f },
+    { "columns",   "white columns, coloured ones hidden behind them, a box beside the picture", build_columns, {0, 1.7f, 6.2f}, {0, 0.95f, 0}, 33, 0.1f, 1 },
+    { "plates",    "thin plates, bars and hoops floating over a floor", build_plates, {1.3f, 3.3f, 4.0f}, {0, 0.45f, 0.05f}, 36, 0.1f, 0.8f },
+    { "pebbles",   "some hundred small boxes, studs and balls, two tables on thin legs", build_pebbles, {0.35f, 0.65f, 1.5f}, {0.05f, 0.08f, 0}, 36, 0.05f, 0.08f },
     { "plane",     "one big square", build_plane, {0, 1.5f, 2}, {0, 0, 0}, 45, 0.1f, 0.5f },
     { "corner",    "floor (y = 0) and wall (x = 0) at a right angle", build_corner, {3.2f, 1.9f, 2.6f}, {0.4f, 0.5f, 0}, 40, 0.1f, 0.5f },
     { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {0.9f, 2.4f, 2.6f}, {0, -0.3f, 0}, 34, 0.1f, 0.5f },
@@ -515,6 +625,16 @@ static void bounds(kit_mesh *mesh)
             if (!i || p < mesh->lower[c]) mesh->lower[c] = p;
             if (!i || p > mesh->upper[c]) mesh->upper[c] = p;
         }
+}
+
+/* what goes on building a mesh; failing leaves its triangles as they were, with more after them perhaps */
+static build resume(const kit_mesh *mesh)
+{
+    build b;
+    memset(&b, 0, sizeof b);
+    b.mesh = *mesh;
+    b.capacity = mesh->triangles;
+    return b;
 }
 
 /* from the front, above and to the right, as near as has all corners of the bounds in view */
@@ -561,13 +681,10 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     scene->camera.fovy = 45;
     frame_bounds(&scene->camera, &scene->mesh);
     if (floor_) {
-        build b;
+        build b = resume(&scene->mesh);
         const double x = 0.5 * ((double)scene->mesh.lower[0] + (double)scene->mesh.upper[0]);
         const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal, y = (double)scene->mesh.lower[1];
         const double corner[4][3] = { {x - half, y, z + half}, {x + half, y, z + half}, {x + half, y, z - half}, {x - half, y, z - half} };
-        memset(&b, 0, sizeof b);
-        b.mesh = scene->mesh;
-        b.capacity = scene->mesh.triangles;
         colour(&b, 0.8, 0.8, 0.8);
         sheet(&b, (const double (*)[3])corner, CUTS(both), CUTS(both));
         scene->mesh = b.mesh;
@@ -620,4 +737,24 @@ void kit_scene_free(kit_scene *scene)
 {
     kit_mesh_free(&scene->mesh);
     memset(scene, 0, sizeof *scene);
+}
+
+int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err)
+{
+    const size_t before = scene->mesh.triangles;
+    build b = resume(&scene->mesh);
+    for (int i = 0; i < 3; i++) {
+        if (!isfinite(upper[i] - lower[i]) || upper[i] - lower[i] < 1e-4f)
+            return kit_fail(err, "box: sides (upper - lower) must be finite and at least 1e-4, not %g", (double)(upper[i] - lower[i]));
+        if (!(albedo[i] >= 0 && albedo[i] <= 1)) return kit_fail(err, "box: albedo must be in [0, 1], not %g", (double)albedo[i]);
+        b.albedo[i] = albedo[i];
+    }
+    box(&b, (double)lower[0], (double)lower[1], (double)lower[2], (double)upper[0], (double)upper[1], (double)upper[2]);
+    scene->mesh = b.mesh;
+    if (b.failed) {
+        scene->mesh.triangles = before;
+        return kit_fail(err, "scene '%s': no memory for a box", scene->name);
+    }
+    bounds(&scene->mesh);
+    return 0;
 }

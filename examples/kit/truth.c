@@ -1,9 +1,11 @@
-/* truth.c - cameras, ray-traced ambient visibility and its floor: what one depth layer can know. */
+/* truth.c - cameras, ray-traced ambient visibility and its floor (what one depth layer can know), ray-traced light. */
 #include "kit.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+static const double pi = 3.14159265358979323846;
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -47,7 +49,7 @@ static void camera_axes(const kit_camera *camera, double axes[3][3])
 
 static void camera_half(const kit_camera *camera, double half[2])  /* half the picture's extent: at view depth 1, or orthographic in world units */
 {
-    half[1] = camera->fovy > 0 ? tan((double)camera->fovy * 3.14159265358979323846 / 360) : 0.5 * (double)camera->ortho_height;
+    half[1] = camera->fovy > 0 ? tan((double)camera->fovy * pi / 360) : 0.5 * (double)camera->ortho_height;
     half[0] = half[1] * camera->width / camera->height;
 }
 
@@ -129,13 +131,14 @@ void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], flo
     }
 }
 
-/* ---- ambient visibility of a point ---------------------------------------------------------------------------- */
+/* ---- rays from a point ----------------------------------------------------------------------------------------- */
 
 typedef struct ambient {
     ssgi_trace trace;
     float      radius;
     int        attenuation, rays;
-    uint32_t  *points;              /* Sobol's first two dimensions, bits reversed: 2 a ray */
+    uint32_t  *points;              /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at least */
+    uint32_t   mask;                /* that power less one */
 } ambient;
 
 static uint32_t reverse(uint32_t x)
@@ -154,60 +157,89 @@ static uint32_t hash(uint32_t x)    /* PCG's [O'Neill 2014] */
     return x >> 22 ^ x;
 }
 
-static float owen(uint32_t reversed, uint32_t seed)        /* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020], [0,1) */
+static uint32_t scramble(uint32_t reversed, uint32_t seed)  /* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020] */
 {
     uint32_t x = reversed ^ reversed * 0x3d20adeau;
     x += seed;
     x *= seed >> 16 | 1u;
     x ^= x * 0x05526c56u;
     x ^= x * 0x53a22864u;
-    return (float)(reverse(x) >> 8) * (1.0f / 16777216.0f);
+    return reverse(x);
 }
 
 static int ambient_begin(ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err)
 {
     memset(a, 0, sizeof *a);
-    if (!(radius > 0) || !isfinite(radius)) return kit_fail(err, "%s: radius %g: must be above 0 and finite", what, (double)radius);
-    if (attenuation != KIT_ATTENUATION_LINEAR && attenuation != KIT_ATTENUATION_NONE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
+    if (attenuation < KIT_ATTENUATION_LINEAR || attenuation > KIT_ATTENUATION_CUBE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
+    if (!(radius > 0) || (!isfinite(radius) && attenuation != KIT_ATTENUATION_NONE))
+        return kit_fail(err, "%s: radius %g: must be above 0, and finite unless nothing is attenuated", what, (double)radius);
     if (rays < 1 || rays > 65536) return kit_fail(err, "%s: rays %d: must be 1..65536", what, rays);
     a->radius = radius;
     a->attenuation = attenuation;
     a->rays = rays;
-    a->points = malloc(2 * (size_t)rays * sizeof *a->points);
+    while (a->mask + 1 < (uint32_t)rays) a->mask = 2 * a->mask + 1;
+    a->points = malloc(((size_t)a->mask + 1) * sizeof *a->points);
     if (!a->points) return kit_fail(err, "%s: no memory for %d rays", what, rays);
-    for (uint32_t i = 0; i < (uint32_t)rays; ++i) {
+    for (uint32_t i = 0; i <= a->mask; ++i) {
         uint32_t second = 0;
         for (uint32_t v = 1u << 31, k = i; k; k >>= 1, v ^= v >> 1)
             if (k & 1u) second ^= v;
-        a->points[2 * i] = i;
-        a->points[2 * i + 1] = reverse(second);
+        a->points[i] = reverse(second);
     }
     return 0;
 }
 
-/* Visibility at p, which lies at magnitude from the origin of coordinates; lift is the unit vector that leads off the surface, n the unit normal.
-   The lift is some ten times the rounding of points of that magnitude. */
-static float ambient_at(const ambient *a, uint32_t pixel, const float p[3], float magnitude, const float lift[3], const float n[3])
+static void ambient_point(const ambient *a, uint32_t i, uint32_t seed, float at[2])     /* in [0,1)^2 */
 {
-    const uint32_t seed = hash(pixel), other = hash(seed ^ 0x9e3779b9u);
+    at[0] = (float)(scramble(i, seed) >> 8) * (1.0f / 16777216.0f);
+    at[1] = (float)(scramble(a->points[i], hash(seed ^ 0x9e3779b9u)) >> 8) * (1.0f / 16777216.0f);
+}
+
+static void cosine_direction(const float n[3], const float at[2], float d[3])
+{
     /* a frame about n [Duff et al. 2017] */
     const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
     const float s[3] = { 1 + sign * n[0] * n[0] * k, sign * m, -sign * n[0] }, t[3] = { m, sign + n[1] * n[1] * k, -n[1] };
-    float origin[3];
-    double sum = 0;
+    /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
+    const float u = 2 * at[0] - 1, v = 2 * at[1] - 1;
+    const int   wide = fabsf(u) > fabsf(v);
+    const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;
+    const float along = ring * cosf(turn), across = ring * sinf(turn);
+    const float x = wide ? along : across, y = wide ? across : along, z = sqrtf(fmaxf(0.0f, 1 - ring * ring));
+    for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
+}
+
+/* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not matter */
+static double blocked(const ambient *a, const float origin[3], const float d[3], ssgi_hit *hit)
+{
+    ssgi_hit nearest;
+    if (a->attenuation == KIT_ATTENUATION_NONE && !hit) return ssgi_trace_any(&a->trace, origin, d, 0, a->radius);
+    if (!hit) hit = &nearest;
+    if (!ssgi_trace_closest(&a->trace, origin, d, 0, a->radius, hit)) return 0;
+    const double t = (double)(hit->t / a->radius);
+    switch (a->attenuation) {
+    case KIT_ATTENUATION_NONE:   return 1;
+    case KIT_ATTENUATION_SQUARE: return 1 - t * t;
+    case KIT_ATTENUATION_CUBE:   return 1 - t * t * t;
+    default:                     return 1 - t;
+    }
+}
+
+/* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of coordinates as magnitude. */
+static void lift_off(const float p[3], float magnitude, const float lift[3], float origin[3])
+{
     for (int i = 0; i < 3; ++i) origin[i] = p[i] + lift[i] * 4e-6f * magnitude;
-    for (int r = 0; r < a->rays; ++r) {
-        /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
-        const float u = 2 * owen(a->points[2 * r], seed) - 1, v = 2 * owen(a->points[2 * r + 1], other) - 1;
-        const int   wide = fabsf(u) > fabsf(v);
-        const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;
-        const float along = ring * cosf(turn), across = ring * sinf(turn);
-        const float x = wide ? along : across, y = wide ? across : along, z = sqrtf(fmaxf(0.0f, 1 - ring * ring));
-        float d[3];
-        ssgi_hit hit;
-        for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
-        if (a->attenuation == KIT_ATTENUATION_NONE) sum += ssgi_trace_any(&a->trace, origin, d, 0, a->radius);
-        else if (ssgi_trace_closest(&a->trace, origin, d, 0, a->radius, &hit)) sum += 1 - (double)(hit.t / a->radius);
+}
+
+static float ambient_at(const ambient *a, uint32_t pixel, const float origin[3], const float n[3])     /* visibility; n unit */
+{
+    const uint32_t seed = hash(pixel);
+    double sum = 0;
+    for (uint32_t r = 0; r < (uint32_t)a->rays; ++r) {
+        float at[2], d[3];
+        ambient_point(a, r, seed, at);
+        cosine_direction(n, at, d);
+        sum += blocked(a, origin, d, NULL);
     }
     return (float)(1 - sum / a->rays);
 }
@@ -236,32 +268,22 @@ static int camera_check(const kit_camera *camera, const char *what, kit_error *e
 
 /* ---- truth ---------------------------------------------------------------------------------------------------- */
 
-typedef struct truth {
-    ambient         ambient;
-    const kit_mesh *mesh;
-    kit_camera      camera;
-    float          *out;
-    int             stride;
-} truth;
+typedef struct place {              /* on the surface, as seen along a ray */
+    float origin[3];                /* lifted off the face, toward the ray */
+    float n[3];                     /* shading normal, turned to that side */
+    const float *albedo;
+} place;
 
-static float truth_pixel(const truth *job, int x, int y)
+static void place_at(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], place *at)
 {
-    float origin[3], direction[3], p[3], face[3], n[3], magnitude = 0;
-    double axes[3][3], d[3], e[3], f[3], normal[3], shading[3];
-    ssgi_hit hit;
-    camera_axes(&job->camera, axes);
-    kit_camera_ray(&job->camera, x, y, origin, direction);
-    for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
-    /* the planes cut as they do in the G-buffer */
-    const double slant = -dot(d, axes[2]);
-    const float  first = (float)((double)job->camera.znear / slant);
-    const float  last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0 ? 1e30f : (float)((double)job->camera.zfar / slant);
-    if (!ssgi_trace_closest(&job->ambient.trace, origin, direction, first, last, &hit)) return 1;
-    const float *c = job->mesh->position + 9 * (size_t)hit.triangle, *cn = job->mesh->normal + 9 * (size_t)hit.triangle;
-    const float w[3] = { 1 - hit.u - hit.v, hit.u, hit.v };
+    const float *c = mesh->position + 9 * (size_t)hit->triangle, *cn = mesh->normal + 9 * (size_t)hit->triangle;
+    const float w[3] = { 1 - hit->u - hit->v, hit->u, hit->v };
+    float p[3], face[3], magnitude = 0;
+    double d[3], e[3], f[3], normal[3], shading[3];
     for (int i = 0; i < 3; ++i) {
         p[i] = w[0] * c[i] + w[1] * c[3 + i] + w[2] * c[6 + i];     /* more exact than origin + t direction */
         shading[i] = (double)(w[0] * cn[i] + w[1] * cn[3 + i] + w[2] * cn[6 + i]);
+        d[i] = (double)direction[i];
         e[i] = (double)c[3 + i] - (double)c[i];
         f[i] = (double)c[6 + i] - (double)c[i];
         magnitude = fmaxf(magnitude, fmaxf(fabsf(c[i]), fmaxf(fabsf(c[3 + i]), fabsf(c[6 + i]))));
@@ -272,41 +294,247 @@ static float truth_pixel(const truth *job, int x, int y)
     const double side = dot(normal, d) > 0 ? -1 : 1, turn = side * dot(shading, normal) < 0 ? -1 : 1;
     for (int i = 0; i < 3; ++i) {
         face[i] = (float)(side * normal[i]);
-        n[i] = (float)(turn * shading[i]);
+        at->n[i] = (float)(turn * shading[i]);
     }
-    return ambient_at(&job->ambient, (uint32_t)y * (uint32_t)job->camera.width + (uint32_t)x, p, magnitude, face, n);
+    lift_off(p, magnitude, face, at->origin);
+    at->albedo = mesh->albedo + 3 * (size_t)hit->triangle;
+}
+
+typedef struct truth truth;
+struct truth {
+    ambient             ambient;
+    const kit_mesh     *mesh;
+    kit_camera          camera;
+    kit_image           out;
+    int                 stride;
+    void              (*pixel)(const truth *job, uint32_t pixel, const place *at, float *value);     /* one value a channel */
+    float               background;
+    const kit_lighting *lighting;
+    int                 bounce;
+    float              *env_row, *env_column;   /* see env_begin; NULL = no environment */
+};
+
+static int truth_primary(const truth *job, int x, int y, place *at)
+{
+    float origin[3], direction[3];
+    double axes[3][3], d[3];
+    ssgi_hit hit;
+    camera_axes(&job->camera, axes);
+    kit_camera_ray(&job->camera, x, y, origin, direction);
+    for (int i = 0; i < 3; ++i) d[i] = (double)direction[i];
+    /* the planes cut as they do in the G-buffer */
+    const double slant = -dot(d, axes[2]);
+    const float  first = (float)((double)job->camera.znear / slant);
+    const float  last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0 ? 1e30f : (float)((double)job->camera.zfar / slant);
+    if (!ssgi_trace_closest(&job->ambient.trace, origin, direction, first, last, &hit)) return 0;
+    place_at(job->mesh, &hit, direction, at);
+    return 1;
 }
 
 static void truth_row(void *context, int y)
 {
     const truth *job = context;
-    for (int x = 0; x < job->camera.width; ++x) {
-        job->out[(size_t)y * (size_t)job->camera.width + (size_t)x] = skipped(x, y, job->stride) ? NAN : truth_pixel(job, x, y);
+    const size_t pixels = (size_t)job->out.width * (size_t)job->out.height;
+    for (int x = 0; x < job->out.width; ++x) {
+        const uint32_t pixel = (uint32_t)y * (uint32_t)job->out.width + (uint32_t)x;
+        const int skip = skipped(x, y, job->stride);
+        float value[KIT_MAX_CHANNELS];
+        place at;
+        for (int c = 0; c < job->out.channels; ++c) value[c] = skip ? NAN : job->background;
+        if (!skip && truth_primary(job, x, y, &at)) job->pixel(job, pixel, &at, value);
+        for (int c = 0; c < job->out.channels; ++c) job->out.data[(size_t)c * pixels + pixel] = value[c];
     }
 }
 
-int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+/* job: pixel, background and what that needs; channels: of the picture */
+static int truth_run(truth *job, kit_image *out, const char *channels, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride,
+                     kit_error *err)
 {
-    truth job = { .mesh = &scene->mesh, .camera = *camera, .stride = stride };
-    kit_image image;
     void *memory = NULL;
     if (camera_check(camera, "truth", err)) return -1;
     if (stride < 1) return kit_fail(err, "truth: stride %d: must be 1 or more", stride);
     if (scene->mesh.triangles == 0) return kit_fail(err, "truth: the scene has no triangles");
-    kit_camera_planes(&job.camera, &scene->mesh);
-    if (ambient_begin(&job.ambient, radius, attenuation, rays, "truth", err)) return -1;
-    if (trace_new(&job.ambient.trace, &memory, scene->mesh.position, NULL, scene->mesh.triangles, "truth", err) ||
-        kit_image_new(&image, camera->width, camera->height, "Y", err)) {
-        free(job.ambient.points);
-        free(memory);
-        return -1;
+    if (ambient_begin(&job->ambient, radius, attenuation, rays, "truth", err)) return -1;
+    job->mesh = &scene->mesh;
+    job->camera = *camera;
+    job->stride = stride;
+    kit_camera_planes(&job->camera, job->mesh);
+    const int failed = trace_new(&job->ambient.trace, &memory, job->mesh->position, NULL, job->mesh->triangles, "truth", err) ||
+                       kit_image_new(&job->out, camera->width, camera->height, channels, err);
+    if (!failed) {
+        kit_parallel("truth", camera->height, truth_row, job);
+        *out = job->out;
     }
-    job.out = image.data;
-    kit_parallel("truth", camera->height, truth_row, &job);
-    free(job.ambient.points);
+    free(job->ambient.points);
     free(memory);
-    *out = image;
+    return failed ? -1 : 0;
+}
+
+static void ambient_pixel(const truth *job, uint32_t pixel, const place *at, float *value) { *value = ambient_at(&job->ambient, pixel, at->origin, at->n); }
+
+int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+{
+    truth job = { .pixel = ambient_pixel, .background = 1 };
+    return truth_run(&job, out, "Y", scene, camera, radius, attenuation, rays, stride, err);
+}
+
+/* ---- light ------------------------------------------------------------------------------------------------------ */
+
+/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and returns their mean. */
+static double accumulate(float *cdf, int n)
+{
+    double total = 0, sum = 0;
+    for (int i = 1; i <= n; ++i) total += (double)cdf[i];
+    for (int i = 1; i <= n; ++i) {
+        sum += (double)cdf[i];
+        cdf[i] = total > 0 ? (float)(sum / total) : 0;
+    }
+    cdf[0] = 0;
+    return total / n;
+}
+
+static double pick(const float *cdf, int n, float u)        /* where the running sum is u, in [0, n) */
+{
+    int low = 0, high = n;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (cdf[middle] <= u) low = middle;
+        else high = middle;
+    }
+    return low + fmin((double)(u - cdf[low]) / (double)(cdf[high] - cdf[low]), 0.999999);
+}
+
+/* A texel is picked by the mean luminance that bilinear look-ups find in it (the midpoints of its quarters tell exactly), times its solid angle. */
+static void env_build_row(void *context, int y)
+{
+    const truth *job = context;
+    const kit_image *env = &job->lighting->env;
+    float *column = job->env_column + (size_t)y * ((size_t)env->width + 1);
+    for (int x = 0; x < env->width; ++x) {
+        column[x + 1] = 0;
+        for (int k = 0; k < 4; ++k) {
+            float d[3], rgb[3];
+            kit_env_direction(env, x + 0.25 + 0.5 * (k & 1), y + 0.25 + 0.5 * (k >> 1), d);
+            kit_env_radiance(env, d, rgb);
+            column[x + 1] += 0.25f * (0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]);
+        }
+    }
+    job->env_row[y + 1] = (float)(accumulate(column, env->width) * sin(pi * (y + 0.5) / env->height));
+}
+
+/* Running sums: over the rows of the environment, and along each of them. A black one is none. */
+static int env_begin(truth *job, kit_error *err)
+{
+    const kit_image *env = &job->lighting->env;
+    if (!env->data) return 0;
+    job->env_row = malloc(((size_t)env->height + 1) * sizeof(float));
+    job->env_column = malloc((size_t)env->height * ((size_t)env->width + 1) * sizeof(float));
+    if (!job->env_row || !job->env_column) return kit_fail(err, "truth: no memory for an environment of %d x %d", env->width, env->height);
+    kit_parallel(NULL, env->height, env_build_row, job);
+    if (!(accumulate(job->env_row, env->height) > 0)) {
+        free(job->env_row);
+        job->env_row = NULL;
+    }
     return 0;
+}
+
+static void env_direction(const truth *job, const float at[2], float d[3])
+{
+    const kit_image *env = &job->lighting->env;
+    const double y = pick(job->env_row, env->height, at[1]);
+    kit_env_direction(env, pick(job->env_column + (size_t)y * ((size_t)env->width + 1), env->width, at[0]), y, d);
+}
+
+static double env_density(const truth *job, const float d[3])       /* of env_direction, per unit of solid angle */
+{
+    const kit_image *env = &job->lighting->env;
+    double at[2];
+    kit_env_place(env, d, at);
+    const size_t x = (size_t)fmin(at[0], env->width - 1), y = (size_t)fmin(at[1], env->height - 1);
+    const float *row = job->env_row + y, *column = job->env_column + y * ((size_t)env->width + 1) + x;
+    const double share = (double)(row[1] - row[0]) * (double)(column[1] - column[0]), flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
+    return share * env->width * env->height / (2 * pi * pi * fmax(flat, 1e-9));
+}
+
+static double facing(const float n[3], const float d[3]) { return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2]; }
+
+/* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and rays[1] of them: multiple importance
+   sampling with the balance heuristic [Veach and Guibas 1995], so that it does not matter whose direction it is. */
+static void add_env(const truth *job, const float n[3], const float d[3], double visible, const int rays[2], double sum[3])
+{
+    const double cosine = facing(n, d) / pi;
+    float rgb[3];
+    if (!job->env_row || !(cosine > 0)) return;
+    kit_env_radiance(&job->lighting->env, d, rgb);
+    const double weight = visible * cosine / (rays[0] * cosine + rays[1] * env_density(job, d));
+    for (int c = 0; c < 3; ++c) sum[c] += weight * (double)rgb[c];
+}
+
+static void add_light(const truth *job, const place *at, const kit_light *light, double sum[3])
+{
+    const int sun = light->kind == KIT_SUN;
+    float to[3];
+    for (int i = 0; i < 3; ++i) to[i] = light->at[i] - (sun ? 0 : at->origin[i]);
+    const double length = sqrt(facing(to, to)), weight = facing(at->n, to) / length / pi / (sun ? 1 : length * length);
+    if (!(weight > 0) || !isfinite(weight)) return;
+    if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, sun ? INFINITY : 0.99999f)) return;      /* what holds the light does not shadow it */
+    for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
+}
+
+/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around reflect. rays: by cosine, by environment, both from
+   point first on. */
+static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2], double irradiance[3], double *bounce)
+{
+    const ambient *a = &job->ambient;
+    const uint32_t env_seed = hash(seed ^ 0x85ebca6bu), hit_seed = hash(seed ^ 0xc2b2ae35u), shuffle = hash(seed ^ 0x27d4eb2fu);
+    float u[2], d[3];
+    for (uint32_t r = 0; r < (uint32_t)rays[0]; ++r) {
+        ssgi_hit hit;
+        ambient_point(a, first + r, seed, u);
+        cosine_direction(at->n, u, d);
+        const double weight = blocked(a, at->origin, d, bounce ? &hit : NULL);
+        add_env(job, at->n, d, 1 - weight, rays, irradiance);
+        if (bounce && weight > 0) {
+            const int one[2] = { job->env_row != NULL, job->env_row != NULL };
+            double light[3] = { 0 };
+            place next;
+            place_at(job->mesh, &hit, d, &next);
+            gather(job, &next, hit_seed, scramble(reverse(r), shuffle) & a->mask, one, light, NULL);     /* shuffled: hits and directions from there stay independent */
+            for (int c = 0; c < 3; ++c) bounce[c] += weight * (double)next.albedo[c] * light[c] / rays[0];
+        }
+    }
+    for (uint32_t r = 0; r < (uint32_t)rays[1]; ++r) {
+        ambient_point(a, first + r, env_seed, u);
+        env_direction(job, u, d);
+        if (facing(at->n, d) > 0) add_env(job, at->n, d, 1 - blocked(a, at->origin, d, NULL), rays, irradiance);
+    }
+    for (int i = 0; i < job->lighting->lights; ++i) add_light(job, at, &job->lighting->light[i], irradiance);
+}
+
+static void lit_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
+{
+    const int by_env = job->env_row ? job->ambient.rays / 2 : 0, rays[2] = { job->env_row || job->bounce ? job->ambient.rays - by_env : 0, by_env };
+    double irradiance[3] = { 0 }, bounce[3] = { 0 };
+    gather(job, at, hash(pixel), 0, rays, irradiance, job->bounce ? bounce : NULL);
+    for (int c = 0; c < 3; ++c) {
+        value[c] = (float)((double)at->albedo[c] * (irradiance[c] + bounce[c]));
+        value[3 + c] = (float)irradiance[c];
+        value[6 + c] = (float)bounce[c];
+    }
+}
+
+int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce, int rays,
+                  int stride, kit_error *err)
+{
+    truth job = { .pixel = lit_pixel, .lighting = lighting, .bounce = bounce };
+    if (bounce != 0 && bounce != 1) return kit_fail(err, "truth: bounce %d: must be 0 or 1", bounce);
+    if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
+    if (lighting->env.data && lighting->env.channels < 3) return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
+    const int failed = env_begin(&job, err) || truth_run(&job, out, "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B",
+                                                         scene, camera, radius, attenuation, rays, stride, err);
+    free(job.env_row);
+    free(job.env_column);
+    return failed ? -1 : 0;
 }
 
 /* ---- floor ---------------------------------------------------------------------------------------------------- */
@@ -413,12 +641,14 @@ static void floor_row(void *context, int y)
         const size_t i = (size_t)y * (size_t)job->width + (size_t)x;
         const float *p = job->position + 3 * i;
         double o[3], d[3], normal[3];
+        float origin[3];
         job->out[i] = skipped(x, y, job->stride) ? NAN : 1;
         if (skipped(x, y, job->stride) || !surface(job, i) || !job->ambient.trace.node_count) continue;
         camera_view_ray(&job->camera, x, y, o, d);
         floor_normal(job, i, d, normal);
         const float n[3] = { (float)normal[0], (float)normal[1], (float)normal[2] };
-        job->out[i] = ambient_at(&job->ambient, (uint32_t)i, p, fmaxf(fabsf(p[2]), fmaxf(fabsf(p[0]), fabsf(p[1]))), n, n);
+        lift_off(p, fmaxf(fabsf(p[2]), fmaxf(fabsf(p[0]), fabsf(p[1]))), n, origin);
+        job->out[i] = ambient_at(&job->ambient, (uint32_t)i, origin, n);
     }
 }
 

@@ -1,0 +1,20 @@
+/* frames.h - pictures of known geometry that the tests of GL share; defined in test_pipeline.c. */
+#ifndef FRAMES_H
+#define FRAMES_H
+#include "../examples/kit/kit_gl.h"
+
+kit_camera looking_along_z(int width, int height, int orthographic);
+/* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes x * n = n[3] enclose, from within. */
+int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
+int        flat(const kit_image *frame, int x, int y);          /* nothing but surface within 3 pixels */
+void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-buffer of the same size */
+
+/* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2) times as many sideways and in front of
+   the wall, where what stands behind it is seen. The floor at distance c from the wall is seen through the very centre of row row_at(c). What is drawn
+   is cut to a row of the columns in the middle. */
+enum { SPAN = 256, MIDDLE = 364, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
+int        row_at(double c);
+kit_camera corner_planes(double plane[2][4], double c, double behind);      /* floor, wall; that one moved away by behind */
+double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);       /* the mean of the last pass's first channel over the middle columns of a row, over phases */
+double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c radii */
+#endif
