@@ -107,7 +107,7 @@ SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], fl
      displacement        along the main camera's axes: x right, y up, z toward the viewer
      world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre itself it looks as the main camera does.
      projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide (near or inside the sphere);
-                         near plane max(distance - radius, radius / 50), far plane distance + radius
+                         near plane radius / 50: matter that a near plane cuts open would count as seen through; far plane distance + radius
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
@@ -470,7 +470,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     }
     view[15] = 1.0f;
     cotangent = distance * cos40 > r ? sqrt((distance - r) * (distance + r)) / r : 0.83909963117728001176;
-    near_plane = distance - r > 0.02 * r ? distance - r : 0.02 * r;
+    near_plane = 0.02 * r;
     far_plane = distance + r;
     clip[0] = clip[5] = (float)cotangent;
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));

@@ -1319,7 +1319,8 @@ static const ssgi_gl__chunk ssgi_gl__shadow_map = { __LINE__ + 1, SSGI_GL__MAPS_
     "    float s = texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x, w = decode.x + decode.y * s;\n"
     "    float z = s == decode.z || w <= 1.0 / SSGI_FAR ? SSGI_FAR : flat_ ? w : 1.0 / w;\n"
     "    bias = b * length_;\n"
-    "    return q.z - b - 0.02 * size > z ? 1.0 : 0.0;\n"
+    "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z; // and what depths of the map and of P are rounded by\n"
+    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__lights_head = { __LINE__ + 1, 0,

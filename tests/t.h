@@ -19,5 +19,6 @@ void test_files(void);
 void test_math(void);
 void test_text(void);
 void test_pipeline(void);
+void test_light(void);
 void test_build(void);
 #endif

@@ -165,7 +165,7 @@ static void extra_cameras(void)
             const float row[3] = { view[a], view[4 + a], view[8 + a] }, other[3] = { view[b], view[4 + b], view[8 + b] };
             CHECK(fabs(dot(row, other) - (a == b)) < 1e-5, "axes %d and %d: %g", a, b, dot(row, other));
         }
-        const double near_plane = (double)clip[14] / ((double)clip[10] - 1), far_plane = (double)clip[14] / ((double)clip[10] + 1), want = fmax((double)(reach - radius), (double)radius / 50);
+        const double near_plane = (double)clip[14] / ((double)clip[10] - 1), far_plane = (double)clip[14] / ((double)clip[10] + 1), want = (double)radius / 50;
         CHECK(fabs(near_plane / want - 1) < 1e-3 && fabs(far_plane / (double)(reach + radius) - 1) < 1e-3, "planes %g %g of a sphere of %g at %g", near_plane, far_plane, (double)radius, (double)reach);
         if (held > 0) { CHECK(fabsf(clip[0] - 0.8390996f) < 1e-5f, "near the sphere: %g, not the cotangent of 50 degrees", (double)clip[0]); continue; }
         for (int i = 0; i < 6; ++i) {

@@ -28,8 +28,8 @@ static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = 
 static const row filter_row    = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR, DESC(filter) };
 static const row compare_row   = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 }, BLUR, DESC(filter_normals) };
 static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
-static const row layers_row    = { { "layers", "depth layers, peeled", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(layers) };
-static const row views_row     = { { "views", "extra cameras", NULL, 0, 0, 4, 1 }, GATHER | LIGHTS, DESC(views) };
+static const row layers_row    = { { "layers", "depth layers, peeled; the scene must be of closed solids", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(layers) };
+static const row views_row     = { { "views", "extra cameras; the scene must be of closed solids", NULL, 0, 0, 4, 1 }, GATHER | LIGHTS, DESC(views) };
 static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(view_layers) };
 static const row view_size_row = { { "view_size", "pixels of an extra camera's side", NULL, 512, 16, 4096, 1 }, PLAN, 0 };
 
@@ -277,6 +277,7 @@ static int add_direct(making *m, const kit_gbuffer *g, int v, int receiver, GLui
         gather.orthographic = lights.orthographic = 0;
     }
     gather.receiver = lights.receiver = receiver;
+    if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;      /* depth gives the normals of what is seen alone */
     gather.bounce = SSGI_GL_BOUNCE_NONE;
     gather.falloff = m->run->base_falloff;
     if (!picture) gather.half = 0;
@@ -304,6 +305,7 @@ static int add_senders(making *m, const kit_gbuffer *g, int v, int receiver, GLu
     d.receiver = receiver;
     d.layers = v < 0 ? m->gather.layers : m->gather.view_layers;
     d.views = 0;
+    if (v >= 0 || receiver) d.normal = SSGI_GL_NORMAL_SIGNED;
     if (v >= 0) {
         d.depth = SSGI_GL_DEPTH_WINDOW;
         d.orthographic = 0;
@@ -413,7 +415,7 @@ static int add_views(making *m, const float picture[16], const sphere *about)
         c.fovy = (float)(2 * atan(1 / (double)projection[5]) * 180 / PI);
         c.ortho_height = 0;
         c.znear = projection[14] / (projection[10] - 1);
-        c.zfar = projection[14] / (projection[10] + 1);
+        c.zfar = 0;                         /* the sphere is of what is seen: behind it the scene goes on */
         c.depth = KIT_DEPTH_NORMAL;
         c.shift[0] = c.shift[1] = 0;
         c.width = c.height = size;

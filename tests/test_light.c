@@ -1,0 +1,624 @@
+/* test_light.c - ssdo, lights and senders through the whole of GL: furnace, closed forms, layers, extra cameras, shadows, virtual lights. */
+#include "t.h"
+#include "frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979;
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+enum { W = 160, H = 90 };
+
+/* ---- pictures ---------------------------------------------------------------------------------------------------- */
+
+/* env: "white", which is 1 everywhere, or what kit_env_read takes; light: what kit_light_parse takes; NULL = none */
+static int lighten(kit_lighting *l, const char *env, const char *light)
+{
+    memset(l, 0, sizeof *l);
+    if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, &err))) return 0;
+    if (!env) return 1;
+    if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
+    if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;        /* of coarser ones harmonics see the rows */
+    for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
+    return 1;
+}
+
+typedef struct box { float lower[3], upper[3]; } box;
+static const float grey[3] = { 0.5f, 0.5f, 0.5f };
+
+/* A built-in scene with boxes added, and its G-buffer; camera NULL: the scene's own. */
+static int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera, int width, int height)
+{
+    if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
+    for (int i = 0; i < count; ++i) if (!TRY(kit_scene_add_box(scene, boxes[i].lower, boxes[i].upper, grey, &err))) return 0;
+    if (camera) scene->camera = *camera;
+    scene->camera.width = width;
+    scene->camera.height = height;
+    return TRY(kit_gbuffer_from_scene(g, scene, &scene->camera, NULL, &err));
+}
+
+/* Straight down on the origin, up in the picture is -z; orthographic, `high` units from bottom to top. */
+static kit_camera from_above(float high)
+{
+    kit_camera c = { { 0, 1.8f, 0 }, { 0, 0, 0 }, { 0, 0, -1 }, 0, high, 0.1f, 10, W, H, { 0, 0 }, KIT_DEPTH_NORMAL };
+    return c;
+}
+
+static int start(kit_run *run, kit_gbuffer *g, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting)
+{
+    const kit_world world = { scene, lighting };
+    kit_method m;
+    memset(run, 0, sizeof *run);
+    return CHECK(!kit_method_find(&m, "ssdo", &err) && !kit_method_set(&m, "blur=0", &err) && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
+                 "%s: %s", set, err.text);
+}
+
+static int draw(kit_image *out, kit_run *run)
+{
+    kit_run_update(run);
+    kit_run_draw(run, 0);
+    return TRY(kit_run_read(out, run, &err));
+}
+
+static int lit(kit_image *out, kit_gbuffer *g, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting)
+{
+    kit_run run;
+    const int ok = start(&run, g, set, radius, scene, lighting) && draw(out, &run);
+    kit_run_close(&run);
+    return ok;
+}
+
+static double mean(const kit_image *image, const char *name)
+{
+    const float *channel = kit_image_channel(image, name);
+    double sum = 0;
+    for (int i = 0; i < image->width * image->height; ++i) sum += (double)channel[i];
+    return sum / (image->width * image->height);
+}
+
+/* ---- furnace ------------------------------------------------------------------------------------------------------- */
+
+/* Makes every surface of a run send 1 from now on: copies of its senders, with that radiance, in place of them. */
+static int shine(kit_run *run)
+{
+    const ssgi_gl_desc *d = &run->pass[run->passes - 1].desc;
+    const struct { GLuint *array; int width, height, slices; } held[2] = {
+        { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers }, { &run->view_senders, run->view[0].width, run->view[0].height, d->views * d->view_layers } };
+    const uint32_t one = 256u | 256u << 9 | 256u << 18 | 16u << 27;            /* 256 * 2^-8, three times */
+    kit_run_update(run);
+    kit_run_draw(run, 0);
+    for (int k = 0; k < 2; ++k) {
+        const size_t texels = (size_t)held[k].width * (size_t)held[k].height;
+        uint32_t *word = malloc(2 * texels * (size_t)held[k].slices * sizeof *word + 1);
+        for (int s = 0; s < held[k].slices; ++s)
+            if (!CHECK(!kit_texture_slice_read(*held[k].array, s, held[k].width, held[k].height, 2, (float *)(word + 2 * texels * (size_t)s)), "senders cannot be read")) return 0;
+        for (size_t i = 0; i < texels * (size_t)held[k].slices; ++i) word[2 * i] = one;
+        if (held[k].slices) *held[k].array = run->texture[run->textures++] = kit_texture_array(held[k].width, held[k].height, held[k].slices, GL_RG32UI, (float *)word);
+        free(word);
+    }
+    return 1;
+}
+
+static void furnace(void)
+{
+    static const struct { const char *scene, *set; int kind; } row[] = {    /* 1: one-sided: no more; 2: two gathers, whose depths are rounded apart: all but a sample in 10,000 */
+        { "room", "reuse=1,two_sided=1", 0 }, { "room", "reuse=1,two_sided=1,environment=sh", 0 }, { "room", "reuse=1,two_sided=1,fade=1,steps=2", 0 },
+        { "columns", "reuse=1,two_sided=1,layers=2,views=2", 0 }, { "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,thin=0", 0 },
+        { "room", "reuse=1,two_sided=0", 1 }, { "columns", "reuse=1,two_sided=0,layers=2,views=2", 1 }, { "room", "two_sided=1", 2 }, { "columns", "two_sided=1,layers=2,views=2", 2 } };
+    double worst[2] = { 0 };
+    kit_lighting l;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
+        double least = 2, most = 0;
+        int off = 0;
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_run run;
+        kit_image out;
+        if (!see(&scene, &g, row[i].scene, NULL, 0, NULL, W, H) || !start(&run, &g, row[i].set, scene.radius, &scene, &l) || !shine(&run) || !draw(&out, &run)) return;
+        const float *light = kit_image_channel(&out, "irradiance.G"), *bounce = kit_image_channel(&out, "bounce.G");
+        for (int k = 0; k < W * H; ++k) {
+            const double v = (double)light[k] + (double)bounce[k];
+            least = fmin(least, v);
+            most = fmax(most, v);
+            off += fabs(v - 1) > 1e-5;
+        }
+        CHECK(mean(&out, "bounce.G") > 0.02 && off <= (row[i].kind == 0 ? 0 : row[i].kind == 1 ? W * H : 16 * W * H / 10000) && most <= 1.00001 + (row[i].kind == 2 ? 0.125 : 0) &&
+              (row[i].kind == 1) == (least < 0.8), "%s %s: %.6f to %.6f, %d pixels off", row[i].scene, row[i].set, least, most, off);
+        if (row[i].kind != 1) worst[row[i].kind / 2] = fmax(worst[row[i].kind / 2], row[i].kind ? off : fmax(most - 1, 1 - least));
+        kit_run_close(&run); kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
+    }
+    t_note("one gather: %.1e off at most; two: %g pixels are", worst[0], worst[1]);
+    kit_image_free(&l.env);
+}
+
+/* ---- open planes --------------------------------------------------------------------------------------------------- */
+
+/* irradiance over pi on surfaces with these normals, three channels each */
+static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
+{
+    memset(out, 0, (size_t)normals * sizeof *out);
+    for (int y = 0; y < env->height; ++y)
+        for (int x = 0; x < env->width; ++x) {
+            const double area = 2 * pi / env->width * pi / env->height * sin(pi * (y + 0.5) / env->height);
+            float d[3], rgb[3];
+            kit_env_direction(env, x + 0.5, y + 0.5, d);
+            kit_env_radiance(env, d, rgb);
+            for (int i = 0; i < normals; ++i) {
+                const double cosine = (double)d[0] * n[i][0] + (double)d[1] * n[i][1] + (double)d[2] * n[i][2];
+                for (int c = 0; c < 3; ++c) out[i][c] += fmax(0, cosine) * area / pi * (double)rgb[c];
+            }
+        }
+}
+
+static void open_planes(void)
+{
+    enum { PLANES = 16 };
+    static const struct { const char *env, *set; double off; } row[] = {             /* three bands are as good as they are: their error is of the brightest normal's */
+        { "white", "environment=map", 1e-5 }, { "white", "environment=sh", 1e-5 }, { "sky", "environment=map", 0.01 },
+        { "sky", "environment=sh", 0.02 }, { "sky", "environment=map,sets=16", 0.01 }, { "sky", "environment=sh,sets=16", 0.02 } };
+    static const double tilts[] = { 0, 30, 60, 75 };
+    static const float targets[4][3] = { { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f }, { -0.2f, 0.7f, 0.6f } };
+    kit_gbuffer g[PLANES];
+    kit_image frame[PLANES], out;
+    double world[PLANES][3], truth[PLANES][3];
+    float view[PLANES][16], projection[16];
+    for (int k = 0; k < PLANES; ++k) {
+        const double a = tilts[k % 4] * pi / 180, b = 1 + 0.4 * k, n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
+        kit_camera c = looking_along_z(W, H, 0);
+        memcpy(c.target, targets[k / 4], sizeof c.target);
+        kit_camera_matrices(&c, view[k], projection);
+        for (int j = 0; j < 3; ++j) world[k][j] = (double)view[k][4 * j] * n[0][0] + (double)view[k][4 * j + 1] * n[0][1] + (double)view[k][4 * j + 2] * n[0][2];
+        if (!planes_seen(&frame[k], &c, n, 1, "") || !TRY(kit_gbuffer_from_frame(&g[k], &frame[k], &c, &err))) return;
+    }
+    for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
+        const int white = !strcmp(row[i].env, "white"), bands = strstr(row[i].set, "sh") != NULL;
+        double worst = 0, noise = 0, brightest[3] = { 0 };
+        kit_lighting l;
+        kit_run run;
+        char set[96];
+        snprintf(set, sizeof set, "bounce=none,%s", row[i].set);
+        if (!lighten(&l, row[i].env, NULL) || !start(&run, &g[0], set, 0.5f, NULL, &l)) return;
+        cosine_integrals(truth, &l.env, (const double (*)[3])world, PLANES);
+        for (int k = 0; k < PLANES; ++k)
+            for (int c = 0; c < 3; ++c) {
+                if (white) truth[k][c] = 1;
+                brightest[c] = fmax(brightest[c], truth[k][c]);
+            }
+        for (int k = 0; k < PLANES; ++k) {                         /* a program a row, turned to every plane and camera */
+            turn(&run, &g[k]);
+            for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
+            ssgi_sh_quadric(run.frame.environment, run.harmonics, view[k]);
+            run.frame.radius = run.frame.thickness = k & 1 ? 0.5f : 0.1f;
+            if (!draw(&out, &run)) return;
+            for (int c = 0; c < 3; ++c) {
+                double least = 1e9, most = 0;
+                for (int p = 0; p < W * H; ++p) {
+                    const double v = (double)out.data[(3 + c) * W * H + p];
+                    if (!flat(&frame[k], p % W, p / W)) continue;
+                    least = fmin(least, v);
+                    most = fmax(most, v);
+                }
+                worst = fmax(worst, fmax(most - truth[k][c], truth[k][c] - least) / (bands ? brightest[c] : truth[k][c]));
+                noise = fmax(noise, (most - least) / truth[k][c]);
+            }
+            kit_image_free(&out);
+        }
+        kit_run_close(&run);
+        kit_image_free(&l.env);
+        CHECK(worst <= row[i].off && noise <= 1e-3, "%s %s: off by %.2e, %.1e from pixel to pixel", row[i].env, row[i].set, worst, noise);
+        t_note("%s %s: off by %.2e, noise %.1e", row[i].env, row[i].set, worst, noise);
+    }
+    for (int k = 0; k < PLANES; ++k) { kit_gbuffer_free(&g[k]); kit_image_free(&frame[k]); }
+}
+
+/* ---- the corner ------------------------------------------------------------------------------------------------------ */
+
+static double square_corner(double c) { const double s = sqrt(1 - c * c); return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi; }
+static double cube_corner(double c)   { const double s = sqrt(1 - c * c); return (acos(c) - 2 * c * s + c * c * c * log((1 + s) / c)) / pi; }
+static double several_corner(double c, int k) { return k * linear_corner(c) - (k - 1) * (k > 1 ? linear_corner(fmin(1, k * c / (k - 1))) : 0); }
+
+static const double at[3] = { 0.1, 0.25, 0.5 };
+
+/* The corner's picture, and its camera. wall: what the wall sends; the floor is dark. */
+static int corner(kit_gbuffer *g, double c, float wall)
+{
+    double plane[2][4];
+    const kit_camera camera = corner_planes(plane, c, 0);
+    const size_t pixels = (size_t)WIDE * HIGH;
+    kit_image frame;
+    int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, ",direct.R,direct.G,direct.B");
+    for (size_t i = 0; ok && i < 3 * pixels; ++i) frame.data[4 * pixels + i] = frame.data[2 * pixels + i % pixels] < 0 ? wall : 0;
+    ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok;
+}
+
+static void corner_darkens(void)
+{
+    static const struct { const char *set; double (*truth)(double); int steps; } row[] = { { "falloff=linear", linear_corner, 1 }, { "falloff=square", square_corner, 1 },
+        { "falloff=cube", cube_corner, 1 }, { "steps=2", NULL, 2 }, { "steps=4", NULL, 4 }, { "falloff=linear,environment=sh", linear_corner, 1 } };
+    double worst = 0;
+    kit_gbuffer g[3];
+    kit_lighting l;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int i = 0; i < 3; ++i) if (!corner(&g[i], at[i], 0)) return;
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        kit_run run;
+        char set[96];
+        snprintf(set, sizeof set, "bounce=none,samples=64,thin=0,%s", row[m].set);
+        if (!start(&run, &g[0], set, 1, NULL, &l)) return;
+        for (int i = 0; i < 3; ++i) {
+            const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8), truth = row[m].truth ? row[m].truth(at[i]) : several_corner(at[i], row[m].steps);
+            worst = fmax(worst, fabs(o - truth));
+            CHECK(fabs(o - truth) <= 0.003, "%s, c %g: %.4f is dark, truth %.4f", row[m].set, at[i], o, truth);
+        }
+        kit_run_close(&run);
+    }
+    t_note("%.4f off at most", worst);
+    for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
+    kit_image_free(&l.env);
+}
+
+static void corner_bounces(void)
+{
+    static const struct { const char *set; double truth[3], off; } row[] = {
+        /* Of a wall that sends 1; patches as the paper has them, but never clamped; discs for N = 16. off: of the value, for areas are meant for uniform directions, of
+           which ours, at midpoints of strata, miss some near the horizon: 1/sqrt(N) a third. */
+        { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 }, { "bounce=patch,nearest=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
+        { "bounce=patch,nearest=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 }, { "bounce=disc,samples=16", { 0.23714, 0.14557, 0.04518 }, 0.1 } };
+    kit_gbuffer g[3];
+    const kit_lighting dark = { .lights = 0 };
+    for (int i = 0; i < 3; ++i) if (!corner(&g[i], at[i], 1)) return;
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        kit_run run;
+        char set[96];
+        double found[3];
+        snprintf(set, sizeof set, "thin=0,%s", row[m].set);
+        if (!start(&run, &g[0], set, 1, NULL, &dark)) return;
+        for (int i = 0; i < 3; ++i) {
+            found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
+            CHECK(fabs(found[i] - row[m].truth[i]) <= row[m].off * row[m].truth[i], "%s, c %g: %.4f, expected %.4f", row[m].set, at[i], found[i], row[m].truth[i]);
+        }
+        t_note("%s: %.4f %.4f %.4f", row[m].set, found[0], found[1], found[2]);
+        kit_run_close(&run);
+    }
+    for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
+}
+
+/* ---- layers ------------------------------------------------------------------------------------------------------------ */
+
+/* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without end, gap behind it. */
+static int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
+{
+    static const char *const more[3] = { "", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,layer2.N.Z" };
+    double plane[2][4];
+    const kit_camera camera = corner_planes(plane, c, 0);
+    const size_t pixels = (size_t)WIDE * HIGH;
+    kit_image frame, behind;
+    int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, more[layers - 1]);
+    for (int j = 1; j < layers && ok; ++j) {
+        corner_planes(plane, c, j == 1 ? thickness : thickness + gap);
+        ok = planes_seen(&behind, &camera, (const double (*)[4])plane + 1, 1, "");
+        for (size_t i = 0; ok && i < 4 * pixels; ++i)
+            if (frame.data[2 * pixels + i % pixels] < 0) frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
+        kit_image_free(&behind);
+    }
+    ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok;
+}
+
+static void layers_count(void)
+{
+    static const struct { double c, thickness; int layers, thin; } row[] = { { 0.1, 0.05, 2, 0 }, { 0.1, 0.25, 2, 0 }, { 0.25, 0.1, 2, 0 }, { 0.5, 0.25, 2, 0 }, { 0.1, 0.05, 1, 0 },
+        { 0.25, 0.1, 3, 0 }, { 0.25, 0.1, 3, 1 }, { 0.25, 0.1, 1, 1 } };
+    const double gap = 0.15, reach = 0.2;                          /* of what is thin, across */
+    kit_lighting l;
+    double worst = 0;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        const double c = row[m].c, back = c + row[m].thickness, next = back + gap;
+        const double truth = linear_corner(c) - (row[m].layers > 1 ? linear_corner(back) : row[m].thin ? linear_corner(c + reach) : 0) +
+                             (row[m].layers > 2 ? linear_corner(next) - (row[m].thin ? linear_corner(next + reach) : 0) : 0);
+        kit_gbuffer g;
+        kit_run run;
+        char set[96];
+        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,thin=%d,thickness=%.6f", row[m].layers, row[m].thin, reach * sqrt(2));
+        if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !start(&run, &g, set, 1, NULL, &l)) return;
+        const double o = 1 - row_of(&run, &g, row_at(c), 8), noise = 5 * sqrt(truth * (1 - truth) / (64 * 8 * COLUMNS));
+        worst = fmax(worst, fabs(o - truth));
+        CHECK(fabs(o - truth) <= fmin(noise, 0.003), "thin %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f", row[m].thin, row[m].layers, row[m].thickness, c, o, truth);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    t_note("%.4f off at most", worst);
+    kit_image_free(&l.env);
+}
+
+/* ---- extra cameras ------------------------------------------------------------------------------------------------------- */
+
+/* A wall beside the picture, and a plate afloat whose underside the picture does not see, by which points below it seem to be blocked. */
+static void cameras_know_more(void)
+{
+    static const box beside = { { -3, 0, -1.2f }, { 3, 0.8f, -0.56f } }, plate = { { -0.25f, 0.2f, -0.15f }, { 0.25f, 0.55f, 0.15f } };
+    static const struct { const char *what; const box *added; float radius; } row[] = { { "wall beside", &beside, 0.4f }, { "plate afloat", &plate, 0.3f } };
+    const kit_camera above = from_above(1);
+    kit_lighting l;
+    if (!lighten(&l, "white", NULL)) return;
+    for (int m = 0; m < 2; ++m) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_image blind, knowing, truth;
+        double error[2] = { 0 }, bias[2] = { 0 };
+        int n = 0;
+        if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
+        if (!lit(&blind, &g, "bounce=none,thin=0", row[m].radius, &scene, &l) || !lit(&knowing, &g, "bounce=none,thin=0,views=3,view_layers=2", row[m].radius, &scene, &l) ||
+            !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err))) return;
+        const float *a = kit_image_channel(&blind, "irradiance.G"), *b = kit_image_channel(&knowing, "irradiance.G");
+        for (int i = 0; i < W * H; ++i) {
+            if (fabsf(a[i] - truth.data[i]) < 0.1f) continue;             /* where the picture alone is wrong */
+            for (int k = 0; k < 2; ++k) {
+                const double d = (double)(k ? b : a)[i] - (double)truth.data[i];
+                bias[k] += d;
+                error[k] += fabs(d);
+            }
+            ++n;
+        }
+        CHECK(n > 500 && fabs(bias[1]) < 0.2 * fabs(bias[0]) && error[1] < 0.35 * error[0], "%s: wrong by %.3f with extra cameras, %.3f without, at %d pixels", row[m].what, bias[1] / n, bias[0] / n, n);
+        t_note("%s: off by %+.3f with extra cameras, %+.3f without, at %d pixels; |error| %.3f, %.3f", row[m].what, bias[1] / n, bias[0] / n, n, error[1] / n, error[0] / n);
+        kit_image_free(&blind); kit_image_free(&knowing); kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
+    }
+    kit_image_free(&l.env);
+}
+
+/* ---- lights ---------------------------------------------------------------------------------------------------------------- */
+
+/* The floor y = 0, a wall from z = -1 to -1.1; a light before it and one behind, both nearer than the radius; the floor before the wall is looked at. */
+static void segments_end_at_lights(void)
+{
+    static const box wall = { { -3, 0, -1.1f }, { 3, 1.5f, -1 } };
+    static const struct { const char *light, *set; double z; int shadowed; } row[] = {
+        { "point:0,0.3,-0.6,2,2,2", "solid=1", -0.6, 0 }, { "point:0,0.3,-0.6,2,2,2", "solid=0", -0.6, 0 },
+        { "point:0,0.3,-1.6,2,2,2", "solid=1", -1.6, 1 }, { "point:0,0.3,-1.6,2,2,2", "solid=0", -1.6, 1 } };
+    const kit_camera camera = { { 0, 3, 2 }, { 0, 0.2f, -0.6f }, { 0, 1, 0 }, 40, 0, 0.1f, 20, W, H, { 0, 0 }, KIT_DEPTH_NORMAL };
+    kit_scene scene;
+    kit_gbuffer g;
+    if (!see(&scene, &g, "plane", &wall, 1, &camera, W, H)) return;
+    for (int m = 0; m < 4; ++m) {
+        kit_image out;
+        kit_lighting l;
+        char set[96];
+        double worst = 0;
+        int n = 0, dark = 0;
+        snprintf(set, sizeof set, "bounce=none,shadows=segment,points=32,%s", row[m].set);
+        if (!lighten(&l, NULL, row[m].light) || !lit(&out, &g, set, 2, NULL, &l)) return;
+        for (int i = 0; i < W * H; ++i) {
+            float o[3], d[3];
+            kit_camera_ray(&scene.camera, i % W, i / W, o, d);
+            const double t = -(double)o[1] / (double)d[1], x = (double)o[0] + t * (double)d[0], z = (double)o[2] + t * (double)d[2];
+            if (fabs(x) > 0.5 || z < -0.5 || z > 0.3) continue;
+            const double dd = x * x + 0.3 * 0.3 + (z - row[m].z) * (z - row[m].z), open = 2 * 0.3 / (dd * sqrt(dd)) / pi, v = (double)out.data[3 * W * H + i];
+            worst = fmax(worst, fabs(v / open - 1));
+            dark += v <= 0;
+            ++n;
+        }
+        CHECK(n > 300 && (row[m].shadowed ? dark == n : worst < 1e-3), "%s, %s: %d of %d pixels are dark, off by %.2e", row[m].light, row[m].set, dark, n, worst);
+        kit_image_free(&out);
+    }
+    kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
+/* A plate seen from its upper side only: the floor under it sees the other one. */
+static void backs_are_dark(void)
+{
+    static const box plate = { { -0.5f, 0.2f, -0.3f }, { 0.5f, 0.22f, 0.3f } };
+    const kit_camera above = from_above(1);
+    const kit_lighting dark = { .lights = 0 };
+    kit_scene scene;
+    kit_gbuffer g, shining;
+    kit_image frame, full, out;
+    double sum[2] = { 0 };
+    if (!see(&scene, &g, "plane", &plate, 1, &above, W, H) || !TRY(kit_gbuffer_read(&frame, &g, &err)) ||
+        !TRY(kit_image_new(&full, W, H, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,direct.R,direct.G,direct.B", &err))) return;
+    memcpy(full.data, frame.data, 7 * W * H * sizeof(float));
+    for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
+    if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
+    for (int both = 0; both < 2; ++both) {
+        if (!lit(&out, &shining, both ? "thin=0,two_sided=1" : "thin=0,two_sided=0", 0.4f, NULL, &dark)) return;
+        sum[both] = mean(&out, "bounce.G");
+        kit_image_free(&out);
+    }
+    CHECK(sum[0] == 0 && sum[1] > 0.03, "a back sends %.5f when senders are one-sided, %.5f when they are two-sided", sum[0], sum[1]);
+    t_note("one-sided %.5f, two-sided %.5f", sum[0], sum[1]);
+    kit_image_free(&frame); kit_image_free(&full); kit_gbuffer_free(&g); kit_gbuffer_free(&shining); kit_scene_free(&scene);
+}
+
+/* ---- units ------------------------------------------------------------------------------------------------------------------- */
+
+static void units_do_not_matter(void)
+{
+    static const char *const sets[] = { "bounce=solid-angle,layers=2", "bounce=patch,layers=2", "bounce=disc,layers=2", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=1",
+        "bounce=none,environment=none" };
+    static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };    /* powers of two change no digit; the others round samples at edges to either side */
+    double worst[2] = { 0 };
+    kit_lighting l;
+    if (!lighten(&l, "sky", NULL)) return;
+    for (int m = 0; m < (int)(sizeof sets / sizeof sets[0]); ++m) {
+        kit_image out[5];
+        double off[5] = { 0 };
+        for (int s = 0; s < 5; ++s) {
+            char light[96];
+            kit_scene scene;
+            kit_gbuffer g;
+            const float f = scales[s];
+            if (!TRY(kit_scene_load(&scene, "cornell", 0, &err))) return;
+            for (size_t i = 0; i < 9 * scene.mesh.triangles; ++i) scene.mesh.position[i] *= f;
+            for (int i = 0; i < 3; ++i) { scene.mesh.lower[i] *= f; scene.mesh.upper[i] *= f; scene.camera.eye[i] *= f; scene.camera.target[i] *= f; }
+            scene.camera.znear *= f; scene.camera.zfar *= f;
+            scene.camera.width = W; scene.camera.height = H;
+            snprintf(light, sizeof light, "point:0,%.9g,%.9g,%.9g,%.9g,%.9g", (double)(5 * f), (double)(-2.8f * f), (double)(15 * f * f), (double)(12 * f * f), (double)(9 * f * f));
+            l.lights = 0;
+            if (!TRY(kit_light_parse(&l.light[l.lights++], light, &err)) || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) ||
+                !lit(&out[s], &g, sets[m], f * scene.radius, &scene, &l)) return;
+            for (int i = 0; i < 3 * W * H; ++i) off[s] += pow((double)out[s].data[i] - (double)out[0].data[i], 2);
+            off[s] = sqrt(off[s] / (3 * W * H)) / mean(&out[0], "G");
+            kit_gbuffer_free(&g); kit_scene_free(&scene);
+        }
+        CHECK(off[1] <= 1e-4 && off[2] <= 1e-4 && off[3] <= 5e-3 && off[4] <= 5e-3, "%s: RMSE %.1e of the mean at 1/8, %.1e at 8, %.1e at 0.1, %.1e at 10",
+              sets[m], off[1], off[2], off[3], off[4]);
+        for (int s = 1; s < 5; ++s) worst[s > 2] = fmax(worst[s > 2], off[s]);
+        for (int s = 0; s < 5; ++s) kit_image_free(&out[s]);
+    }
+    t_note("RMSE %.1e of the mean at 1/8 and 8, %.1e at 0.1 and 10", worst[0], worst[1]);
+    kit_image_free(&l.env);
+}
+
+/* ---- shadow maps ------------------------------------------------------------------------------------------------------------- */
+
+/* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope runs along the map's texels' diagonal. */
+static void planes_do_not_shadow_themselves(void)
+{
+    static const double tilts[] = { 60, 70, 80 };
+    kit_lighting l;
+    int wrong = 0, seen = 0;
+    if (!lighten(&l, NULL, "sun:0,0,1,3,3,3")) return;
+    for (int k = 0; k < 6; ++k) {
+        const double tilt = tilts[k % 3] * pi / 180, r = sqrt(0.5);
+        const double n[3] = { r * sin(tilt), r * sin(tilt), cos(tilt) }, u[3] = { r, -r, 0 }, v[3] = { r * cos(tilt), r * cos(tilt), -sin(tilt) };
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_image out;
+        if (!TRY(kit_scene_load(&scene, "plane", 0, &err))) return;
+        for (size_t i = 0; i < 3 * scene.mesh.triangles; ++i) {     /* y = 0 becomes the plane */
+            float *p = scene.mesh.position + 3 * i, *m = scene.mesh.normal + 3 * i;
+            const double x = (double)p[0], z = (double)p[2];
+            for (int j = 0; j < 3; ++j) { p[j] = (float)(0.02 * (x * u[j] + z * v[j])); m[j] = (float)n[j]; }
+        }
+        for (int j = 0; j < 3; ++j) {
+            scene.mesh.lower[j] = -2; scene.mesh.upper[j] = 2;
+            scene.camera.eye[j] = (float)(2 * n[j] + 0.5 * u[j]);
+            scene.camera.target[j] = 0;
+        }
+        scene.camera.width = W; scene.camera.height = H;
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) ||
+            !lit(&out, &g, k < 3 ? "bounce=none,shadows=map,shadow_size=256" : "bounce=none,shadows=fill,shadow_size=256", 0.2f, &scene, &l)) return;
+        for (int i = 0; i < W * H; ++i) {
+            const double light = (double)out.data[3 * W * H + i];
+            seen += light > 0;
+            wrong += !(fabs(light - 3 * cos(tilt) / pi) < 1e-4);
+        }
+        kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
+        /* how much farther the plane is half a texel's diagonal down its slope; the paper's bias is half a texel's side */
+        const double patch = 0.01, deeper = patch * r * tan(tilt), paper = patch / 2 * tan(tilt), safe = (double)ssgi_shadow_bias((float)patch, (float)cos(tilt), 1);
+        CHECK(deeper > 1.4 * paper && deeper <= safe * 1.00001 && safe < deeper * 1.00001, "tilt %g: %g deeper, the paper's bias is %g, ours %g", tilts[k % 3], deeper, paper, safe);
+    }
+    CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
+}
+
+/* How far every pixel's surface is from what first stands between it and a sun; 0 where nothing does. To be freed. */
+static float *blockers_new(const kit_scene *scene, const kit_light *sun)
+{
+    const int width = scene->camera.width, height = scene->camera.height;
+    const size_t size = ssgi_trace_size(scene->mesh.triangles);
+    float *distance = calloc((size_t)width * (size_t)height, sizeof *distance);
+    void *memory = malloc(size);
+    ssgi_trace trace;
+    if (!CHECK(distance && memory && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL) == SSGI_OK, "no trace")) return NULL;
+    for (int i = 0; i < width * height; ++i) {
+        float o[3], d[3];
+        ssgi_hit hit, blocker;
+        kit_camera_ray(&scene->camera, i % width, i / width, o, d);
+        if (!ssgi_trace_closest(&trace, o, d, 0, INFINITY, &hit)) continue;
+        for (int k = 0; k < 3; ++k) o[k] += d[k] * (hit.t - 1e-4f);
+        if (ssgi_trace_closest(&trace, o, sun->at, 0, INFINITY, &blocker)) distance[i] = blocker.t;
+    }
+    free(memory);
+    return distance;
+}
+
+static void fill_brings_contacts_back(void)
+{
+    enum { WIDTH = 640, HEIGHT = 360 };
+    static const char *const sets[2] = { "bounce=none,shadow_size=512,shadows=map", "bounce=none,shadow_size=512,shadows=fill" };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    kit_image out;
+    int lost[2] = { 0 }, lit_rightly[2] = { 0 };
+    if (!lighten(&l, NULL, "sun:1,0.35,0.3,3,3,3") || !see(&scene, &g, "pebbles", NULL, 0, NULL, WIDTH, HEIGHT)) return;
+    float *distance = blockers_new(&scene, &l.light[0]);
+    for (int m = 0; m < 2 && distance; ++m) {
+        if (!lit(&out, &g, sets[m], scene.radius, &scene, &l)) return;
+        for (int i = 0; i < WIDTH * HEIGHT; ++i)
+            if (out.data[3 * WIDTH * HEIGHT + i] > 0) {            /* a texel is 0.006 wide */
+                lost[m] += distance[i] > 0 && distance[i] < 0.01f;
+                lit_rightly[m] += distance[i] <= 0;
+            }
+        kit_image_free(&out);
+    }
+    CHECK(lost[1] * 5 <= lost[0] && lost[0] > 100 && lit_rightly[1] > 0.98 * lit_rightly[0], "%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d",
+          lost[0], lost[1], lit_rightly[0], lit_rightly[1]);
+    t_note("%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d", lost[0], lost[1], lit_rightly[0], lit_rightly[1]);
+    free(distance);
+    kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
+static void point_light_in_a_box(void)
+{
+    static const char *const direct[2] = { "bounce=none,shadows=map", "bounce=none,shadows=fill" };
+    static const char *const indirect[3] = { "bounce=none,vpls=64,shadow_size=256", "bounce=solid-angle,vpls=64,shadow_size=256", "bounce=solid-angle" };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    kit_image out, truth;
+    double share[3] = { 0 }, splash = 0;
+    if (!lighten(&l, NULL, "point:0,5,-2.8,15,15,15") || !see(&scene, &g, "cornell", NULL, 0, NULL, W, H) ||
+        !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &l, INFINITY, KIT_ATTENUATION_NONE, 1, 64, 1, &err))) return;
+    for (int m = 0; m < 2; ++m) {
+        const float *b = kit_image_channel(&truth, "irradiance.G");
+        int bright = 0, dark = 0;
+        if (!lit(&out, &g, direct[m], scene.radius, &scene, &l)) return;
+        const float *a = kit_image_channel(&out, "irradiance.G");
+        for (int i = 0; i < W * H; ++i) {
+            bright += a[i] - b[i] > 0.1f * a[i];
+            dark += b[i] - a[i] > 0.1f * b[i];
+        }
+        CHECK(bright + dark < W * H / 100, "%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H, dark);
+        t_note("%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H, dark);
+        kit_image_free(&out);
+    }
+    for (int m = 0; m < 3; ++m) {
+        if (!lit(&out, &g, indirect[m], scene.radius, &scene, &l)) return;
+        share[m] = mean(&out, "bounce.G") / mean(&truth, "bounce.G");
+        if (!m) for (int i = 0; i < W * H; ++i) splash = fmax(splash, (double)(kit_image_channel(&out, "bounce.G")[i] - kit_image_channel(&truth, "bounce.G")[i]));
+        kit_image_free(&out);
+    }
+    splash /= mean(&truth, "bounce.G");
+    CHECK(splash < 4, "near a virtual light it is %.2f times the mean too bright", splash);
+    CHECK(fabs(share[0] - 1) < 0.25 && share[1] <= 1.1 && share[1] > share[0], "virtual lights bring %.3f of the bounce, with what is near %.3f", share[0], share[1]);
+    t_note("virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; brightest splash %.2f of the mean",
+           share[0], share[1], share[2], splash);
+    kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
+void test_light(void)
+{
+    if (kit_gl_open(NULL, &err)) { fprintf(stderr, "%s\n", err.text); return; }
+    RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
+    RUN("open planes get the environment's cosine integral, without noise", open_planes);
+    RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
+    RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
+    RUN("two layers see through behind a slab, an odd last one is solid or thin", layers_count);
+    RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);
+    RUN("a segment ends at its light", segments_end_at_lights);
+    RUN("a sender seen from behind is dark, unless both sides shine", backs_are_dark);
+    RUN("units do not matter", units_do_not_matter);
+    RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);
+    RUN("what the maps' bias loses is filled", fill_brings_contacts_back);
+    RUN("a point light, and its virtual lights", point_light_in_a_box);
+    kit_gl_close();
+}
