@@ -6,7 +6,9 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
 typedef struct row {
     const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
     double fetches, relative, ms, share;
-    kit_score score;
+    kit_score score;                                 /* of ambient visibility, or of radiance */
+    int lit;                                         /* 1: share is error[0], and these are known: */
+    double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
 } row;
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
@@ -43,18 +45,31 @@ static const char *settings_of(const row *r) { return *r->settings ? r->settings
 
 /* ---- >>tables: one list of columns for text, HTML and CSV --------------------------------------------------------- */
 
-typedef struct column { const char *head, *key, *about; size_t offset; int digits, sign; } column;
+enum { OF_AO = 1, OF_LIT = 2 };
+typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
 static const column columns[] = {
-    { "fetches", "fetches",       "texel fetches per pixel, all passes",                     offsetof(row, fetches),    1, 0 },
-    { "time",    "relative_time", "GL time relative to one unblurred 16-sample ssao",        offsetof(row, relative),   2, 0 },
-    { "ms",      "ms",            "GL time, milliseconds",                                   offsetof(row, ms),         1, 0 },
-    { "RMSE",    "rmse",          "root mean square difference to the truth",                offsetof(row, score.rmse), 4, 0 },
-    { "share",   "share",         "RMSE over the RMSE of having no AO",                      offsetof(row, share),      3, 0 },
-    { "bias",    "bias",          "mean difference to the truth; below 0: too dark",         offsetof(row, score.bias), 4, 1 },
-    { "p95",     "p95",           "95 % of the pixels are off by less",                      offsetof(row, score.p95),  4, 0 },
-    { "SSIM",    "ssim",          "structural similarity with the truth, 1 = the same",      offsetof(row, score.ssim), 4, 0 }
+    { OF_AO | OF_LIT, "fetches", "fetches",  "texel fetches per pixel, all passes",                offsetof(row, fetches),    1, 0 },
+    { OF_AO | OF_LIT, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
+    { OF_AO | OF_LIT, "ms",      "ms",       "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
+    { OF_AO,  "RMSE",       "rmse",          "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
+    { OF_AO,  "share",      "share",         "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
+    { OF_AO,  "bias",       "bias",          "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
+    { OF_AO,  "p95",        "p95",           "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
+    { OF_LIT, "radiance",   "radiance",      "RMSE of outgoing radiance over the truth's mean",    offsetof(row, error[0]),   4, 0 },
+    { OF_LIT, "bias",       "radiance_bias", "mean difference of radiance over the truth's mean",  offsetof(row, bias[0]),    4, 1 },
+    { OF_LIT, "irradiance", "irradiance",    "RMSE of irradiance over the truth's mean",           offsetof(row, error[1]),   4, 0 },
+    { OF_LIT, "bias",     "irradiance_bias", "mean difference of irradiance over the truth's mean", offsetof(row, bias[1]),   4, 1 },
+    { OF_LIT, "bounce",     "bounce",        "RMSE of the bounce over the truth's mean bounce",    offsetof(row, error[2]),   3, 0 },
+    { OF_LIT, "bias",       "bounce_bias",   "mean difference of the bounce over the truth's mean bounce", offsetof(row, bias[2]), 3, 1 },
+    { OF_AO | OF_LIT, "SSIM", "ssim",        "structural similarity with the truth, 1 = the same", offsetof(row, score.ssim), 4, 0 }
 };
-enum { COLUMNS = (int)(sizeof columns / sizeof columns[0]) };
+
+/* The next column after c (-1: the first) that rows of this kind have; -1 past the last. */
+static int next_column(int c, const row *r)
+{
+    while (++c < (int)(sizeof columns / sizeof columns[0])) if (columns[c].of & (r->lit ? OF_LIT : OF_AO)) return c;
+    return -1;
+}
 
 static double figure_of(const row *r, int c)
 {
@@ -81,11 +96,11 @@ static void table_text(FILE *f, const row *rows, int count)
         if (s > settings) settings = s;
     }
     fprintf(f, "%-*s  %-*s", label, "method", settings, "settings");
-    for (int c = 0; c < COLUMNS; ++c) fprintf(f, " %8s", columns[c].head);
+    for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, " %10s", columns[c].head);
     fputc('\n', f);
     for (int i = 0; i < count; ++i) {
         fprintf(f, "%-*s  %-*s", label, rows[i].label, settings, settings_of(&rows[i]));
-        for (int c = 0; c < COLUMNS; ++c) fprintf(f, " %8s", cell(text, &rows[i], c, "-"));
+        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, " %10s", cell(text, &rows[i], c, "-"));
         fputc('\n', f);
     }
 }
@@ -94,7 +109,7 @@ static void table_html(FILE *f, const row *rows, int count)
 {
     char text[32];
     fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
-    for (int c = 0; c < COLUMNS; ++c) fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
+    for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
     fputs("\n", f);
     for (int i = 0; i < count; ++i) {
         fprintf(f, i && strcmp(rows[i].label, rows[i - 1].label) ? "<tr class=\"first\"><td>" : "<tr><td>");
@@ -102,7 +117,7 @@ static void table_html(FILE *f, const row *rows, int count)
         fputs("<td><code>", f);
         escaped(f, settings_of(&rows[i]));
         fputs("</code>", f);
-        for (int c = 0; c < COLUMNS; ++c) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
+        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
         fputs("\n", f);
     }
     fputs("</table></div>\n", f);
@@ -119,14 +134,14 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
 {
     if (head) {
         fputs("scene,label,method,settings", f);
-        for (int c = 0; c < COLUMNS; ++c) fprintf(f, ",%s", columns[c].key);
+        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, ",%s", columns[c].key);
         fputs(",pixels\n", f);
     }
     for (int i = 0; i < count; ++i) {
         const char *words[4];
         words[0] = rows[i].scene; words[1] = rows[i].label; words[2] = rows[i].method; words[3] = rows[i].settings;
         for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, words[k]); }
-        for (int c = 0; c < COLUMNS; ++c) {
+        for (int c = -1; (c = next_column(c, rows)) >= 0;) {
             double v = figure_of(&rows[i], c);
             if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
         }
@@ -233,7 +248,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
             if (x - last > 36) { fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", x, BOTTOM + 20, v); last = x; }
         }
     fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">GL time relative to one unblurred 16-sample SSAO (log scale)</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 46);
-    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of having no AO at all</text>\n", (TOP + BOTTOM) / 2);
+    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of %s</text>\n", (TOP + BOTTOM) / 2, rows->lit ? "the truth's mean radiance" : "having no AO at all");
     if (!isnan(floor_)) {
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"#333\" stroke-width=\"1.5\" stroke-dasharray=\"7 5\"/>\n", LEFT, up(&s, floor_), RIGHT);
         taken[boxes++] = (box){ LEFT, up(&s, floor_) - 1.5, RIGHT - LEFT, 3 };
@@ -286,7 +301,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
                 escaped(f, settings_of(r));
                 fprintf(f, "\ntime %.2f, error %.3f, %.1f fetches</title></path>\n", r->relative, r->share, r->fetches);
             } else {
-                int n = snprintf(text, sizeof text, "%g", r->fetches);
+                int n = snprintf(text, sizeof text, r->fetches < 100 ? "%g" : "%.0f", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);
                 fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, COLOUR(group), text);
                 if (boxes < MOST_BOXES) taken[boxes++] = b;
@@ -306,9 +321,10 @@ static void html_head(FILE *f, const char *title, const char *about)
         "@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e6; --faint: #a0a0a6; --paper: #17181a; --line: #35363a; --panel: #202124 } }\n"
         "* { box-sizing: border-box }\n"
         "body { margin: 0 auto; padding: 2rem clamp(1rem, 3vw, 3rem) 4rem; max-width: 1680px; color: var(--ink); background: var(--paper); font: 16px/1.5 system-ui, -apple-system, 'Segoe UI', sans-serif }\n"
-        "h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .4rem } h2 { font-size: 1.15rem; margin: 2.4rem 0 .8rem }\n"
+        "h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .4rem } h2 { font-size: 1.15rem; margin: 2.4rem 0 .8rem } h3 { font-size: 1rem; margin: 1.6rem 0 .6rem }\n"
         "p, dl { max-width: 76ch; margin: .4rem 0 } dt { font-weight: 600; margin-top: .6rem } dd { margin: 0 } .faint, figcaption span, dd { color: var(--faint) }\n"
         ".grid { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)) }\n"
+        ".crops { grid-template-columns: repeat(auto-fit, minmax(min(100%, 260px), 1fr)); margin-top: 1.4rem }\n"
         ".charts { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 600px), 1fr)) } svg { display: block; width: 100%; height: auto; max-width: 900px }\n"
         "figure { margin: 0 } figcaption { margin: 0 0 .35rem; display: flex; justify-content: space-between; gap: 1rem } figcaption span { font-variant-numeric: tabular-nums }\n"
         "img { display: block; width: 100%; height: auto; border: 1px solid var(--line) } img + img, a + a img { border-top: 0 }\n"
@@ -323,6 +339,21 @@ static void html_head(FILE *f, const char *title, const char *about)
     fputs("</p>\n", f);
 }
 
+/* A picture and, under it, its difference to the truth; the caller ends the figure. */
+static void figure_html(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference)
+{
+    fprintf(f, "<figure><figcaption><b>%s</b><span>%s</span></figcaption>", label, note);
+    for (int k = 0; k <= difference; ++k)
+        fprintf(f, "<a href=\"%s%s.png\"><img src=\"%s%s.png\" width=\"%d\" height=\"%d\" alt=\"%s%s\"></a>", slug, k ? "-difference" : "", slug, k ? "-difference" : "", width, height,
+                k ? "difference of " : "", label);
+}
+
+static void key_html(FILE *f, double range)
+{
+    fprintf(f, "<div class=\"key\"><img src=\"difference-legend.png\" alt=\"blue over white to red\"><div><span>&minus;%g too dark</span><span>0</span><span>too bright +%g</span></div>"
+            "<p class=\"faint\">Under each picture: its difference to the truth, in these colours.</p></div>", range, range);
+}
+
 static void html_terms(FILE *f)
 {
     fputs("<h2>What the figures mean</h2>\n<dl>\n"
@@ -333,4 +364,13 @@ static void html_terms(FILE *f)
         "<dt>bias, p95, SSIM<dd>The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, the structural similarity.\n"
         "<dt>floor<dd>The exact answer from one depth layer, ray-traced against the visible surface taken as thin sheets. What lies between it and the truth is not in the depth buffer: "
         "more layers or cameras buy it. A method above the floor can win by more samples; one below it does so by assuming how thick things are.\n</dl>\n", f);
+}
+
+static void lit_terms(FILE *f)
+{
+    fputs("<dl>\n<dt>radiance, irradiance, bounce<dd>Root mean square difference to the ray-traced truth, over the truth's mean, red, green and blue together, over the pixels that show something: of the light that "
+        "leaves the surface; of the light that arrives, over pi, from the environment and from lights with their shadows; and of light that was reflected once before. The bias after each is the mean difference, over "
+        "the same mean. No gain, no fit.\n"
+        "<dt>time, of light<dd>As above: all passes of a frame, among them the lights' shadows and the light of hidden senders. Not in it: drawing the G-buffer, its farther layers, extra cameras' G-buffers and shadow maps.\n"
+        "<dt>truth, of light<dd>The environment and the bounce are weighted by 1 &minus; t/radius of the nearest hit, as the methods take them; lights are shadowed by the whole scene.\n</dl>\n", f);
 }

@@ -1,9 +1,10 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--mesh M.obj]                 pictures, a table and demo.html, in a minute
-      build/report chart [--out report] [--quick] [--scene NAME]...    chart.csv, chart*.svg and chart.html, in some minutes
+      build/report demo  [--out report] [--mesh M.obj]                 pictures, tables and demo.html, in two minutes
+      build/report chart [--out report] [--quick] [--scene NAME]...    chart*.csv, chart*.svg and chart.html, in some minutes
 
-   Truth is kept under build/cache/. Bad input, or a write that fails: one line on stderr, status 2. page.c holds what is written and how. */
+   With --mesh or --scene only ambient occlusion is shown; else light, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
+   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light. */
 #include "kit/kit_gl.h"
 #include <ctype.h>
 #include <errno.h>
@@ -18,6 +19,7 @@
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
+#define LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"
 enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 7, CHART_ROUNDS = 5, QUICK_ROUNDS = 3 };
 
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;   /* quick: shown by chart --quick too */
@@ -60,23 +62,42 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 enum { MOST_ENTRIES = COUNT(chart_entries) > COUNT(demo_entries) ? COUNT(chart_entries) : COUNT(demo_entries), MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
-/* A view of a scene; what is 0 is the scene's own. */
-typedef struct view { const char *name, *path; int ground; float eye[3], target[3], fovy, radius; } view;
+/* What lights a view (as build/render's options take it), how it is shown, and its truth. */
+typedef struct lit { const char *env, *light; int boxes, rays; float exposure; int crop[4] /* x, y, width, height */; } lit;
+
+/* A view of a scene; what is 0 is the scene's own. lit: NULL = ambient visibility. */
+typedef struct view { const char *name, *path; int ground; float eye[3], target[3], fovy, radius; const lit *lit; } view;
 static const view views[] = {
-    { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f },
-    { "room",      "room",      0, { 0 }, { 0 }, 0, 0 },
-    { "grass",     "grass",     0, { 0 }, { 0 }, 0, 0 },
-    { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0 }
+    { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
+    { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
+    { "grass",     "grass",     0, { 0 }, { 0 }, 0, 0, NULL },
+    { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL }
 };
 
-/* ---- >>stage: a scene, its G-buffer, its truth and its floor ------------------------------------------------------- */
+/* Four coloured boxes around the bunny, just above the floor. Bounds, albedo. */
+static const float boxes[4][9] = {
+    {  1.07f, -0.989f, -0.10f,  1.25f, -0.20f,  0.75f,  0.85f, 0.08f, 0.05f },
+    {  0.25f, -0.989f,  0.82f,  0.62f, -0.72f,  1.14f,  0.85f, 0.60f, 0.04f },
+    { -1.55f, -0.989f, -0.55f, -0.85f, -0.35f, -0.35f,  0.08f, 0.55f, 0.08f },
+    { -0.95f, -0.989f,  0.55f, -0.65f, -0.70f,  0.90f,  0.06f, 0.14f, 0.80f }
+};
+
+/* ---- >>stage: a scene, its light, its G-buffer, its truth and what else is shown beside methods ---------------------- */
+
+typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method to time */
 
 typedef struct stage {
-    char        name[64];
-    kit_scene   scene;
-    kit_gbuffer gbuffer;
-    kit_image   frame, truth, floor, open;     /* open: 1 everywhere, the answer of having no AO */
-    float       radius;
+    char         name[64];
+    kit_scene    scene;
+    kit_gbuffer  gbuffer;
+    const lit   *lit;
+    kit_lighting lighting;
+    kit_run      lights;                       /* lit: suns and point lights with their shadows, without the environment, */
+    kit_image    direct;                       /* and what it draws */
+    kit_image    frame, truth, unit;           /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
+    given        given[2];
+    int          givens;
+    float        radius;
 } stage;
 
 static int folder(const char *path, kit_error *err)
@@ -100,12 +121,19 @@ static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a 
     return h;
 }
 
+static int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
+{
+    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->lighting, s->radius, KIT_ATTENUATION_LINEAR, 1, rays, stride, err);
+    return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
+}
+
 /* The truth, from build/cache where it was computed before: the file's name holds a hash of all that it depends on, and a few hundred pixels
    are traced anew, so that another tracer does not reuse it either. */
 static int truth_of(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const size_t floats = 9 * s->scene.mesh.triangles * sizeof(float), pixels = (size_t)c->width * (size_t)c->height;
+    const int rays = s->lit ? s->lit->rays : RAYS;
     uint64_t h = hashed(14695981039346656037u, s->scene.mesh.position, floats);
     char path[256];
     kit_image probe;
@@ -113,18 +141,71 @@ static int truth_of(stage *s, kit_error *err)
     h = hashed(h, s->scene.mesh.normal, floats);
     h = hashed(h, c, sizeof *c);
     h = hashed(h, &s->radius, sizeof s->radius);
-    snprintf(path, sizeof path, "build/cache/%s-%dx%d-%g-%d-%016llx.exr", s->name, c->width, c->height, (double)s->radius, RAYS, (unsigned long long)h);
+    if (s->lit) {
+        h = hashed(h, s->scene.mesh.albedo, floats / 3);
+        if (s->lighting.env.data) h = hashed(h, s->lighting.env.data, 3 * sizeof(float) * (size_t)s->lighting.env.width * (size_t)s->lighting.env.height);
+        h = hashed(h, s->lighting.light, (size_t)s->lighting.lights * sizeof(kit_light));
+    }
+    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->lit ? "lit-" : "", c->width, c->height, (double)s->radius, rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
-        int same = s->truth.channels == 1 && s->truth.width == c->width && s->truth.height == c->height;
-        if (kit_truth_ao(&probe, &s->scene, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, 61, err)) return -1;
-        for (size_t i = 0; i < pixels && same; ++i) same = isnan(probe.data[i]) || probe.data[i] == s->truth.data[i];
+        int same = s->truth.width == c->width && s->truth.height == c->height;
+        if (trace(&probe, s, rays, 61, err)) return -1;
+        for (int k = 0; k < probe.channels && same; ++k) {
+            const float *was = kit_image_channel(&s->truth, probe.name[k]), *is = kit_image_channel(&probe, probe.name[k]);
+            same = was != NULL;
+            for (size_t i = 0; i < pixels && same; ++i) same = isnan(is[i]) || is[i] == was[i];
+        }
         kit_image_free(&probe);
         if (same) return 0;
         kit_image_free(&s->truth);
     }
-    if (kit_truth_ao(&s->truth, &s->scene, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, 1, err)) return -1;
+    if (trace(&s->truth, s, rays, 1, err)) return -1;
     if (folder("build/cache", &note) || kit_exr_write(&s->truth, path, &note)) fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
     return 0;
+}
+
+static int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    kit_method m;
+    return kit_method_find(&m, method, err) || kit_method_set(&m, set, err) || kit_run_open(run, &s->gbuffer, &m, radius, &world, err) ? -1 : 0;
+}
+
+static int give(stage *s, const char *label, const char *method, kit_image *picture)
+{
+    s->given[s->givens++] = (given){ label, method, *picture };
+    return 0;
+}
+
+/* No AO: a radius so small that nothing is in the environment's way. */
+static int give_open(stage *s, kit_error *err)
+{
+    kit_run run;
+    kit_image picture;
+    if (run_open(&run, s, "ssdo", "bounce=none,blur=0", 1e-4f * s->radius, err)) return -1;
+    kit_run_draw(&run, 0);
+    if (kit_run_read(&picture, &run, err)) return -1;
+    kit_run_close(&run);
+    return give(s, "no AO", "none", &picture);
+}
+
+static int stage_ao(stage *s, kit_error *err)
+{
+    const kit_camera *c = &s->gbuffer.camera;
+    kit_image picture;
+    if (kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, FLOOR_STRIDE, err)) return -1;
+    give(s, "floor", "floor", &picture);
+    if (kit_image_new(&s->unit, c->width, c->height, "Y", err) || kit_image_new(&picture, c->width, c->height, "Y", err)) return -1;
+    for (size_t i = 0; i < (size_t)c->width * (size_t)c->height; ++i) s->unit.data[i] = picture.data[i] = 1;
+    return give(s, "no AO", "none", &picture);
+}
+
+static int stage_lit(stage *s, kit_error *err)
+{
+    if (kit_image_new(&s->unit, s->gbuffer.camera.width, s->gbuffer.camera.height, LIT_CHANNELS, err)) return -1;
+    if (run_open(&s->lights, s, "ssdo", "environment=none,bounce=none", s->radius, err)) return -1;
+    kit_run_draw(&s->lights, 0);
+    return kit_run_read(&s->direct, &s->lights, err) || (s->lighting.env.data && give_open(s, err)) ? -1 : 0;
 }
 
 static int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
@@ -137,6 +218,12 @@ static int stage_open(stage *s, const view *v, int width, int height, kit_error 
     if (strchr(s->name, '.') > s->name) *strchr(s->name, '.') = 0;
     if (!strcmp(v->path, BUNNY) && stat(BUNNY, &status)) return kit_fail(err, "%s: is missing; install the package %s (apt-get install %s)", BUNNY, PACKAGE, PACKAGE);
     if (kit_scene_load(&s->scene, v->path, v->ground, err)) return -1;
+    s->lit = v->lit;
+    if (s->lit) {
+        for (int i = 0; i < s->lit->boxes; ++i) if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
+        if (s->lit->env && kit_env_read(&s->lighting.env, s->lit->env, err)) return -1;
+        if (s->lit->light && kit_light_parse(&s->lighting.light[s->lighting.lights++], s->lit->light, err)) return -1;
+    }
     camera = s->scene.camera;
     if (v->fovy > 0) {
         memcpy(camera.eye, v->eye, sizeof v->eye);
@@ -147,18 +234,18 @@ static int stage_open(stage *s, const view *v, int width, int height, kit_error 
     camera.height = height;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     if (kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || truth_of(s, err)) return -1;
-    if (kit_floor_ao(&s->floor, &s->frame, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, RAYS, FLOOR_STRIDE, err)) return -1;
-    if (kit_image_new(&s->open, width, height, "Y", err)) return -1;
-    for (size_t i = 0; i < (size_t)width * (size_t)height; ++i) s->open.data[i] = 1;
-    return 0;
+    return s->lit ? stage_lit(s, err) : stage_ao(s, err);
 }
 
 static void stage_close(stage *s)
 {
+    for (int i = 0; i < s->givens; ++i) kit_image_free(&s->given[i].picture);
     kit_image_free(&s->frame);
     kit_image_free(&s->truth);
-    kit_image_free(&s->floor);
-    kit_image_free(&s->open);
+    kit_image_free(&s->unit);
+    kit_image_free(&s->direct);
+    kit_image_free(&s->lighting.env);
+    kit_run_close(&s->lights);
     kit_gbuffer_free(&s->gbuffer);
     kit_scene_free(&s->scene);
 }
@@ -177,26 +264,58 @@ static double median(double *v, int count)
     return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
 }
 
-/* Scores a picture over what the frame shows, and where the picture is known; its share is of no AO's error on the same pixels. */
+/* Of one channel, or of three together. */
+static int score_of(kit_score *sum, const stage *s, const kit_image *picture, const char *const *names, int count, const float *mask, kit_error *err)
+{
+    kit_score one;
+    memset(sum, 0, sizeof *sum);
+    for (int i = 0; i < count; ++i) {
+        if (kit_score_channel(&one, picture, &s->truth, names[i], mask, err)) return -1;
+        sum->rmse += one.rmse * one.rmse / count;
+        sum->bias += one.bias / count;
+        sum->p95 += one.p95 / count;
+        sum->ssim += one.ssim / count;
+        sum->pixels = one.pixels;
+    }
+    sum->rmse = sqrt(sum->rmse);
+    return 0;
+}
+
+/* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
 static int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
 {
+    static const char *const names[4][3] = { { "R", "G", "B" }, { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" }, { "Y", NULL, NULL } };
     const float *z = kit_image_channel(&s->frame, "Z");
     size_t pixels = (size_t)picture->width * (size_t)picture->height;
     float *mask = malloc(pixels * sizeof *mask);
-    kit_score nothing;
-    int status;
-    if (!mask) return kit_fail(err, "out of memory");
-    for (size_t i = 0; i < pixels; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
-    status = kit_score_channel(&r->score, picture, &s->truth, "Y", mask, err) || kit_score_channel(&nothing, &s->open, &s->truth, "Y", mask, err) ? -1 : 0;
+    kit_score here, unit;
+    int failed = mask ? 0 : kit_fail(err, "out of memory");
+    for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
+    r->lit = s->lit != NULL;
+    for (int g = r->lit ? 0 : 3; g < (r->lit ? 3 : 4) && !failed; ++g) {
+        failed = score_of(&here, s, picture, names[g], r->lit ? 3 : 1, mask, err) || score_of(&unit, s, &s->unit, names[g], r->lit ? 3 : 1, mask, err);
+        const double share = r->lit ? -unit.bias : unit.rmse;
+        if (g % 3 == 0) r->score = here;
+        if (g % 3 == 0) r->share = share > 0 ? here.rmse / share : (double)NAN;
+        if (r->lit) r->error[g] = here.rmse / share;
+        if (r->lit) r->bias[g] = here.bias / share;
+    }
     free(mask);
-    r->share = !status && nothing.rmse > 0 ? r->score.rmse / nothing.rmse : (double)NAN;
-    return status;
+    return failed ? -1 : 0;
 }
 
-static int run_open(kit_run *run, const stage *s, const entry *e, kit_error *err)
+/* Lit by ambient visibility: it dims the environment's light, not the lights'. */
+static int light_by(kit_image *visibility, const stage *s, kit_error *err)
 {
-    kit_method m;
-    return kit_method_find(&m, e->method, err) || kit_method_set(&m, e->settings, err) || kit_run_open(run, (kit_gbuffer *)&s->gbuffer, &m, s->radius, NULL, err) ? -1 : 0;
+    kit_image out;
+    const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
+    if (!s->lighting.env.data) return kit_fail(err, "%s: ambient visibility has no environment to dim", s->name);
+    if (kit_image_new(&out, visibility->width, visibility->height, LIT_CHANNELS, err)) return -1;
+    for (size_t i = 0; i < pixels * (size_t)out.channels; ++i)
+        out.data[i] = s->direct.data[i] + (s->given[0].picture.data[i] - s->direct.data[i]) * visibility->data[i % pixels];
+    kit_image_free(visibility);
+    *visibility = out;
+    return 0;
 }
 
 static double draw(kit_run *run)
@@ -205,16 +324,17 @@ static double draw(kit_run *run)
     return kit_run_ms(run);
 }
 
-/* Fills a row an entry, then one for the floor and one for no AO; count + 2 in all. Every entry is drawn once to warm up (that picture is scored), then once
-   a round between two drawings of the reference, whose mean its time is divided by. pictures: NULL, or an empty one an entry. */
-static int measure(row *rows, const stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
+/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm up (that picture is scored), then
+   once a round between two drawings of the reference, whose mean its time is divided by; where there is light, ambient visibility's includes the lights'
+   passes. pictures: NULL, or an empty one an entry. */
+static int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
 {
     double *ratio = calloc((size_t)(2 * count * rounds), sizeof *ratio), *ms = ratio + count * rounds, before, after;
     kit_run run[MOST_ENTRIES], fixed;
     char what[128];
     if (!ratio) return kit_fail(err, "out of memory");
     snprintf(what, sizeof what, "%s: methods", s->name);
-    if (run_open(&fixed, s, &reference, err)) return -1;
+    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
     kit_run_draw(&fixed, 1);
     kit_progress(what, 0);
     for (int i = 0; i < count; ++i) {
@@ -223,10 +343,10 @@ static int measure(row *rows, const stage *s, const entry *entries, int count, i
         rows[i].label = entries[i].label;
         rows[i].method = entries[i].method;
         rows[i].settings = entries[i].settings;
-        if (run_open(&run[i], s, &entries[i], err)) return -1;
-        rows[i].fetches = run[i].fetches;
+        if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
+        rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
         kit_run_draw(&run[i], 1);
-        if (kit_run_read(&picture, &run[i], err) || score(&rows[i], s, &picture, err)) return -1;
+        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err)) || score(&rows[i], s, &picture, err)) return -1;
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
     }
@@ -236,7 +356,7 @@ static int measure(row *rows, const stage *s, const entry *entries, int count, i
     for (int k = 0; k < rounds; ++k) {
         before = draw(&fixed);
         for (int i = 0; i < count; ++i, before = after) {
-            ms[i * rounds + k] = draw(&run[i]);
+            ms[i * rounds + k] = draw(&run[i]) + (s->lit && !run[i].lit ? draw(&s->lights) : 0);
             after = draw(&fixed);
             ratio[i * rounds + k] = ms[i * rounds + k] / (0.5 * (before + after));
             kit_progress(what, (k * count + i + 0.99) / (rounds * count));
@@ -250,16 +370,17 @@ static int measure(row *rows, const stage *s, const entry *entries, int count, i
     }
     kit_run_close(&fixed);
     free(ratio);
-    for (int i = count; i < count + 2; ++i) {
-        memset(&rows[i], 0, sizeof rows[i]);
-        rows[i].label = i == count ? "floor" : "no AO";
-        rows[i].method = i == count ? "floor" : "none";
-        rows[i].settings = "";
-        rows[i].fetches = rows[i].relative = rows[i].ms = (double)NAN;
-        if (score(&rows[i], s, i == count ? &s->floor : &s->open, err)) return -1;
-        if (i == count && FLOOR_STRIDE > 1) rows[i].score.ssim = (double)NAN;      /* has no neighbours */
+    for (int i = 0; i < s->givens; ++i) {
+        row *r = &rows[count + i];
+        memset(r, 0, sizeof *r);
+        r->label = s->given[i].label;
+        r->method = s->given[i].method;
+        r->settings = "";
+        r->fetches = r->relative = r->ms = (double)NAN;
+        if (score(r, s, &s->given[i].picture, err)) return -1;
+        if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* has no neighbours */
     }
-    for (int i = 0; i < count + 2; ++i) rows[i].scene = s->name;
+    for (int i = 0; i < count + s->givens; ++i) rows[i].scene = s->name;
     return 0;
 }
 
@@ -267,11 +388,11 @@ static int measure(row *rows, const stage *s, const entry *entries, int count, i
 
 typedef struct options { const char *out, *mesh, *scene[MOST_SCENES]; int quick, scenes; } options;
 
-static int save(const kit_image *image, const char *names, const char *out, const char *slug, const char *ending, kit_error *err)
+static int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending, kit_error *err)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s%s", out, slug, ending);
-    return strstr(ending, ".exr") ? kit_exr_write(image, path, err) : kit_png_write(image, names, 0, path, err);
+    return strstr(ending, ".exr") ? kit_exr_write(image, path, err) : kit_png_write(image, names, srgb, path, err);
 }
 
 static int save_legend(const char *out, kit_error *err)
@@ -279,7 +400,7 @@ static int save_legend(const char *out, kit_error *err)
     kit_image ramp, zero, colour;
     if (kit_image_new(&ramp, 512, 16, "Y", err) || kit_image_new(&zero, 512, 16, "Y", err)) return -1;
     for (int i = 0; i < 512 * 16; ++i) ramp.data[i] = (float)(i % 512) / 511 - 0.5f;
-    if (kit_image_difference(&colour, &ramp, &zero, "Y", 0.5f, err) || save(&colour, "R,G,B", out, "difference-legend", ".png", err)) return -1;
+    if (kit_image_difference(&colour, &ramp, &zero, "Y", 0.5f, err) || save(&colour, "R,G,B", 0, out, "difference-legend", ".png", err)) return -1;
     kit_image_free(&ramp);
     kit_image_free(&zero);
     kit_image_free(&colour);
@@ -293,46 +414,69 @@ static void slug_of(char slug[64], const char *label)
     slug[n] = 0;
 }
 
+/* A chart as a file of its own and inside the page. */
+static int chart_of(FILE *html, const char *out, const char *name, const char *title, const row *rows, int count, double floor_, kit_error *err)
+{
+    page p;
+    if (page_open(&p, err)) return -1;
+    chart_svg(p.file, title, rows, count, floor_);
+    fflush(p.file);
+    fwrite(p.text, 1, p.size, html);
+    return page_close(&p, out, name, err);
+}
+
+#include "lit.c"
+
 static int demo(const options *o, kit_error *err)
 {
     enum { ENTRIES = COUNT(demo_entries) };
     view mesh = views[0];
     stage s;
-    row rows[ENTRIES + 2];
+    row rows[ENTRIES + 2], lit_rows[LIT_DEMOS][MOST_ROWS];
+    int lit_count[LIT_DEMOS];
     kit_image picture[ENTRIES], difference;
     page p;
-    char about[512], slug[64];
+    char about[512], note[64], slug[64];
     if (o->mesh) { memset(&mesh, 0, sizeof mesh); mesh.name = mesh.path = o->mesh; mesh.ground = 1; }
     if (stage_open(&s, &mesh, 1280, 720, err)) return -1;
     if (measure(rows, &s, demo_entries, ENTRIES, DEMO_ROUNDS, picture, err)) return -1;
-    if (save(&s.truth, "Y", o->out, "truth", ".png", err) || save(&s.truth, "Y", o->out, "truth", ".exr", err) || save_legend(o->out, err)) return -1;
+    if (save(&s.truth, "Y", 0, o->out, "truth", ".png", err) || save(&s.truth, "Y", 0, o->out, "truth", ".exr", err) || save_legend(o->out, err)) return -1;
 
     if (page_open(&p, err)) return -1;
     snprintf(about, sizeof about, "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed. Times: %s.",
              s.name, s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, kit_gl_name());
-    html_head(p.file, "ssgi: ambient occlusion beside the truth", about);
-    fprintf(p.file, "<h2>Pictures</h2>\n<div class=\"grid\">\n<figure><figcaption><b>ray-traced truth</b><span>%d rays a pixel</span></figcaption>"
-            "<a href=\"truth.png\"><img src=\"truth.png\" width=\"1280\" height=\"720\" alt=\"ray-traced truth\"></a>"
-            "<div class=\"key\"><img src=\"difference-legend.png\" alt=\"blue over white to red\"><div><span>&minus;0.5 too dark</span><span>0</span><span>too bright +0.5</span></div>"
-            "<p class=\"faint\">Under each picture: its difference to the truth, in these colours.</p></div></figure>\n", RAYS);
+    html_head(p.file, o->mesh ? "ssgi: ambient occlusion beside the truth" : "ssgi: ambient occlusion and light beside the truth", about);
+    snprintf(note, sizeof note, "%d rays a pixel", RAYS);
+    fputs("<h2>Ambient occlusion</h2>\n<div class=\"grid\">\n", p.file);
+    figure_html(p.file, "truth", "ray-traced truth", note, 1280, 720, 0);
+    key_html(p.file, 0.5);
+    fputs("</figure>\n", p.file);
     for (int i = 0; i < ENTRIES; ++i) {
         slug_of(slug, demo_entries[i].label);
         if (kit_image_difference(&difference, &picture[i], &s.truth, "Y", 0.5f, err)) return -1;
-        if (save(&picture[i], "Y", o->out, slug, ".png", err) || save(&picture[i], "Y", o->out, slug, ".exr", err)) return -1;
-        if (save(&difference, "R,G,B", o->out, slug, "-difference.png", err) || save(&difference, "R,G,B", o->out, slug, "-difference.exr", err)) return -1;
+        if (save(&picture[i], "Y", 0, o->out, slug, ".png", err) || save(&picture[i], "Y", 0, o->out, slug, ".exr", err)) return -1;
+        if (save(&difference, "R,G,B", 0, o->out, slug, "-difference.png", err) || save(&difference, "R,G,B", 0, o->out, slug, "-difference.exr", err)) return -1;
         kit_image_free(&difference);
         kit_image_free(&picture[i]);
-        fprintf(p.file, "<figure><figcaption><b>%s</b><span>time %.2f, error %.3f</span></figcaption>", demo_entries[i].label, rows[i].relative, rows[i].share);
-        fprintf(p.file, "<a href=\"%s.png\"><img src=\"%s.png\" width=\"1280\" height=\"720\" alt=\"%s\"></a>", slug, slug, demo_entries[i].label);
-        fprintf(p.file, "<a href=\"%s-difference.png\"><img src=\"%s-difference.png\" width=\"1280\" height=\"720\" alt=\"difference of %s\"></a></figure>\n", slug, slug, demo_entries[i].label);
+        snprintf(note, sizeof note, "time %.2f, error %.3f", rows[i].relative, rows[i].share);
+        figure_html(p.file, slug, demo_entries[i].label, note, 1280, 720, 1);
+        fputs("</figure>\n", p.file);
     }
-    fputs("</div>\n<h2>Figures</h2>\n", p.file);
+    fputs("</div>\n<h3>Figures</h3>\n", p.file);
     table_html(p.file, rows, ENTRIES + 2);
-    html_terms(p.file);
-    if (page_close(&p, o->out, "demo.html", err)) return -1;
     stage_close(&s);
+    for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) if (lit_demo(p.file, o->out, &lit_demos[k], lit_rows[k], &lit_count[k], err)) return -1;
+    html_terms(p.file);
+    if (!o->mesh) lit_terms(p.file);
+    if (page_close(&p, o->out, "demo.html", err)) return -1;
     table_text(stdout, rows, ENTRIES + 2);
-    printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\npictures: %s/demo.html\n", kit_gl_name(), o->out);
+    for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) {
+        printf("\n%s\n", lit_demos[k].title);
+        table_text(stdout, lit_rows[k], lit_count[k]);
+    }
+    printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
+    if (!o->mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
+    printf("pictures: %s/demo.html\n", o->out);
     return 0;
 }
 
@@ -360,21 +504,11 @@ static void mean_of(row *mean, const row (*rows)[MOST_ROWS], int scenes, int cou
     }
 }
 
-/* A chart as a file of its own and inside the page. */
-static int chart_of(FILE *html, const char *out, const char *name, const char *title, const row *rows, int count, kit_error *err)
-{
-    page p;
-    if (page_open(&p, err)) return -1;
-    chart_svg(p.file, title, rows, count, rows[count - 2].share);
-    fflush(p.file);
-    fwrite(p.text, 1, p.size, html);
-    return page_close(&p, out, name, err);
-}
-
 static int chart(const options *o, kit_error *err)
 {
     static row rows[MOST_SCENES][MOST_ROWS];
     static char names[MOST_SCENES][64];
+    static lit_row_set lit_rows[LIT_TABLES];
     row mean[MOST_ROWS];
     entry entries[MOST_ENTRIES];
     page html, csv;
@@ -404,14 +538,14 @@ static int chart(const options *o, kit_error *err)
     html_head(html.file, "ssgi: speed against accuracy", about);
     snprintf(title, sizeof title, scenes > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy", scenes);
     fprintf(html.file, "<h2>Mean of the scenes</h2>\n");
-    if (chart_of(html.file, o->out, "chart.svg", title, mean, count, err)) return -1;
+    if (chart_of(html.file, o->out, "chart.svg", title, mean, count, mean[count - 2].share, err)) return -1;
     fputs("<p class=\"faint\">Rest the pointer on a point for its settings.</p>\n", html.file);
     table_html(html.file, mean, count);
     fputs("<h2>Scene by scene</h2>\n<div class=\"charts\">\n", html.file);
     for (int k = 0; k < scenes; ++k) {
         snprintf(file, sizeof file, "chart-%.63s.svg", names[k]);
         snprintf(title, sizeof title, "Speed against accuracy: %.63s", names[k]);
-        if (chart_of(html.file, o->out, file, title, rows[k], count, err)) return -1;
+        if (chart_of(html.file, o->out, file, title, rows[k], count, rows[k][count - 2].share, err)) return -1;
     }
     fputs("</div>\n", html.file);
     for (int k = 0; k < scenes; ++k) {
@@ -421,13 +555,19 @@ static int chart(const options *o, kit_error *err)
         table_html(html.file, rows[k], count);
         fputs("</details>\n", html.file);
     }
+    if (!o->scenes && lit_chart(html.file, o, lit_rows, err)) return -1;
     html_terms(html.file);
-    fputs("<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>.</p>\n", html.file);
+    if (!o->scenes) lit_terms(html.file);
+    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>");
     if (page_close(&html, o->out, "chart.html", err)) return -1;
     printf("mean of:");
     for (int k = 0; k < scenes; ++k) printf("%s %s", k ? "," : "", names[k]);
     printf("\n");
     table_text(stdout, mean, count);
+    for (int k = 0; k < LIT_TABLES && !o->scenes; ++k) {
+        printf("\n%s\n", lit_tables[k].title);
+        table_text(stdout, lit_rows[k].row, lit_rows[k].count);
+    }
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\ncharts: %s/chart.html\n", kit_gl_name(), o->out);
     return 0;
 }

@@ -10,6 +10,7 @@
      truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
+     shadow.c   shadow maps as one atlas, reflective shadow maps
      method.c   the table of methods: settings, passes, running and timing them
 
    CONVENTIONS
