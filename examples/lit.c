@@ -111,7 +111,7 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     stage s;
     page crops;
     char slug[128], note[64];
-    if (stage_open(&s, &t->view, 720, 405, err) || measure(rows, &s, t->entries, t->count, DEMO_ROUNDS, picture, err) || lit_about(html, &s, t, err) || page_open(&crops, err)) return -1;
+    if (stage_open(&s, &t->view, 720, 405, err) || measure(rows, &s, t->entries, t->count, QUICK_ROUNDS, picture, err) || lit_about(html, &s, t, err) || page_open(&crops, err)) return -1;
     *count = t->count + s.givens;
     fprintf(html, "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed luminance.</p>\n<div class=\"grid\">\n", (double)s.lit->exposure);
     if (exposed(&luminance, &s.truth, s.lit->exposure, NULL, 1, err)) return -1;
