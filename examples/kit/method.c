@@ -54,7 +54,7 @@ static const row shadows_row   = { { "shadows", "of --light: maps and what their
 static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
 static const row solid_row     = { { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row steepest_row  = { { "steepest", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(steepest) };
-static const row shadow_row    = { { "shadow_size", "texels of a shadow map's side", NULL, 2048, 16, 8192, 1 }, PLAN, 0 };
+static const row shadow_row    = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
 static const row suns_row      = { { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 }, PLAN, 0 };
 static const row vpls_row      = { { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0, 4096, 1 }, PLAN, 0 };
 
