@@ -711,7 +711,7 @@ static const ssgi_gl__chunk ssgi_gl__pack = { __LINE__ + 1, 0,
     "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
     "}\n"
     "\n"
-    "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 3 degrees\n"
+    "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
     "uint ssgi_pack_place(float z, vec3 n)\n"
     "{\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
