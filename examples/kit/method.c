@@ -547,7 +547,7 @@ static lamp *lamps_new(making *m, const sphere *all, int *count, int *direct)
     return lamps;
 }
 
-/* The lamps' shadow maps, and their rows for every camera of the run: first..last of them. */
+/* The lamps' shadow maps, as tiles in the order of the lamps. */
 static int add_atlas(making *m, const lamp *lamps, int count)
 {
     kit_shadow_camera *camera = malloc((size_t)count * sizeof *camera);
@@ -565,12 +565,12 @@ static int add_atlas(making *m, const lamp *lamps, int count)
     return mapped && !m->run->atlas ? -1 : 0;
 }
 
-static GLuint rows_of(making *m, const lamp *lamps, int first, int last, const float picture[16])
+/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
+static GLuint rows_of(const lamp *lamps, int first, int last, const float picture[16])
 {
     const int size = first < last ? lamps[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
     ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
     GLuint texture;
-    (void)m;
     for (int i = first; rows && i < last; ++i) {
         ssgi_gl_light *l = &rows[i - first];
         *l = lamps[i].light;
@@ -677,7 +677,7 @@ static int open_lit(making *m, const float picture[16])
     for (int v = -1; v < run->views && direct && !failed; ++v) {
         float to[16], projection[16];
         if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
-        m->rows[1 + v] = keep(run, rows_of(m, lamps, 0, direct, v < 0 ? picture : to));
+        m->rows[1 + v] = keep(run, rows_of(lamps, 0, direct, v < 0 ? picture : to));
         failed = !m->rows[1 + v] && kit_fail(m->err, "no memory for %d lights", direct);
     }
     if (!failed && !g->albedo) {                     /* the grey of meshes without a material */
@@ -734,7 +734,7 @@ static int open_lit(making *m, const float picture[16])
         p = add_pass(m, &d, g, KIT_FRAME_VPLS, received, 0, 0);
         failed = !p;
         if (p) {
-            p->lights = keep(run, rows_of(m, lamps, direct, count, picture));
+            p->lights = keep(run, rows_of(lamps, direct, count, picture));
             received = p->target[0];
         }
         run->vpls = count - direct;
