@@ -193,7 +193,7 @@ typedef struct result { kit_image picture, frame; const kit_run *run; double *ms
 static int score_of(result *r, const char *path, kit_error *err)
 {
     static const char *const names[10] = { "Y", "R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B", "bounce.R", "bounce.G", "bounce.B" };
-    kit_image reference, none;
+    kit_image reference, none = { 0 };
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
@@ -203,25 +203,16 @@ static int score_of(result *r, const char *path, kit_error *err)
             kit_image_free(&reference);
             return -1;
         }
-    if (kit_image_new(&none, reference.width, reference.height, r->lit ? "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B" : "Y", err)) status = -1;
+    if (kit_image_new(&none, reference.width, reference.height, r->lit ? KIT_LIT_CHANNELS : "Y", err)) status = -1;
     if (!status && !r->lit) for (size_t i = 0; i < (size_t)none.width * (size_t)none.height; ++i) none.data[i] = 1.0f;
-    for (int i = r->lit; i < (r->lit ? 10 : 1) && !status; ++i) {
-        kit_score s, n, *sum = &r->score[i > 0 ? (i - 1) / 3 : 0];
-        status = kit_score_channel(&s, &r->picture, &reference, names[i], mask, err) || kit_score_channel(&n, &none, &reference, names[i], mask, err) ? -1 : 0;
-        if (!r->lit) {
-            *sum = s;
-            r->nothing[0] = n.rmse;
-        } else {
-            sum->rmse += s.rmse * s.rmse / 3;
-            sum->bias += s.bias / 3;
-            sum->p95 += s.p95 / 3;
-            sum->ssim += s.ssim / 3;
-            sum->pixels = s.pixels;
-            r->nothing[(i - 1) / 3] -= n.bias / 3;
-        }
+    for (int g = 0; g < (r->lit ? GROUPS : 1) && !status; ++g) {
+        const char *const *channels = r->lit ? names + 1 + 3 * g : names;
+        const int count = r->lit ? 3 : 1;
+        kit_score nothing;
+        status = kit_score_channels(&r->score[g], &r->picture, &reference, channels, count, mask, err) || kit_score_channels(&nothing, &none, &reference, channels, count, mask, err) ? -1 : 0;
+        if (!status) r->nothing[g] = r->lit ? -nothing.bias : nothing.rmse;
     }
-    if (r->lit) for (int g = 0; g < GROUPS; ++g) r->score[g].rmse = sqrt(r->score[g].rmse);
-    if (none.data) kit_image_free(&none);
+    kit_image_free(&none);
     kit_image_free(&reference);
     return status;
 }

@@ -19,7 +19,6 @@
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
-#define LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"
 enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 7, CHART_ROUNDS = 5, QUICK_ROUNDS = 3 };
 
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;   /* quick: shown by chart --quick too */
@@ -202,7 +201,7 @@ static int stage_ao(stage *s, kit_error *err)
 
 static int stage_lit(stage *s, kit_error *err)
 {
-    if (kit_image_new(&s->unit, s->gbuffer.camera.width, s->gbuffer.camera.height, LIT_CHANNELS, err)) return -1;
+    if (kit_image_new(&s->unit, s->gbuffer.camera.width, s->gbuffer.camera.height, KIT_LIT_CHANNELS, err)) return -1;
     if (run_open(&s->lights, s, "ssdo", "environment=none,bounce=none", s->radius, err)) return -1;
     kit_run_draw(&s->lights, 0);
     return kit_run_read(&s->direct, &s->lights, err) || (s->lighting.env.data && give_open(s, err)) ? -1 : 0;
@@ -264,23 +263,6 @@ static double median(double *v, int count)
     return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
 }
 
-/* Of one channel, or of three together. */
-static int score_of(kit_score *sum, const stage *s, const kit_image *picture, const char *const *names, int count, const float *mask, kit_error *err)
-{
-    kit_score one;
-    memset(sum, 0, sizeof *sum);
-    for (int i = 0; i < count; ++i) {
-        if (kit_score_channel(&one, picture, &s->truth, names[i], mask, err)) return -1;
-        sum->rmse += one.rmse * one.rmse / count;
-        sum->bias += one.bias / count;
-        sum->p95 += one.p95 / count;
-        sum->ssim += one.ssim / count;
-        sum->pixels = one.pixels;
-    }
-    sum->rmse = sqrt(sum->rmse);
-    return 0;
-}
-
 /* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
 static int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
 {
@@ -293,7 +275,7 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
     for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
     r->lit = s->lit != NULL;
     for (int g = r->lit ? 0 : 3; g < (r->lit ? 3 : 4) && !failed; ++g) {
-        failed = score_of(&here, s, picture, names[g], r->lit ? 3 : 1, mask, err) || score_of(&unit, s, &s->unit, names[g], r->lit ? 3 : 1, mask, err);
+        failed = kit_score_channels(&here, picture, &s->truth, names[g], r->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], r->lit ? 3 : 1, mask, err);
         const double share = r->lit ? -unit.bias : unit.rmse;
         if (g % 3 == 0) r->score = here;
         if (g % 3 == 0) r->share = share > 0 ? here.rmse / share : (double)NAN;
@@ -310,7 +292,7 @@ static int light_by(kit_image *visibility, const stage *s, kit_error *err)
     kit_image out;
     const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
     if (!s->lighting.env.data) return kit_fail(err, "%s: ambient visibility has no environment to dim", s->name);
-    if (kit_image_new(&out, visibility->width, visibility->height, LIT_CHANNELS, err)) return -1;
+    if (kit_image_new(&out, visibility->width, visibility->height, KIT_LIT_CHANNELS, err)) return -1;
     for (size_t i = 0; i < pixels * (size_t)out.channels; ++i)
         out.data[i] = s->direct.data[i] + (s->given[0].picture.data[i] - s->direct.data[i]) * visibility->data[i % pixels];
     kit_image_free(visibility);

@@ -510,6 +510,22 @@ int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, 
     return failed;
 }
 
+int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count, const float *mask, kit_error *err)
+{
+    kit_score one, all = { 0 };
+    for (int i = 0; i < count; ++i) {
+        if (kit_score_channel(&one, a, b, channels[i], mask, err)) return -1;
+        all.rmse += one.rmse * one.rmse / count;
+        all.bias += one.bias / count;
+        all.p95 += one.p95 / count;
+        all.ssim += one.ssim / count;
+        all.pixels = one.pixels;
+    }
+    all.rmse = sqrt(all.rmse);
+    *score = all;
+    return 0;
+}
+
 /* Straight lines in Oklab, so that equal differences look equally different: from near-white (L 0.96) to blue and red of the same
    lightness (0.50) and chroma (0.20), hues 262 and 27 degrees. As sRGB values, for a PNG written as it is. */
 int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range, kit_error *err)

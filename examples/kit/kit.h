@@ -74,6 +74,8 @@ int    kit_png_write(const kit_image *image, const char *names, int srgb, const 
 /* mask: width*height floats, a pixel counts where mask > 0; NULL = all. All figures are of (a - b). */
 typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_score;
 int    kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask, kit_error *err);
+/* Of count channels together: root of the mean square, means of the others. */
+int    kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count, const float *mask, kit_error *err);
 
 /* Signed difference (a - b) of one channel as colours: a perceptually uniform diverging map, 0 is white-grey, blue where a is darker
    than b, red where brighter; full colour at +-range. out: a new R,G,B picture, sRGB-encoded already (write it with srgb 0). */
@@ -156,6 +158,8 @@ void kit_camera_matrices(const kit_camera *camera, float view[16], float project
 /* the ray through the centre of the pixel in column x, row y counted from the TOP; direction is unit; origin is on the eye (perspective)
    or on the plane of the eye (orthographic) */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
+/* the point in the world that such a pixel shows at a view depth */
+void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
 
 /* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2, 1 - (t/R)^3; 0 beyond R */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
@@ -165,6 +169,8 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE, KIT
    attenuation's weight. rays 1..65536; radius above 0, INFINITY only with NONE. stride > 1 computes one pixel in every stride x stride block (its
    top-left one offset by stride/2) and leaves NaN elsewhere. Same result for any number of threads. */
 int  kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+#define KIT_LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"   /* what lit pictures hold */
 
 /* Ray-traced light of every pixel; all channels 0 where nothing is seen:
      R, G, B            outgoing radiance: albedo * (irradiance + bounce)

@@ -181,7 +181,7 @@ typedef struct kit_pass {
 typedef struct kit_run {
     kit_gbuffer  *gbuffer;
     ssgi_gl_frame frame;                   /* change it as you like before a draw, then kit_run_update */
-    int           lit, passes, textures, views, vpls, base_falloff;
+    int           lit, passes, textures, views, vpls;
     kit_pass      pass[KIT_MAX_PASSES];
     GLuint        light, bounce;           /* the result: ambient visibility or irradiance over pi; that of the bounce */
     GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
@@ -190,7 +190,7 @@ typedef struct kit_run {
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_views cameras;
-    float        *equirect, harmonics[27]; /* the environment, interleaved; its first three bands */
+    float        *equirect, harmonics[27]; /* the environment, interleaved; its first three bands, if a pass reads them */
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
 } kit_run;
 

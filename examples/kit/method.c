@@ -279,7 +279,6 @@ static int add_direct(making *m, const kit_gbuffer *g, int v, int receiver, GLui
     gather.receiver = lights.receiver = receiver;
     if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;      /* depth gives the normals of what is seen alone */
     gather.bounce = SSGI_GL_BOUNCE_NONE;
-    gather.falloff = m->run->base_falloff;
     if (!picture) gather.half = 0;
     if (gather.environment) {
         kit_pass *p = add_pass(m, &gather, g, v < 0 ? 0 : 1 + 2 * v, 0, 0, 0);
@@ -332,23 +331,20 @@ static int seen(const kit_gbuffer *g, sphere *all, sphere *middle, kit_error *er
     kit_image frame;
     const kit_camera *c = &g->camera;
     const float *z;
-    float *depths, view[16], projection[16], o[3], d[3];
+    float *depths, at[3];
     double sum[4] = { 0, 0, 0, 0 }, squares = 0, median = 1;
     int count = 0;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
     depths = malloc((size_t)(frame.width * frame.height + 1) * sizeof *depths);
     if (!depths) { kit_image_free(&frame); return kit_fail(err, "out of memory"); }
     z = kit_image_channel(&frame, "Z");
-    kit_camera_matrices(c, view, projection);
-#define TOWARD(d) -((double)view[2] * (double)(d)[0] + (double)view[6] * (double)(d)[1] + (double)view[10] * (double)(d)[2])
     for (int i = 0; i < frame.width * frame.height; i += 7) {
         const int x = i % frame.width, y = i / frame.width;
         if (!(z[i] > 0)) continue;
-        kit_camera_ray(c, x, y, o, d);
+        kit_camera_point(c, x, y, (double)z[i], at);
         for (int k = 0; k < 3; ++k) {
-            const double at = (double)o[k] + (double)z[i] / TOWARD(d) * (double)d[k];
-            sum[k] += at;
-            squares += at * at;
+            sum[k] += (double)at[k];
+            squares += (double)at[k] * (double)at[k];
         }
         sum[3] += 1;
         if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2) depths[count++] = z[i];
@@ -361,13 +357,11 @@ static int seen(const kit_gbuffer *g, sphere *all, sphere *middle, kit_error *er
     kit_image_free(&frame);
     if (!(sum[3] > 0)) sum[3] = 1;
     squares /= sum[3];
-    kit_camera_ray(c, c->width / 2, c->height / 2, o, d);
     for (int k = 0; k < 3; ++k) {
         all->centre[k] = (float)(sum[k] / sum[3]);
         squares -= sum[k] / sum[3] * (sum[k] / sum[3]);
-        middle->centre[k] = (float)((double)o[k] + median / TOWARD(d) * (double)d[k]);
     }
-#undef TOWARD
+    kit_camera_point(c, c->width / 2, c->height / 2, median, middle->centre);
     all->radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
     middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height) * fmaxf(1, (float)c->width / (float)c->height);
     return 0;
@@ -615,17 +609,18 @@ static int add_environment(making *m)
     const kit_image *env = &m->world->lighting->env;
     const size_t pixels = (size_t)env->width * (size_t)env->height;
     kit_run *run = m->run;
-    const char *why = "";
+    const char *why = "out of memory";
     float *map = malloc(7 * SIZE * SIZE * sizeof *map);
     int failed;
     run->equirect = malloc(3 * pixels * sizeof *run->equirect);
     failed = !map || !run->equirect;
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
-    if (!failed) failed = ssgi_sh_project_equirect(run->harmonics, 3, run->equirect, env->width, env->height, &why) != SSGI_OK;
-    if (!failed) failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, (float)(2 * PI / m->gather.samples), &why) != SSGI_OK;
-    if (!failed) failed = !(run->environment = keep(run, rgba(map, SIZE)));
-    if (!failed) failed = ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK;
-    if (!failed) failed = !(run->irradiance = keep(run, rgba(map, OPEN)));
+    if (!failed && m->gather.environment == SSGI_GL_ENVIRONMENT_SH) failed = ssgi_sh_project_equirect(run->harmonics, 3, run->equirect, env->width, env->height, &why) != SSGI_OK;
+    if (!failed && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP)
+        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, (float)(2 * PI / m->gather.samples), &why) != SSGI_OK
+                 || !(run->environment = keep(run, rgba(map, SIZE)))
+                 || ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK
+                 || !(run->irradiance = keep(run, rgba(map, OPEN)));
     free(map);
     return failed ? kit_fail(m->err, "--env: %s", why) : 0;
 }
@@ -663,7 +658,6 @@ static int open_lit(making *m, const float picture[16])
     lamp *lamps;
     GLuint light = 0, received = 0;
     m->world = &world;
-    run->base_falloff = m->gather.falloff;
     m->blur.colour = 1;
     m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")] : SSGI_GL_ENVIRONMENT_NONE;
     if (lighting->env.data && add_environment(m)) return -1;
@@ -876,7 +870,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     kit_image image, frame;
     float *texels = malloc(pixels * (size_t)components * sizeof *texels);
     int failed = 0;
-    if (!texels || kit_image_new(&image, width, height, run->lit ? "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B" : "Y", err)) { free(texels); return -1; }
+    if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) { free(texels); return -1; }
     for (int s = 0; s < (run->lit ? 2 : 1) && !failed; ++s) {
         if (!source[s]) continue;
         failed = kit_texture_read(source[s], width, height, components, texels) != 0;

@@ -150,13 +150,9 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
         for (size_t i = 0; i < face_pixels; i++) {
             const size_t x = i % size, y = i / size, at = 3 * (face * face_pixels + i);
             const double power = light->kind == KIT_SUN ? area : pixel_angle(x, y, size);
-            float o[3], d[3];
-            double along = 0;
             if (!(frame.data[i] > 0)) continue;
-            kit_camera_ray(&camera, (int)x, (int)y, o, d);
-            for (int c = 0; c < 3; c++) along -= (double)view[4 * c + 2] * (double)d[c];
+            kit_camera_point(&camera, (int)x, (int)y, (double)frame.data[i], map[0] + at);
             for (size_t c = 0; c < 3; c++) {
-                map[0][at + c] = (float)((double)o[c] + (double)d[c] * (double)frame.data[i] / along);
                 for (size_t r = 0; r < 3; r++) map[1][at + c] += view[4 * c + r] * frame.data[(1 + r) * face_pixels + i];
                 map[2][at + c] = (float)((double)frame.data[(4 + c) * face_pixels + i] * (double)light->colour[c] * power);
             }

@@ -131,6 +131,18 @@ void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], flo
     }
 }
 
+void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3])
+{
+    double axes[3][3], o[3], d[3];
+    camera_axes(camera, axes);
+    camera_view_ray(camera, x, y, o, d);
+    for (int i = 0; i < 3; ++i) {
+        double at = (double)camera->eye[i];
+        for (int k = 0; k < 3; ++k) at += axes[k][i] * (o[k] + d[k] * view_depth);
+        point[i] = (float)at;
+    }
+}
+
 /* ---- rays from a point ----------------------------------------------------------------------------------------- */
 
 typedef struct ambient {
@@ -530,7 +542,7 @@ int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *came
     if (bounce != 0 && bounce != 1) return kit_fail(err, "truth: bounce %d: must be 0 or 1", bounce);
     if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
     if (lighting->env.data && lighting->env.channels < 3) return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
-    const int failed = env_begin(&job, err) || truth_run(&job, out, "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B",
+    const int failed = env_begin(&job, err) || truth_run(&job, out, KIT_LIT_CHANNELS,
                                                          scene, camera, radius, attenuation, rays, stride, err);
     free(job.env_row);
     free(job.env_column);
