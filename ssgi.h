@@ -31,8 +31,8 @@
       >>types      results
       >>view       projection decode: perspective, orthographic, reversed and infinite depth, off-centre; additional cameras
       >>kernel     low-discrepancy points, sample sets, jitter tile
-      >>sh         spherical harmonics: basis, projection of environments, quadric of the first three bands
-      >>environment  latitude-longitude pictures as octahedral maps over lobes, and as directional lights
+      >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
+      >>environment  latitude-longitude pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
@@ -40,7 +40,9 @@
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
                 dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion
                 [RAM01] Ramamoorthi, Hanrahan 2001, An efficient representation for irradiance environment maps   [DEB05] Debevec 2005, A median cut
-                algorithm for light probe sampling   [KEL97] Keller 1997, Instant radiosity   */
+                algorithm for light probe sampling   [KEL97] Keller 1997, Instant radiosity   [SLO08] Sloan 2008, Stupid spherical harmonics tricks
+                [S3HO12] Herholz, Schairer, Schilling, Strasser 2012, Screen space spherical harmonic occlusion
+                [SSBN11] Klehm, Ritschel, Eisemann, Seidel 2011, Bent normals and cones in screen-space   */
 #ifndef SSGI_H
 #define SSGI_H
 
@@ -166,10 +168,51 @@ SSGI_DEF float ssgi_sh_cosine(int l);
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why);
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why);
 
-/* The function of the first three bands as one quadric a channel [RAM01], turned: at a unit direction (x,y,z) of the space that world_to_view (its rotation; NULL:
-   none) leads to, channel c is q[0] xx + q[1] yy + q[2] zz + q[3] + q[4] xy + q[5] yz + q[6] zx + q[8] x + q[9] y + q[10] z, q = out + 12 * c; q[7] = q[11] = 0.
-   coefficients: 27, [3*i + c]; those of radiance times ssgi_sh_cosine give irradiance. */
-SSGI_DEF void  ssgi_sh_quadric(float out[36], const float *coefficients, const float *world_to_view);
+/* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional light in 4 bands that gives a facing surface
+   irradiance 1: the series' peak, the least irradiance of an open surface, and the most that its negative part can take from a surface that sees nothing else. */
+enum { SSGI_SH_WINDOW_NONE = 0,     /* 1: sharpest, rings most                                         1.20, -0.037, 0.20 */
+       SSGI_SH_WINDOW_HANN,         /* (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12]                     0.68, -0.027, 0.035 */
+       SSGI_SH_WINDOW_POSITIVE };   /* the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest   0.52,  0.020, 0 */
+
+/* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a window that there is not is none]. */
+SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
+
+/* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] = sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction),
+   bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) gives the clamped cosine about a normal, which is the
+   transfer of an open point: its dot product with radiance is irradiance. */
+SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
+
+/* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w it becomes along R w.
+     coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients     bands as ssgi_sh_basis     channels [limit: any; below 1 nothing]
+   About 10 us for 4 bands. */
+SSGI_DEF void  ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *world_to_view);
+
+/* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a product has up to 2 * bands - 1 bands and those
+   above are lost. One channel, bands^2 floats each; out may be a or b. [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
+SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
+
+/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k such that an unoccluded surface that faces
+   the light receives exactly `irradiance`, whatever bands and window. [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
+     bands       [limit: 1..SSGI_SH_MAX_BANDS]
+     direction   to the light [limit: finite, not 0]; any length
+     sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius / distance of its centre: f_l, the mean of the
+                 Legendre polynomial l over the cap that it fills
+     irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
+   Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. */
+SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine, const float irradiance[3], int window, const char **why);
+
+/* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its irradiance is exactly the engines' hemisphere light,
+   pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands those that the cosine sees are empty.
+     bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
+SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3], const float below[3], const char **why);
+
+/* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves no channel below 0 in any direction, but for
+   1e-3 of its mean. Finds the lowest by descent from 200 fixed directions. Band 0 stays as it is, and so does all that is nowhere below 0: s = 0.
+     bands         [limit: 1..SSGI_SH_MAX_BANDS]
+     coefficients  [limit: finite] a channel whose mean (band 0) is not above 0 has no s: it does not count, but is weakened as the others
+     strength      receives s, at most 1e30; may be NULL
+   A few milliseconds. */
+SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
@@ -188,6 +231,13 @@ SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
    with size^2 from there. Takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why);
 
+/* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A bent cone's light [SSBN11] is one look-up here:
+   slice k of n of a texture array, one an aperture, holds cosine k/n.
+     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi, the same as ssgi_environment_map with solid angle 0
+   A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90 degrees), so that cells do not show.
+   Otherwise, and in its cost, as ssgi_environment_map. */
+SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why);
+
 typedef struct ssgi_sun {
     float direction[3];     /* unit, to the light */
     float irradiance[3];    /* on a surface that faces it */
@@ -199,6 +249,11 @@ typedef struct ssgi_sun {
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why);
+
+/* What spherical harmonics lack: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros without an environment), that of the
+   suns, and takes away what the coefficients, [3*i + c], which stand for all of it, give an open surface. Added to their light, dimmed by occlusion, it makes open surfaces exact.
+     size   [limit: 8..256]     bands   [limit: 1..SSGI_SH_MAX_BANDS]     suns   [limit: count 0 or more; may be NULL when 0] */
+SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns, int count, const char **why);
 
 /* ==== >>vpl ==================================================================================================== */
 
@@ -601,14 +656,16 @@ static void ssgi__sh_basis(double *out, int bands, const double d[3])
     }
 }
 
+static int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
+
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
     const double d[3] = { (double)direction[0], (double)direction[1], (double)direction[2] };
     double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
     int i;
-    if (bands > SSGI_SH_MAX_BANDS) bands = SSGI_SH_MAX_BANDS;
+    bands = ssgi__sh_limit(bands);
     ssgi__sh_basis(basis, bands, d);
-    for (i = 0; bands > 0 && i < bands * bands; ++i) out[i] = (float)basis[i];
+    for (i = 0; i < bands * bands; ++i) out[i] = (float)basis[i];
 }
 
 SSGI_DEF float ssgi_sh_cosine(int l)
@@ -715,29 +772,242 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
     return SSGI_OK;
 }
 
-SSGI_DEF void ssgi_sh_quadric(float out[36], const float *k, const float *world_to_view)
+SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
+{
+    double positive = 1.0;
+    int l;
+    bands = ssgi__sh_limit(bands);
+    for (l = 0; l < bands; ++l) {
+        out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? 0.5 + 0.5 * cos(3.14159265358979323846 * l / bands) : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
+        positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
+    }
+}
+
+SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3])
+{
+    int l, i = 0;
+    bands = ssgi__sh_limit(bands);
+    ssgi_sh_basis(out, bands, direction);
+    for (l = 0; l < bands; ++l)
+        for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt(12.56637061435917295 / (2 * l + 1));
+}
+
+/* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to that degree; returns its solid angle. */
+static double ssgi__sphere_node(double d[3], int degree, int i)
+{
+    const double pi = 3.14159265358979323846;
+    const int rows = degree / 2 + 1, columns = degree + 1;
+    const double azimuth = 2.0 * pi * (i % columns) / columns;
+    double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
+    int step, l;
+    for (step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
+        double p = 1.0, before = 0.0;
+        for (l = 0; l < rows; ++l) {
+            const double next = ((2 * l + 1) * z * p - l * before) / (l + 1);
+            before = p;
+            p = next;
+        }
+        slope = rows * (z * p - before) / (z * z - 1.0);
+        z -= p / slope;
+    }
+    r = sqrt(1.0 - z * z);
+    d[0] = r * cos(azimuth);
+    d[1] = r * sin(azimuth);
+    d[2] = z;
+    return 4.0 * pi / columns / (r * r * slope * slope);
+}
+
+SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *m)
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-    const float y0 = 0.282094792f, y1 = 0.488602512f, y2 = 0.546274215f, y20 = 0.315391565f;
-    const float *r = world_to_view ? world_to_view : none;
-    int c, i, a, b;
-    for (c = 0; c < 3; ++c, out += 12, ++k) {
-        /* 3z^2 - 1 as 2z^2 - x^2 - y^2: the directions are unit */
-        const float m[3][3] = { { y2 * k[24] - y20 * k[18], y2 * k[12], y2 * k[21] }, { y2 * k[12], -y2 * k[24] - y20 * k[18], y2 * k[15] }, { y2 * k[21], y2 * k[15], 2.0f * y20 * k[18] } };
-        const float v[3] = { y1 * k[9], y1 * k[3], y1 * k[6] };
-        for (i = 0; i < 12; ++i) out[i] = 0.0f;
-        out[3] = y0 * k[0];
-        for (i = 0; i < 3; ++i) {
-            const int next = (i + 1) % 3;
-            for (a = 0; a < 3; ++a) {
-                out[8 + i] += r[4 * a + i] * v[a];
-                for (b = 0; b < 3; ++b) {
-                    out[i] += r[4 * a + i] * m[a][b] * r[4 * b + i];
-                    out[4 + i] += 2.0f * r[4 * a + i] * m[a][b] * r[4 * b + next];
-                }
+    double matrix[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];     /* bands do not mix: of a row, its own */
+    int l, i, j, c, node;
+    bands = ssgi__sh_limit(bands);
+    memset(matrix, 0, sizeof matrix);
+    if (!m) m = none;
+    for (node = 0; node < bands * (2 * bands - 1); ++node) {
+        double here[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], there[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], view[3], world[3], weight;
+        weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
+        for (i = 0; i < 3; ++i) world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
+        ssgi__sh_basis(here, bands, view);
+        ssgi__sh_basis(there, bands, world);
+        for (l = i = 0; l < bands; ++l)
+            for (; i < (l + 1) * (l + 1); ++i)
+                for (j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
+    }
+    for (c = 0; c < channels; ++c)
+        for (l = i = 0; l < bands; ++l) {
+            for (j = 0; j < 2 * l + 1; ++j) band[j] = (double)coefficients[channels * (l * l + j) + c];
+            for (; i < (l + 1) * (l + 1); ++i) {
+                double sum = 0.0;
+                for (j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
+                out[channels * i + c] = (float)sum;
             }
         }
+}
+
+static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
+{
+    double sum = 0.0;
+    int l;
+    for (l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
+    return sum;
+}
+
+/* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
+static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels, const double d[3], double s)
+{
+    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    int l, i = 0;
+    ssgi__sh_basis(basis, bands, d);
+    for (l = 0; l < bands; ++l)
+        for (part[l] = 0.0; i < (l + 1) * (l + 1); ++i) part[l] += basis[i] * (double)coefficients[channels * i];
+    return ssgi__sh_weakened(part, bands, s);
+}
+
+SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
+{
+    double sum[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS] = { 0.0 }, basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], part[SSGI_SH_MAX_BANDS], d[3];
+    int i, node, degree;
+    bands = ssgi__sh_limit(bands);
+    degree = 3 * (bands - 1);
+    for (node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
+        const double weight = ssgi__sphere_node(d, degree, node), value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
+        ssgi__sh_basis(basis, bands, d);
+        for (i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
     }
+    for (i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
+}
+
+/* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at cosine 1, as differences of polynomials would. */
+static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
+{
+    int l;
+    mean[0] = 1.0;
+    mean[1] = 0.5 + 0.5 * cosine;
+    for (l = 2; l < SSGI_SH_MAX_BANDS; ++l) mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
+}
+
+/* adds factor[l] Y_i(d) times the colour of even or of odd bands */
+static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS], const double d[3], double colour[2][3])
+{
+    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    int l, i = 0, c;
+    ssgi__sh_basis(basis, bands, d);
+    for (l = 0; l < bands; ++l)
+        for (; i < (l + 1) * (l + 1); ++i)
+            for (c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
+}
+
+static int ssgi__finite3(const float *v) { return v && ssgi__finite(v[0]) && ssgi__finite(v[1]) && ssgi__finite(v[2]); }
+
+/* 0 if it is not a direction */
+static int ssgi__direction(double d[3], const float *v)
+{
+    int i;
+    if (!ssgi__finite3(v)) return 0;
+    for (i = 0; i < 3; ++i) d[i] = (double)v[i];
+    return ssgi__normalise(d) > 0.0;
+}
+
+static ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
+{
+    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
+    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine, const float irradiance[3], int window, const char **why)
+{
+    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
+    float weight[SSGI_SH_MAX_BANDS];
+    int l, c;
+    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    if (!ssgi__direction(d, direction)) return ssgi__bad(why, "direction: must be there, finite and not 0");
+    if (!ssgi__finite(sine) || !(sine >= 0.0f && sine <= 1.0f)) return ssgi__bad(why, "sine: must be 0..1");
+    if (!ssgi__finite3(irradiance)) return ssgi__bad(why, "irradiance: must be there and finite");
+    if (window < SSGI_SH_WINDOW_NONE || window > SSGI_SH_WINDOW_POSITIVE) return ssgi__bad(why, "window: must be one of SSGI_SH_WINDOW_");
+    ssgi_sh_window(weight, bands, window);
+    ssgi__sh_cap(factor, sqrt(1.0 - (double)sine * (double)sine));
+    for (l = 0; l < bands; ++l) {
+        factor[l] *= (double)weight[l];
+        facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / 12.56637061435917295;
+    }
+    for (c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
+    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3], const float below[3], const char **why)
+{
+    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
+    int c;
+    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    if (!ssgi__direction(d, up)) return ssgi__bad(why, "up: must be there, finite and not 0");
+    if (!ssgi__finite3(above)) return ssgi__bad(why, "above: must be there and finite");
+    if (!ssgi__finite3(below)) return ssgi__bad(why, "below: must be there and finite");
+    ssgi__sh_cap(factor, 0.0);
+    for (c = 0; c < 3; ++c) {                       /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
+        const double a = 6.283185307179586477 * ssgi__light(above[c], -1e24f), b = 6.283185307179586477 * ssgi__light(below[c], -1e24f);
+        colour[0][c] = a + b;
+        colour[1][c] = a - b;
+    }
+    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
+    return SSGI_OK;
+}
+
+/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below 0. */
+static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
+{
+    double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
+    int node, j, moved;
+    for (node = 0; node < 10 * 20; ++node) {
+        ssgi__sphere_node(d, 19, node);
+        value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
+        if (value > lowest + 0.5 * found[0]) continue;      /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
+        for (step = 0.1; step > 0.005; step *= moved ? 1.0 : 0.5)
+            for (moved = j = 0; j < 6; ++j) {
+                memcpy(next, d, sizeof next);
+                next[j / 2] += j & 1 ? -step : step;
+                ssgi__normalise(next);
+                v = ssgi__sh_at(other, bands, coefficients, 3, next, s);
+                if (v >= value) continue;
+                value = v;
+                moved = 1;
+                memcpy(d, next, sizeof d);
+                memcpy(found, other, sizeof found);
+            }
+        if (value >= lowest) continue;
+        lowest = value;
+        memcpy(part, found, sizeof found);
+    }
+    return lowest;
+}
+
+SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why)
+{
+    double s = 0.0, part[SSGI_SH_MAX_BANDS];
+    int i, c, l, raised;
+    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    for (i = 0; i < 3 * bands * bands; ++i)
+        if (!ssgi__finite(coefficients[i])) return ssgi__bad(why, "coefficients: must be finite");
+    do                                              /* s rises until the direction that is lowest is not below 0, until none is */
+        for (raised = c = 0; c < 3; ++c) {
+            double least = s, most = -1.0;
+            if (!(coefficients[c] > 0.0f) || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c]) continue;
+            for (l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
+            for (most = 0.25 * most, i = 0; i < 100; ++i) {     /* at most, the higher bands do not reach band 0 even if all are against it */
+                s = 0.5 * (least + most);
+                if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
+            }
+            s = most;
+            raised = 1;
+        }
+    while (raised);
+    for (l = i = 0; l < bands; ++l)
+        for (; i < 3 * (l + 1) * (l + 1); ++i) coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+    if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
+    return SSGI_OK;
 }
 
 /* ==== >>environment (implementation) =========================================================================== */
@@ -790,16 +1060,14 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
     }
 }
 
-SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why)
+/* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to least. */
+static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa, float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
-    const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
-    const float least = kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f;     /* cosines below weigh nothing, or less than 1e-7 */
     int i, j, c, texel;
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
     if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!ssgi__finite(solid_angle) || !(solid_angle >= 0.0f)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
     ssgi__environment_cells(cell, rgb, width, height);
     for (i = 0; i < SSGI__CELLS_Y; ++i) {
         double p[2];
@@ -826,10 +1094,10 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
         for (i = 0; i < SSGI__CELLS_Y; ++i) {
             if (d[1] * polar[i][1] + most * polar[i][0] <= least) continue;
             for (j = 0; j < SSGI__CELLS_X; ++j) {
-                const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0];
+                const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0], ramp = (cosine - least) * slope;
                 double weight;
                 if (cosine <= least) continue;
-                weight = (double)(polar[i][2] * (kappa > 0.0f ? expf(kappa * (cosine - 1.0f)) : cosine));
+                weight = (double)(polar[i][2] * (kappa > 0.0f ? expf(kappa * (cosine - 1.0f)) : ramp < 1.0f ? ramp * cosine : cosine));
                 all += weight;
                 for (c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
             }
@@ -837,6 +1105,24 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
         for (c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
     }
     return SSGI_OK;
+}
+
+#define SSGI__STEEP 1e30f       /* no ramp */
+
+SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why)
+{
+    const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
+    if (!ssgi__finite(solid_angle) || !(solid_angle >= 0.0f)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
+    return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f, SSGI__STEEP, why);      /* below, less than 1e-7 */
+}
+
+SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why)
+{
+    float half;
+    if (!ssgi__finite(cosine) || !(cosine >= 0.0f && cosine <= 0.95f)) return ssgi__bad(why, "cosine: must be 0..0.95");
+    half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);       /* a cell's width, as a difference of cosines at the rim */
+    if (half > cosine) half = cosine;
+    return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half, half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
 
 typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__region;    /* columns, rows */
@@ -934,6 +1220,33 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     for (i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
         const ssgi__region none = { { region[0].lower[0], region[0].lower[1] }, { region[0].lower[0], region[0].lower[1] }, 0.0 };
         ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns, int count, const char **why)
+{
+    const double pi = 3.14159265358979323846;
+    int texel, i, c, l;
+    if (!map) return ssgi__bad(why, "map: must not be NULL");
+    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
+    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
+    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    if (count < 0 || (count && !suns)) return ssgi__bad(why, "suns: must not be NULL when count is not 0");
+    for (texel = 0; texel < size * size; ++texel, map += 3) {
+        const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f, (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
+        float n[3], basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+        double sum[3] = { 0, 0, 0 };
+        ssgi_octahedral_decode(e, n);
+        ssgi_sh_basis(basis, bands, n);
+        for (l = 0, i = 0; l < bands; ++l)
+            for (; i < (l + 1) * (l + 1); ++i)
+                for (c = 0; c < 3; ++c) sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
+        for (i = 0; i < count; ++i) {
+            const double cosine = (double)n[0] * (double)suns[i].direction[0] + (double)n[1] * (double)suns[i].direction[1] + (double)n[2] * (double)suns[i].direction[2];
+            for (c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
+        }
+        for (c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
     }
     return SSGI_OK;
 }

@@ -27,8 +27,10 @@
    PASSES       ssao     fetch -> gather            ambient visibility: point samples in the hemisphere [SA07]
                 hsao     fetch -> gather            ambient visibility: horizon search, slices or the paper's march [HSAO08]
                 ssdo     fetch -> gather -> light   directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
+                s3ho     fetch -> gather            occlusion as spherical harmonics: a vector that light is dotted with, and what blockers reflect [S3HO12]
                 lights   fetch -> light             suns, point lights, virtual point lights; shadow maps, or segments in screen space [SSDO09 4, 5]
                 senders  fetch -> light             packs what surfaces send, their normal and depth: one fetch a sample for the bounce
+                shade    light                      the vectors of s3ho meet light: harmonics, lamps, bent normals and cones [S3HO12, SSBN11]
                 blur     fetch -> filter            smooths what the others wrote, within surfaces
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
@@ -38,10 +40,17 @@
       ssdo     with a bounce and no environment reads that and writes o_ssgi_bounce; blur. Outgoing radiance = albedo * (light + bounce)
       When senders may shine with the last frame's light, draw senders first, then one ssdo with environment and bounce: two targets, one visibility.
 
+   OCCLUSION AS SPHERICAL HARMONICS, when light changes more often than geometry, or is spherical harmonics already
+      senders  radiance ALBEDO, for a bounce only; a draw a layer
+      s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds a bounce for whatever light comes
+      blur     with colour = SSGI_GL_VECTORS; or none here and blur what shade wrote: far cheaper, and the same but for the clamp
+      shade    dots them with frame.harmonics (ssgi_gl_harmonics_set) and adds lamps: irradiance over pi, or radiance. bands = 2 serves bent normals and cones
+      With shaded = 1 s3ho does that itself and keeps nothing.
+
    ROOMS        search for ">>"
       >>desc       what you choose               >>io      what a pass reads and writes       >>frame    what changes per frame
       >>emit       text out                      >>rows    the table of inputs and outputs
-      >>fetch  >>visibility  >>gather  >>light  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
+      >>fetch  >>visibility  >>harmonics  >>gather  >>light  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
 
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
@@ -55,7 +64,7 @@ extern "C" {
 
 /* ==== >>desc =================================================================================================== */
 
-enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
+enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_DIALECTS };   /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_STAGES };                                              /* stage of ssgi_gl_emit */
 
@@ -80,9 +89,14 @@ enum { SSGI_GL_SLICES = 0,           /* hsao: planes through the view direction,
 enum { SSGI_GL_FALLOFF_LINEAR = 0,   /* 1 - t/radius: lengths uniform, the paper's */
        SSGI_GL_FALLOFF_SQUARE,       /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights (ssgi_gl_light.least = radius) */
        SSGI_GL_FALLOFF_CUBE };       /* 1 - (t/radius)^3: lengths uniform in volume */
+/* desc.fade: how a blocker's weight falls with the distance at which the picture shows it, from the receiver, d in radii */
+enum { SSGI_GL_FADE_NONE = 0,
+       SSGI_GL_FADE_SMOOTH,          /* from 1 at frame.fade to 0 at the radius */
+       SSGI_GL_FADE_LAMBDA,          /* 1 / (1 + lambda d), the paper's: not 0 at the radius; more lambda is weaker [S3HO12 2.1] */
+       SSGI_GL_FADE_LAMBDA_ENDED };  /* (1 - d) / (1 + lambda d): the same, made to end at the radius */
 /* desc.environment */
 enum { SSGI_GL_ENVIRONMENT_NONE = 0,
-       SSGI_GL_ENVIRONMENT_SH,       /* frame.environment: 9 coefficients, all directions for the price of the visibility */
+       SSGI_GL_ENVIRONMENT_SH,       /* frame.harmonics: all directions for the price of the visibility; what s3ho does when shaded */
        SSGI_GL_ENVIRONMENT_MAP };    /* one look-up a direction in an octahedral map (ssgi_environment_map), world space */
 /* desc.bounce: what a blocked direction brings */
 enum { SSGI_GL_BOUNCE_NONE = 0,
@@ -95,9 +109,21 @@ enum { SSGI_GL_SHADOW_SEGMENT = 0,   /* points on the segment to the light, radi
        SSGI_GL_SHADOW_FILL,          /* the same, and what the bias loses from points on its segment [SSDO09 section 5]; lights without a map as SEGMENT */
        SSGI_GL_SHADOW_NONE };
 /* desc.radiance: what senders send */
-enum { SSGI_GL_RADIANCE_LIGHT = 0,   /* albedo times what ssdo or lights wrote */
+enum { SSGI_GL_RADIANCE_LIGHT = 0,   /* albedo times what ssdo, shade or lights wrote */
        SSGI_GL_RADIANCE_DIRECT,      /* your own texture of outgoing radiance */
-       SSGI_GL_RADIANCE_BOTH };      /* the sum */
+       SSGI_GL_RADIANCE_BOTH,        /* the sum */
+       SSGI_GL_RADIANCE_ALBEDO };    /* albedo alone: what s3ho reads, whose light comes later */
+/* desc.transfer: what the vectors of s3ho hold */
+enum { SSGI_GL_TRANSFER_FREE = 0,    /* one vector: what free directions bring */
+       SSGI_GL_TRANSFER_BOTH,        /* one a channel: that and what blockers reflect, lit as if nothing stood before them [S3HO12 2.3] */
+       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what blockers reflect. Three vectors are six targets with 3 or 4 bands, three with fewer (GLES promises four) */
+/* desc.shading: how vectors meet light */
+enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12 2.2] */
+       SSGI_GL_SHADING_BENT_NORMAL,  /* ambient visibility times the environment's irradiance along the mean free direction */
+       SSGI_GL_SHADING_BENT_CONE,    /* the same, from a cone as wide as free directions are spread [SSBN11] */
+       SSGI_GL_SHADING_BENT };       /* no light: that direction, view space, unit, and the cosine of the cone's half-angle */
+/* desc.colour: what blur filters */
+enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_VECTORS };   /* ambient visibility; light, three channels; what s3ho wrote */
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,        /* box over a tile, weighted by distance to the centre's tangent plane (position and normal) */
        SSGI_GL_GAUSSIAN };           /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
@@ -112,28 +138,37 @@ typedef struct ssgi_gl_desc {
     int normal;             /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;      /* [limit: 0..1]  1: the normals are in world space; frame.rotation turns them into view space */
     int noise;              /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;            /* ssao, ssdo   [limit: 0..64] [default: 16]  directions per pixel. lights [default: 8]  points on a segment */
+    int samples;            /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16]  directions per pixel. lights [default: 8]  points on a segment */
     int search;             /* hsao   SSGI_GL_SLICES, SSGI_GL_MARCH */
     int directions;         /* hsao   [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s. ssao, ssdo [default: 1]  points along a direction, the first blocked one counts */
+    int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s. ssao, ssdo, s3ho [default: 1]  points along a direction, the first blocked one counts */
     int normal_rays;        /* hsao, march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;               /* hsao   [limit: 0..1]  1: no attenuation, all within the radius occludes fully */
-    int thin;               /* all but senders, blur   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
-    int falloff;            /* ssao, ssdo   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;             /* ssao, ssdo   [limit: 0..1]  0: one set in the text, turned by the noise; 1: M sets in a texture, the noise picks one */
-    int fade;               /* ssao, ssdo   [limit: 0..1]  1: blockers fade out from frame.fade to the radius, by where the picture shows them */
+    int thin;               /* all but senders, shade, blur   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
+    int falloff;            /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
+    int kernel;             /* ssao, ssdo, s3ho   [limit: 0..1]  0: one set in the text, turned by the noise; 1: M sets in a texture, the noise picks one */
+    int fade;               /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
+    int range;              /* ssao, ssdo, s3ho   [limit: 0..1]  1: what the picture shows farther than the radius, or below the receiver's plane, blocks nothing [S3HO12 2.1] */
     int layers;             /* all that test points   [limit: 0..8] [default: 1]  depth layers, peeled: matter is from an odd one to the next; an odd last one as thin says */
     int views;              /* all that test points   [limit: 0..4]  extra cameras: a point that any camera sees in the open is; else blocked if one finds it in matter */
     int view_layers;        /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
     int receiver;           /* ssdo, lights, senders   [limit: 0..7, below layers]  which layer is lit: hidden ones become senders */
     int environment;        /* ssdo   SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;             /* ssdo   SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both at once share the visibility and write two targets */
-    int two_sided;          /* ssdo   [limit: 0..1]  1: senders shine from both sides; 0: only toward their normal */
+    int bands;              /* s3ho, shade, blur of vectors, ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  of spherical harmonics: 1, 4, 9, 16 coefficients; bent normals need 2, and read no more */
+    int packed;             /* s3ho, shade, blur of vectors   [limit: 0..1]  0: targets of four floats, RGBA16F, up to four; 1: halves in RGBA32UI, eight a target, up to two a vector */
+    int transfer;           /* the same   SSGI_GL_TRANSFER_FREE ..; three vectors must be packed */
+    int shaded;             /* s3ho   [limit: 0..1]  1: keeps no vectors: meets frame.harmonics at once and writes light; shade is not drawn */
+    int exact;              /* s3ho when shaded, ssdo with SH, shade by HARMONICS   [limit: 0..1]  1: what the bands lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking) and dimmed by ambient visibility */
+    int shading;            /* shade   SSGI_GL_SHADING_HARMONICS .. */
+    int lamps;              /* shade   [limit: 0..1]  1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors; a POINT is a sphere of radius `least` */
+    int albedo;             /* shade   [limit: 0..1]  1: writes outgoing radiance; 0: irradiance over pi */
+    int two_sided;          /* ssdo, s3ho   [limit: 0..1]  1: senders shine from both sides; 0: only toward their normal */
     int shadow;             /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;         /* lights   [limit: 0..1]  1: adds to t_ssgi_light, what an earlier pass wrote */
     int radiance;           /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int half;               /* all but lights, senders   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
-    int colour;             /* blur   [limit: 0..1]  1: three channels, of ssdo or lights, instead of ambient visibility */
+    int colour;             /* blur   SSGI_GL_GREY .. */
     int filter;             /* blur   SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;      /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels: 1 is 3x3; of half-size pixels when half is 1 */
     int filter_normals;     /* blur   [limit: 0..1]  1: neighbours' normals are compared too, 1 more fetch each */
@@ -145,7 +180,7 @@ typedef struct ssgi_gl_desc {
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost for accuracy (and the filter's,
    so that the same desc serves blur), leaves the others alone.
      hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)    hsao march   4x6, 6x9 + 1 normal ray, 8x18 + 2, thin
-     ssao          8, 16, 32 points, thin               ssdo           half 8, 16, 32 directions
+     ssao          8, 16, 32 points, thin               ssdo, s3ho     half 4x4, 4x4, 8x6 (directions x points), thin, range, fade
    Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
@@ -162,6 +197,10 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and desc.fetch by content). */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
+
+/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal, _rotate, _product (ssgi_sh_turn is _rotate) and a dot product, over
+   struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. 3 ms a call for 4 bands, whose product has 194 terms. */
+SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
 /* The most texel fetches that a pixel of this pass makes, 0 for a bad desc; what desc.fetch does counts as one; lights: with one light. */
 SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc);
@@ -202,18 +241,22 @@ typedef struct ssgi_gl_frame {
     float   offset;         /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest fetches: all that test points */
     float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken to reach (desc.thin); 0.7 of it suits ssdo, half march */
     float   phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame when frames are averaged */
-    float   fade;           /* [units: view] [default: half the radius]  where blockers begin to fade (desc.fade); the radius: nowhere */
+    float   fade;           /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the radius: nowhere */
     float   nearest;        /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float   gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH and BOUNCE_DISC: the paper's strength of the bounce */
     float   steepest;       /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of shadow maps follows */
     int32_t lights;         /* rows of t_ssgi_lights */
-    float   unused[1];
+    float   lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
     float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP); identity by default */
-    float   environment[36];   /* ENVIRONMENT_SH: ssgi_sh_quadric of the coefficients, turned by world to view; black by default */
+    float   harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space: ssgi_gl_harmonics_set; black by default */
+    float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
 /* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units: view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
+
+/* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (NULL: in view space already). */
+SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands, const float *world_to_view, const char **why);
 
 /* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their depths are hardware depths in the slices of one array texture, camera v's
    layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
@@ -279,9 +322,8 @@ extern "C" {
 #define SSGI_GL__N_VIEW          SSGI_GL__BIT(14) /* in view space, in world space */
 #define SSGI_GL__N_WORLD         SSGI_GL__BIT(15)
 #define SSGI_GL__TOWARD          SSGI_GL__BIT(16) /* the direction to the eye is needed */
-#define SSGI_GL__NOISE_GRADIENT  SSGI_GL__BIT(17)
-#define SSGI_GL__NOISE_TILE4     SSGI_GL__BIT(18)
-#define SSGI_GL__NOISE_TEXTURE   SSGI_GL__BIT(19)
+#define SSGI_GL__POSITION        SSGI_GL__BIT(17) /* points are asked for */
+#define SSGI_GL__LOBES           SSGI_GL__BIT(18) /* vectors are made from directions */
 #define SSGI_GL__FULL            SSGI_GL__BIT(20) /* size of what gathers draw */
 #define SSGI_GL__HALF            SSGI_GL__BIT(21)
 #define SSGI_GL__SOLID           SSGI_GL__BIT(22) /* how far what is seen reaches */
@@ -310,36 +352,89 @@ extern "C" {
 #define SSGI_GL__RECEIVED        SSGI_GL__BIT(46) /* what is found depends on where the receiver is */
 #define SSGI_GL__SEEN            SSGI_GL__BIT(32) /* the depth of what is seen is read; only that of a hidden receiver */
 #define SSGI_GL__UNSEEN          SSGI_GL__BIT(47)
-/* From 48 on, the meaning is the pass's own. */
-#define SSGI_GL__UNIFORM         SSGI_GL__BIT(48) /* ssao, ssdo: falloff */
-#define SSGI_GL__SQUARE          SSGI_GL__BIT(49)
-#define SSGI_GL__CUBE            SSGI_GL__BIT(50)
-#define SSGI_GL__SINGLE          SSGI_GL__BIT(51) /* points along a direction */
-#define SSGI_GL__SEVERAL         SSGI_GL__BIT(52)
-#define SSGI_GL__K_TEXT          SSGI_GL__BIT(53) /* kernel */
-#define SSGI_GL__K_TEXTURE       SSGI_GL__BIT(54)
-#define SSGI_GL__E_LIT           SSGI_GL__BIT(55) /* an environment, and which */
-#define SSGI_GL__E_SH            SSGI_GL__BIT(56)
-#define SSGI_GL__E_MAP           SSGI_GL__BIT(57)
-#define SSGI_GL__SOLID_ANGLE     SSGI_GL__BIT(58) /* bounce */
-#define SSGI_GL__AREA            SSGI_GL__BIT(59) /* PATCH or DISC */
-#define SSGI_GL__PATCH           SSGI_GL__BIT(60)
-#define SSGI_GL__DISC            SSGI_GL__BIT(61)
-#define SSGI_GL__ONE_SIDED       SSGI_GL__BIT(62)
-#define SSGI_GL__TWO_SIDED       SSGI_GL__BIT(63)
-#define SSGI_GL__RAYS            SSGI_GL__BIT(48) /* hsao: march with normal rays */
-#define SSGI_GL__LINEAR          SSGI_GL__BIT(49) /* attenuation */
-#define SSGI_GL__HARD            SSGI_GL__BIT(50)
-#define SSGI_GL__MAPS_READ       SSGI_GL__BIT(48) /* lights: shadow maps */
-#define SSGI_GL__SEGMENTS        SSGI_GL__BIT(49) /* points on segments */
-#define SSGI_GL__ADD             SSGI_GL__BIT(50) /* accumulate */
-#define SSGI_GL__S_LIGHT         SSGI_GL__BIT(48) /* senders: what they send */
-#define SSGI_GL__S_DIRECT        SSGI_GL__BIT(49)
-#define SSGI_GL__BILATERAL       SSGI_GL__BIT(48) /* blur */
-#define SSGI_GL__GAUSSIAN        SSGI_GL__BIT(49)
-#define SSGI_GL__F_NORMALS       SSGI_GL__BIT(50) /* compares normals */
-#define SSGI_GL__GREY            SSGI_GL__BIT(51)
-#define SSGI_GL__COLOUR          SSGI_GL__BIT(52)
+/* From 48 on there are four words of bits; a need has bits of one of them beside the common ones, and so has what is added at once. */
+#define SSGI_GL__OWN(word, n)    ((uint64_t)(word) << 62 | SSGI_GL__BIT(48 + (n)))
+#define SSGI_GL__COMMON          (SSGI_GL__BIT(48) - 1)
+/* word 0, vectors: s3ho, shade, blur, where their meaning is one; else each pass has its own meanings */
+#define SSGI_GL__VECTORS         SSGI_GL__OWN(0, 5)
+#define SSGI_GL__V2              SSGI_GL__OWN(0, 6) /* at least so many bands */
+#define SSGI_GL__V3              SSGI_GL__OWN(0, 7)
+#define SSGI_GL__V4              SSGI_GL__OWN(0, 8)
+#define SSGI_GL__WORDS           SSGI_GL__OWN(0, 9) /* storage: four floats a texel, halves packed into integers */
+#define SSGI_GL__PACKED          SSGI_GL__OWN(0, 10)
+#define SSGI_GL__MONO            SSGI_GL__OWN(0, 11) /* one vector, one a channel */
+#define SSGI_GL__RGB             SSGI_GL__OWN(0, 12)
+#define SSGI_GL__FREE            SSGI_GL__OWN(0, 13) /* s3ho: what is free; else only what blockers reflect */
+#define SSGI_GL__SINGLE          SSGI_GL__OWN(0, 0) /* ssao, ssdo, s3ho: points along a direction */
+#define SSGI_GL__SEVERAL         SSGI_GL__OWN(0, 1)
+#define SSGI_GL__K_TEXT          SSGI_GL__OWN(0, 2) /* kernel */
+#define SSGI_GL__K_TEXTURE       SSGI_GL__OWN(0, 3)
+#define SSGI_GL__RAYS            SSGI_GL__OWN(0, 0) /* hsao: march with normal rays */
+#define SSGI_GL__LINEAR          SSGI_GL__OWN(0, 1) /* attenuation */
+#define SSGI_GL__HARD            SSGI_GL__OWN(0, 2)
+#define SSGI_GL__MAPS_READ       SSGI_GL__OWN(0, 0) /* lights: shadow maps */
+#define SSGI_GL__SEGMENTS        SSGI_GL__OWN(0, 1) /* points on segments */
+#define SSGI_GL__ADD             SSGI_GL__OWN(0, 2) /* accumulate */
+#define SSGI_GL__ALBEDO          SSGI_GL__OWN(0, 0) /* senders, shade: albedo is read */
+#define SSGI_GL__S_LIGHT         SSGI_GL__OWN(0, 1) /* senders: and the light that falls on it */
+#define SSGI_GL__S_DIRECT        SSGI_GL__OWN(0, 2)
+#define SSGI_GL__LAMPS           SSGI_GL__OWN(0, 1) /* shade: lights as harmonics */
+#define SSGI_GL__HARMONICS       SSGI_GL__OWN(0, 4) /* s3ho, shade: vectors meet light in the dot product; shade: or by the mean free direction */
+#define SSGI_GL__CONES           SSGI_GL__OWN(0, 3)
+#define SSGI_GL__BILATERAL       SSGI_GL__OWN(0, 0) /* blur */
+#define SSGI_GL__GAUSSIAN        SSGI_GL__OWN(0, 1)
+#define SSGI_GL__F_NORMALS       SSGI_GL__OWN(0, 2) /* compares normals */
+#define SSGI_GL__GREY            SSGI_GL__OWN(0, 3)
+#define SSGI_GL__COLOUR          SSGI_GL__OWN(0, 4)
+/* word 1, light */
+#define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* an environment, and which */
+#define SSGI_GL__E_MAP           SSGI_GL__OWN(1, 2)
+#define SSGI_GL__SOLID_ANGLE     SSGI_GL__OWN(1, 4) /* bounce */
+#define SSGI_GL__AREA            SSGI_GL__OWN(1, 5) /* PATCH or DISC */
+#define SSGI_GL__PATCH           SSGI_GL__OWN(1, 6)
+#define SSGI_GL__DISC            SSGI_GL__OWN(1, 7)
+#define SSGI_GL__ONE_SIDED       SSGI_GL__OWN(1, 8)
+#define SSGI_GL__TWO_SIDED       SSGI_GL__OWN(1, 9)
+#define SSGI_GL__SENDER_KEPT     SSGI_GL__OWN(1, 10) /* the sender's normal is asked for */
+#define SSGI_GL__I_MAP           SSGI_GL__OWN(1, 11) /* an irradiance map is read */
+#define SSGI_GL__BENT_OUT        SSGI_GL__OWN(1, 3) /* shade: that direction comes out, its irradiance is looked up, its cone's light is */
+#define SSGI_GL__BENT_NORMAL     SSGI_GL__OWN(1, 12)
+#define SSGI_GL__BENT_CONE       SSGI_GL__OWN(1, 13)
+/* word 2, weights and packing */
+#define SSGI_GL__UNIFORM         SSGI_GL__OWN(2, 0) /* falloff */
+#define SSGI_GL__SQUARE          SSGI_GL__OWN(2, 1)
+#define SSGI_GL__CUBE            SSGI_GL__OWN(2, 2)
+#define SSGI_GL__SMOOTH          SSGI_GL__OWN(2, 3) /* fade */
+#define SSGI_GL__LAMBDA          SSGI_GL__OWN(2, 4)
+#define SSGI_GL__ENDED           SSGI_GL__OWN(2, 6)
+#define SSGI_GL__SHADED          SSGI_GL__OWN(2, 5) /* shade: light comes out */
+#define SSGI_GL__RANGE           SSGI_GL__OWN(2, 7)
+#define SSGI_GL__FACING          SSGI_GL__OWN(2, 8) /* the receiver's normal is asked for where blockers are looked at */
+#define SSGI_GL__HALF_NATIVE     SSGI_GL__OWN(2, 9) /* packHalf2x16 is in the language, or not */
+#define SSGI_GL__HALF_MADE       SSGI_GL__OWN(2, 10)
+#define SSGI_GL__PACKS           SSGI_GL__OWN(2, 11) /* written, read */
+#define SSGI_GL__UNPACKS         SSGI_GL__OWN(2, 12)
+#define SSGI_GL__PLAIN           SSGI_GL__OWN(2, 13) /* blur: not of vectors */
+
+/* word 3, noise, and what harmonics lack */
+#define SSGI_GL__NOISE_GRADIENT  SSGI_GL__OWN(3, 0)
+#define SSGI_GL__NOISE_TILE4     SSGI_GL__OWN(3, 1)
+#define SSGI_GL__NOISE_TEXTURE   SSGI_GL__OWN(3, 2)
+#define SSGI_GL__EXACT           SSGI_GL__OWN(3, 3) /* open surfaces are exact: of environment and suns, of lamps, in shade, which has no normal else */
+#define SSGI_GL__EXACT_LAMPS     SSGI_GL__OWN(3, 4)
+#define SSGI_GL__EXACT_SHADE     SSGI_GL__OWN(3, 5)
+#define SSGI_GL__BENT_LIT        SSGI_GL__OWN(3, 6) /* shade: BENT_NORMAL or BENT_CONE */
+
+typedef struct ssgi_gl__set { uint64_t word[4]; } ssgi_gl__set;
+
+static void ssgi_gl__add(ssgi_gl__set *set, uint64_t bits)
+{
+    int i;
+    for (i = 0; i < 4; ++i) set->word[i] |= bits & SSGI_GL__COMMON;
+    set->word[bits >> 62] |= bits;
+}
+
+static int ssgi_gl__has(const ssgi_gl__set *set, uint64_t need) { return (set->word[need >> 62] & need) == need; }
 
 typedef struct ssgi_gl__chunk { int line; uint64_t need; const char *text; } ssgi_gl__chunk;
 typedef struct ssgi_gl__row { uint64_t need; ssgi_gl_io io; } ssgi_gl__row;   /* CONSTANT: io.offset is the field's place in ssgi_gl_desc */
@@ -354,7 +449,7 @@ typedef struct ssgi_gl__row { uint64_t need; ssgi_gl_io io; } ssgi_gl__row;   /*
 #define SSGI_GL__O(need, name, type, format)            { need, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, format } }
 
 static const ssgi_gl__row ssgi_gl__project     = SSGI_GL__P(0, "project", "vec4", project, "pixels per view xy / depth; pixels");
-static const ssgi_gl__row ssgi_gl__unproject   = SSGI_GL__P(0, "unproject", "vec4", unproject, "view xy / depth per pixel");
+static const ssgi_gl__row ssgi_gl__unproject   = SSGI_GL__P(SSGI_GL__POSITION, "unproject", "vec4", unproject, "view xy / depth per pixel");
 static const ssgi_gl__row ssgi_gl__decode_row  = SSGI_GL__P(SSGI_GL__D_WINDOW, "decode", "vec4", decode, "window depth to view depth");
 static const ssgi_gl__row ssgi_gl__origin      = SSGI_GL__P(SSGI_GL__GBUFFER, "origin", "ivec2", origin, "texels");
 static const ssgi_gl__row ssgi_gl__size        = SSGI_GL__P(SSGI_GL__INSIDE, "size", "ivec2", size, "pixels");
@@ -369,12 +464,16 @@ static const ssgi_gl__row ssgi_gl__p_phase     = SSGI_GL__P(SSGI_GL__BLOCKED, "p
 static const ssgi_gl__row ssgi_gl__thickness   = SSGI_GL__P(SSGI_GL__THIN, "thickness", "float", thickness, "view units");
 static const ssgi_gl__row ssgi_gl__phase       = SSGI_GL__P(0, "phase", "float", phase, "turns");
 static const ssgi_gl__row ssgi_gl__rotation    = SSGI_GL__P(SSGI_GL__WORLD, "rotation", "mat3", rotation, "world to view");
-static const ssgi_gl__row ssgi_gl__fade_row    = SSGI_GL__P(SSGI_GL__FADE, "fade", "float", fade, "view units");
+static const ssgi_gl__row ssgi_gl__fade_row    = SSGI_GL__P(SSGI_GL__SMOOTH, "fade", "float", fade, "view units");
 static const ssgi_gl__row ssgi_gl__nearest     = SSGI_GL__P(SSGI_GL__PATCH, "nearest", "float", nearest, "radii");
 static const ssgi_gl__row ssgi_gl__gain        = SSGI_GL__P(SSGI_GL__AREA, "gain", "float", gain, "");
 static const ssgi_gl__row ssgi_gl__steepest    = SSGI_GL__P(SSGI_GL__MAPS_READ, "steepest", "float", steepest, "tan");
 static const ssgi_gl__row ssgi_gl__lights_row  = SSGI_GL__P(0, "lights", "int", lights, "rows of t_ssgi_lights");
-static const ssgi_gl__row ssgi_gl__quadric_row = SSGI_GL__P(SSGI_GL__E_SH, "environment", "vec4[9]", environment, "ssgi_sh_quadric, view space");
+static const ssgi_gl__row ssgi_gl__lambda_row  = SSGI_GL__P(SSGI_GL__LAMBDA, "lambda", "float", lambda, "per radius");
+static const ssgi_gl__row ssgi_gl__harmonics_row = SSGI_GL__P(SSGI_GL__HARMONICS, "harmonics", "vec4[12]", harmonics, "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c");
+static const ssgi_gl__row ssgi_gl__window_row  = SSGI_GL__P(SSGI_GL__LAMPS, "window", "vec4", window, "a band");
+static const ssgi_gl__row ssgi_gl__lamps_row   = SSGI_GL__P(SSGI_GL__LAMPS, "lights", "int", lights, "rows of t_ssgi_lights");
+static const ssgi_gl__row ssgi_gl__lamps_tex   = SSGI_GL__T(SSGI_GL__LAMPS, "lights", "RGBA32F, 8 wide: a row a ssgi_gl_light");
 static const ssgi_gl__row ssgi_gl__view_to     = SSGI_GL__V(SSGI_GL__VIEWS, "to", "mat4[4]", to, "view space to pixels (times depth) and depth");
 static const ssgi_gl__row ssgi_gl__view_from   = SSGI_GL__V(SSGI_GL__VIEWS | SSGI_GL__LOOK, "from", "mat4[4]", from, "and back");
 static const ssgi_gl__row ssgi_gl__view_decode = SSGI_GL__V(SSGI_GL__VIEWS, "decode", "vec4[4]", decode, "window depth to view depth; w: orthographic");
@@ -388,17 +487,17 @@ static const ssgi_gl__row ssgi_gl__senders_tex = SSGI_GL__A(SSGI_GL__SENDERS, "s
 static const ssgi_gl__row ssgi_gl__view_senders = SSGI_GL__A(SSGI_GL__SENDERS | SSGI_GL__VIEWS, "view_senders", "usampler", "RG32UI: the same of extra cameras, slice camera * view_layers + layer");
 static const ssgi_gl__row ssgi_gl__kernel_tex  = SSGI_GL__T(SSGI_GL__K_TEXTURE, "kernel", "RGBA32F or RGBA16F, a row a set: ssgi_kernel, SSGI_COSINE");
 static const ssgi_gl__row ssgi_gl__map_tex     = SSGI_GL__T(SSGI_GL__E_MAP, "environment", "RGB32F, RGB16F ..: ssgi_environment_map, a sample's solid angle");
-static const ssgi_gl__row ssgi_gl__open_tex    = SSGI_GL__T(SSGI_GL__E_MAP, "irradiance", "RGB32F, RGB16F ..: ssgi_environment_map, solid angle 0");
+static const ssgi_gl__row ssgi_gl__open_tex    = SSGI_GL__A(SSGI_GL__I_MAP, "irradiance", "sampler", "RGB32F, RGB16F ..: slice 0 ssgi_environment_map, solid angle 0, with exact harmonics less those (ssgi_sh_lacking); for cones slice k of n is ssgi_environment_cone, cosine k/n");
 static const ssgi_gl__row ssgi_gl__lights_tex  = SSGI_GL__T(0, "lights", "RGBA32F, 8 wide: a row a ssgi_gl_light");
 static const ssgi_gl__row ssgi_gl__shadow_tex  = SSGI_GL__T(SSGI_GL__MAPS_READ, "shadow", "depth: hardware depth, compare mode off; the shadow maps as tiles");
 static const ssgi_gl__row ssgi_gl__added_tex   = SSGI_GL__T(SSGI_GL__ADD, "light", "what an earlier pass wrote: RGBA32F or RGBA16F");
-static const ssgi_gl__row ssgi_gl__albedo_tex  = SSGI_GL__T(SSGI_GL__S_LIGHT | SSGI_GL__FIRST, "albedo", "RGBA8, RGBA16F ..: linear albedo");
-static const ssgi_gl__row ssgi_gl__albedos_tex = SSGI_GL__A(SSGI_GL__S_LIGHT | SSGI_GL__HIDDEN, "albedo", "sampler", "albedos of layers 2 .. in slices 0 ..");
-static const ssgi_gl__row ssgi_gl__s_light_tex = SSGI_GL__T(SSGI_GL__S_LIGHT, "light", "what ssdo or lights wrote: RGBA32F or RGBA16F");
+static const ssgi_gl__row ssgi_gl__albedo_tex  = SSGI_GL__T(SSGI_GL__ALBEDO | SSGI_GL__FIRST, "albedo", "RGBA8, RGBA16F ..: linear albedo");
+static const ssgi_gl__row ssgi_gl__albedos_tex = SSGI_GL__A(SSGI_GL__ALBEDO | SSGI_GL__HIDDEN, "albedo", "sampler", "albedos of layers 2 .. in slices 0 ..");
+static const ssgi_gl__row ssgi_gl__s_light_tex = SSGI_GL__T(SSGI_GL__S_LIGHT, "light", "what ssdo, shade or lights wrote: RGBA32F or RGBA16F");
 static const ssgi_gl__row ssgi_gl__direct_tex  = SSGI_GL__T(SSGI_GL__S_DIRECT, "direct", "your outgoing radiance: RGBA16F, R11F_G11F_B10F ..");
 static const ssgi_gl__row ssgi_gl__noise_tex   = SSGI_GL__T(SSGI_GL__NOISE_TEXTURE, "noise", "RGBA16F, any size: ssgi_jitter_tile");
 static const ssgi_gl__row ssgi_gl__ao_tex      = SSGI_GL__T(SSGI_GL__GREY, "ao", "what ssao or hsao wrote: RG32F or RG16F");
-static const ssgi_gl__row ssgi_gl__light_tex   = SSGI_GL__T(SSGI_GL__COLOUR, "light", "what ssdo or lights wrote: RGBA32F or RGBA16F");
+static const ssgi_gl__row ssgi_gl__light_tex   = SSGI_GL__T(SSGI_GL__COLOUR, "light", "what ssdo, shade or lights wrote: RGBA32F or RGBA16F");
 static const ssgi_gl__row ssgi_gl__ao_out      = SSGI_GL__O(0, "ao", "vec2", "RG32F or RG16F: ambient visibility, view depth for the filter; R8 or R16F if nothing filters");
 static const ssgi_gl__row ssgi_gl__blurred_out = SSGI_GL__O(SSGI_GL__GREY, "ao", "float", "R8 or R16F: ambient visibility");
 static const ssgi_gl__row ssgi_gl__colour_out  = SSGI_GL__O(SSGI_GL__COLOUR, "light", "vec4", "RGBA32F or RGBA16F: the same three channels, view depth");
@@ -406,6 +505,27 @@ static const ssgi_gl__row ssgi_gl__light_out   = SSGI_GL__O(SSGI_GL__E_LIT, "lig
 static const ssgi_gl__row ssgi_gl__bounce_out  = SSGI_GL__O(SSGI_GL__SENDERS, "bounce", "vec4", "RGBA32F or RGBA16F: irradiance over pi from the bounce, view depth");
 static const ssgi_gl__row ssgi_gl__lights_out  = SSGI_GL__O(0, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth");
 static const ssgi_gl__row ssgi_gl__sender_out  = SSGI_GL__O(0, "sender", "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent and 14, octahedral view-space normal as 6 6");
+static const ssgi_gl__row ssgi_gl__dotted_out  = SSGI_GL__O(SSGI_GL__HARMONICS, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth for the filter");
+static const ssgi_gl__row ssgi_gl__bent_out    = SSGI_GL__O(SSGI_GL__BENT_OUT, "bent", "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of the cone's half-angle");
+static const ssgi_gl__row ssgi_gl__shaded_out  = SSGI_GL__O(SSGI_GL__SHADED, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, or radiance, view depth for the filter");
+/* What s3ho writes and shade and blur read: a texture and an output of one name each. */
+#define SSGI_GL__VECTOR(id, need, name, sampler, type, format) \
+    static const ssgi_gl__row ssgi_gl__t_##id = { need, { "t_ssgi_" name, SSGI_GL_TEXTURE, sampler, 0, 0, format } }; \
+    static const ssgi_gl__row ssgi_gl__o_##id = { need, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, format } };
+#define SSGI_GL__FLOATS(id, need, format) SSGI_GL__VECTOR(id, (need) | SSGI_GL__WORDS, #id, "sampler2D", "vec4", "RGBA16F or RGBA32F: " format)
+#define SSGI_GL__HALVES(id, need, name, format) SSGI_GL__VECTOR(id, (need) | SSGI_GL__PACKED, name, "usampler2D", "uvec4", "RGBA32UI: " format)
+SSGI_GL__FLOATS(sh0, SSGI_GL__VECTORS, "coefficients 0..3; R16F suffices for 1 band")
+SSGI_GL__FLOATS(sh1, SSGI_GL__V3, "coefficients 4..7")
+SSGI_GL__FLOATS(sh2, SSGI_GL__V3, "coefficients 8..11; R16F suffices for 3 bands")
+SSGI_GL__FLOATS(sh3, SSGI_GL__V4, "coefficients 12..15")
+SSGI_GL__HALVES(packed0, SSGI_GL__MONO, "sh0", "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2")
+SSGI_GL__HALVES(packed1, SSGI_GL__MONO | SSGI_GL__V3, "sh1", "coefficients 8..15; R32UI suffices for 3 bands")
+SSGI_GL__HALVES(red0, SSGI_GL__RGB, "red0", "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2")
+SSGI_GL__HALVES(red1, SSGI_GL__RGB | SSGI_GL__V3, "red1", "coefficients 8..15 of red; R32UI suffices for 3 bands")
+SSGI_GL__HALVES(green0, SSGI_GL__RGB, "green0", "the same of green")
+SSGI_GL__HALVES(green1, SSGI_GL__RGB | SSGI_GL__V3, "green1", "the same of green")
+SSGI_GL__HALVES(blue0, SSGI_GL__RGB, "blue0", "the same of blue")
+SSGI_GL__HALVES(blue1, SSGI_GL__RGB | SSGI_GL__V3, "blue1", "the same of blue")
 static const ssgi_gl__row ssgi_gl__c_samples   = SSGI_GL__C(0, "SSGI_SAMPLES", samples);
 static const ssgi_gl__row ssgi_gl__c_directions = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
 static const ssgi_gl__row ssgi_gl__c_steps     = SSGI_GL__C(0, "SSGI_STEPS", steps);
@@ -506,14 +626,14 @@ static const ssgi_gl__chunk ssgi_gl__layer_custom = { __LINE__ + 1, SSGI_GL__LAY
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__position_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
+static const ssgi_gl__chunk ssgi_gl__position_perspective = { __LINE__ + 1, SSGI_GL__POSITION | SSGI_GL__PERSPECTIVE,
     "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z)\n"
     "{\n"
     "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__position_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
+static const ssgi_gl__chunk ssgi_gl__position_orthographic = { __LINE__ + 1, SSGI_GL__POSITION | SSGI_GL__ORTHOGRAPHIC,
     "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z)\n"
     "{\n"
@@ -746,7 +866,7 @@ static const ssgi_gl__chunk ssgi_gl__back_reach = { __LINE__ + 1, SSGI_GL__REACH
 
 static const ssgi_gl__chunk ssgi_gl__look_from = { __LINE__ + 1, SSGI_GL__RECEIVED,
     "vec3 ssgi_P; // the receiver\n" };
-static const ssgi_gl__chunk ssgi_gl__look_normal = { __LINE__ + 1, SSGI_GL__AREA,
+static const ssgi_gl__chunk ssgi_gl__look_normal = { __LINE__ + 1, SSGI_GL__FACING,
     "vec3 ssgi_n; // its normal\n" };
 
 static const ssgi_gl__chunk ssgi_gl__look_head = { __LINE__ + 1, SSGI_GL__LOOK,
@@ -759,6 +879,8 @@ static const ssgi_gl__chunk ssgi_gl__look_tail = { __LINE__ + 1, SSGI_GL__LOOK,
     "    return ssgi_position(vec2(p) + 0.5, z);\n"
     "}\n" };
 
+static const ssgi_gl__chunk ssgi_gl__sent_kept = { __LINE__ + 1, SSGI_GL__SENDER_KEPT,
+    "uint ssgi_sender_place; // its normal, packed\n" };
 static const ssgi_gl__chunk ssgi_gl__sent_head = { __LINE__ + 1, SSGI_GL__SENDERS,
     "vec4 ssgi_sender; // what the surface found around the sample sends to the receiver, and how near it is\n"
     "\n"
@@ -793,11 +915,22 @@ static const ssgi_gl__chunk ssgi_gl__sent_disc = { __LINE__ + 1, SSGI_GL__DISC,
     "    return ssgi_unpack_radiance(s.x) * (area * max(r, 0.0) * max(c, 0.0) / (dd * (dd + area / float(SSGI_SAMPLES))));\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__faded = { __LINE__ + 1, SSGI_GL__FADE,
+static const ssgi_gl__chunk ssgi_gl__faded_head = { __LINE__ + 1, SSGI_GL__FADE,
     "// how much a blocker that the picture shows at Q still blocks\n"
     "float ssgi_faded(vec3 Q)\n"
     "{\n"
-    "    return max(1.0 - smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, distance(ssgi_P, Q)), 1e-6);\n"
+    "    vec3 d = Q - ssgi_P;\n"
+    "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n" };
+static const ssgi_gl__chunk ssgi_gl__faded_range = { __LINE__ + 1, SSGI_GL__RANGE,
+    "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0;\n" };
+static const ssgi_gl__chunk ssgi_gl__faded_smooth = { __LINE__ + 1, SSGI_GL__SMOOTH,
+    "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius);\n" };
+static const ssgi_gl__chunk ssgi_gl__faded_ended = { __LINE__ + 1, SSGI_GL__ENDED,
+    "    weight -= t;\n" };
+static const ssgi_gl__chunk ssgi_gl__faded_lambda = { __LINE__ + 1, SSGI_GL__LAMBDA,
+    "    weight /= 1.0 + u_ssgi_lambda * t;\n" };
+static const ssgi_gl__chunk ssgi_gl__faded_tail = { __LINE__ + 1, SSGI_GL__FADE,
+    "    return max(weight, 1e-6); // found, however little it counts\n"
     "}\n" };
 
 /* The shallow test: against the depth buffer alone. */
@@ -813,6 +946,8 @@ static const ssgi_gl__chunk ssgi_gl__shallow_send = { __LINE__ + 1, SSGI_GL__SHA
     "    uvec2 s = ssgi_held(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y), behind = -S.z - z;\n"
     "    ssgi_sender.xyz = ssgi_sent(s, ssgi_point(-1, p, z));\n" };
+static const ssgi_gl__chunk ssgi_gl__shallow_keep = { __LINE__ + 1, SSGI_GL__SHALLOW | SSGI_GL__SENDER_KEPT,
+    "    ssgi_sender_place = s.y;\n" };
 static const ssgi_gl__chunk ssgi_gl__shallow_test = { __LINE__ + 1, SSGI_GL__BLOCKED | SSGI_GL__SHALLOW,
     "    return S.z < 0.0 && ssgi_inside(p) && behind > 0.0\n" };
 static const ssgi_gl__chunk ssgi_gl__shallow_thin = { __LINE__ + 1, SSGI_GL__BLOCKED | SSGI_GL__SHALLOW | SSGI_GL__THIN,
@@ -856,7 +991,11 @@ static const ssgi_gl__chunk ssgi_gl__offer = { __LINE__ + 1, SSGI_GL__DEEP | SSG
     "{\n"
     "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
-    "    if (gap < ssgi_sender.w && L != vec3(0.0)) ssgi_sender = vec4(L, gap);\n"
+    "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
+    "    ssgi_sender = vec4(L, gap);\n" };
+static const ssgi_gl__chunk ssgi_gl__offer_keep = { __LINE__ + 1, SSGI_GL__DEEP | SSGI_GL__SENDER_KEPT,
+    "    ssgi_sender_place = s.y;\n" };
+static const ssgi_gl__chunk ssgi_gl__offer_end = { __LINE__ + 1, SSGI_GL__DEEP | SSGI_GL__SENDERS,
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__matter_head = { __LINE__ + 1, SSGI_GL__DEEP,
@@ -919,6 +1058,306 @@ static const ssgi_gl__chunk ssgi_gl__deep_tail = { __LINE__ + 1, SSGI_GL__DEEP,
     "    return max(found, 0.0);\n"
     "}\n" };
 
+/* ==== >>harmonics: vectors of coefficients, and how they are stored ================================================ */
+
+/* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0: compilers drop them. Twins of >>sh in ssgi.h. */
+
+static const ssgi_gl__chunk ssgi_gl__sh_struct = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
+    "    vec4 a;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_struct3 = { __LINE__ + 1, SSGI_GL__V3,
+    "    vec4 b, c;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_struct4 = { __LINE__ + 1, SSGI_GL__V4,
+    "    vec4 d;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_struct_end = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "};\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sh_basis = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "// real spherical harmonics at a unit direction, l*l + l + m, without the Condon-Shortley sign\n"
+    "ssgi_sh ssgi_sh_basis(vec3 n)\n"
+    "{\n"
+    "    ssgi_sh y;\n"
+    "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_basis2 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V2,
+    "    y.a.yzw = 0.48860251 * n.yzx;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_basis3 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V3,
+    "    float zz = n.z * n.z;\n"
+    "    vec3 m = n.xyz * n.yzx;\n"
+    "    vec2 q = n.xy * n.xy;\n"
+    "    y.b = vec4(1.09254843 * m.xy, 0.94617470 * zz - 0.31539157, 1.09254843 * m.z);\n"
+    "    y.c = vec4(0.54627422 * (q.x - q.y), 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_basis4 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V4,
+    "    float five = 2.28522901 * zz - 0.45704580;\n"
+    "    y.c.yzw = vec3(0.59004359 * n.y * (3.0 * q.x - q.y), 2.89061144 * m.x * n.z, n.y * five);\n"
+    "    y.d = vec4(n.z * (1.86588166 * zz - 1.11952900), n.x * five, 1.44530572 * n.z * (q.x - q.y), 0.59004359 * n.x * (q.x - 3.0 * q.y));\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_basis_end = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "    return y;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sh_add = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w)\n"
+    "{\n"
+    "    s.a += y.a * w;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_add3 = { __LINE__ + 1, SSGI_GL__V3,
+    "    s.b += y.b * w;\n"
+    "    s.c += y.c * w;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_add4 = { __LINE__ + 1, SSGI_GL__V4,
+    "    s.d += y.d * w;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_add_end = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sh_dot = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "// the integral of the product\n"
+    "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y)\n"
+    "{\n"
+    "    float s = dot(x.a, y.a);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_dot3 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V3,
+    "    s += dot(x.b, y.b) + dot(x.c, y.c);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_dot4 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V4,
+    "    s += dot(x.d, y.d);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_dot_end = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "    return s;\n"
+    "}\n" };
+
+#define SSGI_GL__COSINE_TEXT "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0); // zonal harmonics of the clamped cosine\n"
+static const ssgi_gl__chunk ssgi_gl__sh_cosine = { __LINE__, SSGI_GL__VECTORS, SSGI_GL__COSINE_TEXT };
+static const ssgi_gl__chunk ssgi_gl__lamps_cosine = { __LINE__, SSGI_GL__EXACT_LAMPS, SSGI_GL__COSINE_TEXT };
+static const ssgi_gl__chunk ssgi_gl__sh_zonal = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "// a lobe about n from its zonal harmonics, a lane a band\n"
+    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n)\n"
+    "{\n"
+    "    ssgi_sh y = ssgi_sh_basis(n);\n"
+    "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
+    "    y.a *= zonal.xyyy;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_zonal3 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V3,
+    "    y.b *= zonal.z;\n"
+    "    y.c *= zonal.zwww;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_zonal4 = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__V4,
+    "    y.d *= zonal.w;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_zonal_end = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "    return y;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sh_about = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V3,
+    "vec2 ssgi_sh_complex(vec2 a, vec2 b)\n"
+    "{\n"
+    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
+    "}\n"
+    "\n"
+    "// turns the bands from the third on about z, by the angle whose cosine and sine are u\n"
+    "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u)\n"
+    "{\n"
+    "    vec2 uu = ssgi_sh_complex(u, u);\n"
+    "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
+    "    vec2 t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
+    "    s.c.x = t.x;\n"
+    "    s.b.x = t.y;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_about4 = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V4,
+    "    vec2 one = ssgi_sh_complex(vec2(s.d.y, s.c.w), u), two = ssgi_sh_complex(vec2(s.d.z, s.c.z), uu), three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
+    "    s.d.yzw = vec3(one.x, two.x, three.x);\n"
+    "    s.c.yzw = vec3(three.y, two.y, one.y);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_quarter = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V3,
+    "}\n"
+    "\n"
+    "// and about x by a quarter, forth (1) or back (-1)\n"
+    "void ssgi_sh_quarter(inout ssgi_sh s, float way)\n"
+    "{\n"
+    "    float q = s.c.x;\n"
+    "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
+    "    s.b = vec4(-way * s.b.w, -s.b.y, -0.5 * s.b.z - 0.86602540 * q, way * s.b.x);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_quarter4 = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V4,
+    "    vec4 o = vec4(s.c.y, s.c.w, s.d.x, s.d.z);\n"
+    "    s.c.yzw = vec3(way * (0.79056942 * o.z - 0.61237244 * o.w), -s.c.z, way * (0.61237244 * o.z + 0.79056942 * o.w));\n"
+    "    s.d = vec4(way * (-0.79056942 * o.x - 0.61237244 * o.y), -0.25 * s.d.y - 0.96824584 * s.d.w, way * (0.61237244 * o.x - 0.79056942 * o.y), 0.25 * s.d.w - 0.96824584 * s.d.y);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_quarter_end = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V3,
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sh_turn = { __LINE__ + 1, SSGI_GL__FREE,
+    "// turns a function by a rotation: its value at n goes to R n\n"
+    "void ssgi_sh_turn(inout ssgi_sh s, mat3 R)\n"
+    "{\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_turn2 = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V2,
+    "    s.a.yzw = (R * s.a.wyz).yzx;\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_turn3 = { __LINE__ + 1, SSGI_GL__FREE | SSGI_GL__V3,
+    "    // R = Rz(phi) Ry(theta) Rz(psi), and Ry is Rz between two quarters about x. Near a pole only phi + psi or phi - psi is sure, so psi is what remains of that\n"
+    "    float m = dot(R[2].xy, R[2].xy);\n"
+    "    vec2 phi = m > 1e-30 ? R[2].xy * inversesqrt(m) : vec2(1.0, 0.0);\n"
+    "    vec2 psi = R[2].z < 0.0 ? ssgi_sh_complex(vec2(R[1].y - R[0].x, R[0].y + R[1].x), phi) : ssgi_sh_complex(vec2(R[0].x + R[1].y, R[0].y - R[1].x), vec2(phi.x, -phi.y));\n"
+    "    ssgi_sh_about_z(s, normalize(psi));\n"
+    "    ssgi_sh_quarter(s, 1.0);\n"
+    "    ssgi_sh_about_z(s, vec2(R[2].z, sqrt(m)));\n"
+    "    ssgi_sh_quarter(s, -1.0);\n"
+    "    ssgi_sh_about_z(s, phi);\n" };
+static const ssgi_gl__chunk ssgi_gl__sh_turn_end = { __LINE__ + 1, SSGI_GL__FREE,
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__half_native = { __LINE__ + 1, SSGI_GL__HALF_NATIVE | SSGI_GL__PACKS,
+    "uint ssgi_pack_half(vec2 v)\n"
+    "{\n"
+    "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__half_made = { __LINE__ + 1, SSGI_GL__HALF_MADE | SSGI_GL__PACKS,
+    "// packHalf2x16, which this language lacks: to nearest even\n"
+    "uint ssgi_pack_half(vec2 v)\n"
+    "{\n"
+    "    uvec2 u = floatBitsToUint(clamp(v, -65504.0, 65504.0)), a = u & 0x7fffffffu;\n"
+    "    uvec2 h = (a - 0x38000000u + 0xfffu + ((a >> 13u) & 1u)) >> 13u, small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // below 2^-14 the sum rounds\n"
+    "    h = uvec2(a.x < 0x38800000u ? small.x : h.x, a.y < 0x38800000u ? small.y : h.y) | ((u >> 16u) & 0x8000u);\n"
+    "    return h.x | (h.y << 16u);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__unhalf_native = { __LINE__ + 1, SSGI_GL__HALF_NATIVE | SSGI_GL__UNPACKS,
+    "vec2 ssgi_unpack_half(uint u)\n"
+    "{\n"
+    "    return unpackHalf2x16(u);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__unhalf_made = { __LINE__ + 1, SSGI_GL__HALF_MADE | SSGI_GL__UNPACKS,
+    "vec2 ssgi_unpack_half(uint u)\n"
+    "{\n"
+    "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
+    "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
+    "    v = vec2(e.x == 0u ? small.x : v.x, e.y == 0u ? small.y : v.y);\n"
+    "    return vec2(h.x > 0x7fffu ? -v.x : v.x, h.y > 0x7fffu ? -v.y : v.y);\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__vectors_mono = { __LINE__ + 1, SSGI_GL__MONO,
+    "struct ssgi_vectors { ssgi_sh c[1]; };\n" };
+static const ssgi_gl__chunk ssgi_gl__vectors_rgb = { __LINE__ + 1, SSGI_GL__RGB,
+    "struct ssgi_vectors { ssgi_sh c[3]; }; // red, green, blue\n" };
+
+static const ssgi_gl__chunk ssgi_gl__unpack_sh = { __LINE__ + 1, SSGI_GL__PACKED,
+    "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v)\n"
+    "{\n"
+    "    ssgi_sh s;\n"
+    "    s.a = vec4(ssgi_unpack_half(u.x).x, 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__unpack_sh2 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V2,
+    "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));\n" };
+static const ssgi_gl__chunk ssgi_gl__unpack_sh3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V3,
+    "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w));\n"
+    "    s.c = vec4(ssgi_unpack_half(v.x).x, 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__unpack_sh4 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V4,
+    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y));\n"
+    "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w));\n" };
+static const ssgi_gl__chunk ssgi_gl__unpack_sh_end = { __LINE__ + 1, SSGI_GL__PACKED,
+    "    return s;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__load = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "// what s3ho wrote at a texel of its targets\n"
+    "ssgi_vectors ssgi_load(ivec2 p)\n"
+    "{\n"
+    "    ssgi_vectors v;\n" };
+static const ssgi_gl__chunk ssgi_gl__load_words = { __LINE__ + 1, SSGI_GL__WORDS,
+    "    v.c[0].a = vec4(texelFetch(t_ssgi_sh0, p, 0).x, 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_words2 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V2,
+    "    v.c[0].a = texelFetch(t_ssgi_sh0, p, 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_words3 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V3,
+    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0);\n"
+    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_words4 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V4,
+    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0);\n"
+    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_mono = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO,
+    "    uvec4 first = texelFetch(t_ssgi_sh0, p, 0), more = uvec4(0u);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_mono3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO | SSGI_GL__V3,
+    "    more = texelFetch(t_ssgi_sh1, p, 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_mono_end = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO,
+    "    v.c[0] = ssgi_unpack(first, more);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_rgb = { __LINE__ + 1, SSGI_GL__RGB,
+    "    uvec4 red = uvec4(0u), green = red, blue = red;\n" };
+static const ssgi_gl__chunk ssgi_gl__load_rgb3 = { __LINE__ + 1, SSGI_GL__RGB | SSGI_GL__V3,
+    "    red = texelFetch(t_ssgi_red1, p, 0);\n"
+    "    green = texelFetch(t_ssgi_green1, p, 0);\n"
+    "    blue = texelFetch(t_ssgi_blue1, p, 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_rgb_end = { __LINE__ + 1, SSGI_GL__RGB,
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_red0, p, 0), red);\n"
+    "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_green0, p, 0), green);\n"
+    "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, p, 0), blue);\n" };
+static const ssgi_gl__chunk ssgi_gl__load_end = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "    return v;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__pack_sh = { __LINE__ + 1, SSGI_GL__PACKED,
+    "// coefficients 0..7, 8..15\n"
+    "uvec4 ssgi_pack_first(ssgi_sh s)\n"
+    "{\n"
+    "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), 0u, 0u, 0u);\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_sh2 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V2,
+    "    u.y = ssgi_pack_half(s.a.zw);\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_sh3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V3,
+    "    u.z = ssgi_pack_half(s.b.xy);\n"
+    "    u.w = ssgi_pack_half(s.b.zw);\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_sh_end = { __LINE__ + 1, SSGI_GL__PACKED,
+    "    return u;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_more = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V3,
+    "uvec4 ssgi_pack_more(ssgi_sh s)\n"
+    "{\n"
+    "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_more4 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V4,
+    "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw));\n" };
+static const ssgi_gl__chunk ssgi_gl__pack_more_end = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__V3,
+    "    return u;\n"
+    "}\n" };
+
+#define SSGI_GL__STORE_HEAD "void ssgi_store(ssgi_vectors v)\n{\n"
+static const ssgi_gl__chunk ssgi_gl__store_words = { __LINE__ + 1, SSGI_GL__WORDS,
+    SSGI_GL__STORE_HEAD
+    "    o_ssgi_sh0 = v.c[0].a;\n" };
+static const ssgi_gl__chunk ssgi_gl__store_words3 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V3,
+    "    o_ssgi_sh1 = v.c[0].b;\n"
+    "    o_ssgi_sh2 = v.c[0].c;\n" };
+static const ssgi_gl__chunk ssgi_gl__store_words4 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V4,
+    "    o_ssgi_sh3 = v.c[0].d;\n" };
+static const ssgi_gl__chunk ssgi_gl__store_words_end = { __LINE__ + 1, SSGI_GL__WORDS,
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__store_mono = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO,
+    SSGI_GL__STORE_HEAD
+    "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n" };
+static const ssgi_gl__chunk ssgi_gl__store_mono3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO | SSGI_GL__V3,
+    "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]);\n" };
+static const ssgi_gl__chunk ssgi_gl__store_rgb = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__RGB,
+    SSGI_GL__STORE_HEAD
+    "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
+    "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
+    "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n" };
+static const ssgi_gl__chunk ssgi_gl__store_rgb3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__RGB | SSGI_GL__V3,
+    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]);\n"
+    "    o_ssgi_green1 = ssgi_pack_more(v.c[1]);\n"
+    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]);\n" };
+static const ssgi_gl__chunk ssgi_gl__store_packed_end = { __LINE__ + 1, SSGI_GL__PACKED,
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__lacking = { __LINE__ + 1, SSGI_GL__EXACT,
+    "vec3 ssgi_lacking = vec3(0.0); // what the harmonics lack of an open surface's irradiance over pi\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "// one channel of irradiance from a vector [S3HO12 eq. 3]\n"
+    "float ssgi_incoming(int c, ssgi_sh s)\n"
+    "{\n"
+    "    float e = dot(u_ssgi_harmonics[c], s.a);\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming3 = { __LINE__ + 1, SSGI_GL__HARMONICS | SSGI_GL__V3,
+    "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c);\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming4 = { __LINE__ + 1, SSGI_GL__HARMONICS | SSGI_GL__V4,
+    "    e += dot(u_ssgi_harmonics[9 + c], s.d);\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming_end = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "    return e;\n"
+    "}\n"
+    "\n"
+    "// and all three, over pi\n"
+    "vec3 ssgi_irradiance(ssgi_vectors v)\n"
+    "{\n"
+    "    vec3 e = vec3(ssgi_incoming(0, v.c[0]), ssgi_incoming(1, v.c[1 % v.c.length()]), ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming_exact = { __LINE__ + 1, SSGI_GL__EXACT,
+    "    e += ssgi_lacking * ssgi_free(v);\n" };
+static const ssgi_gl__chunk ssgi_gl__incoming_out = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "    return e;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__free_part = { __LINE__ + 1, SSGI_GL__EXACT,
+    "// ambient visibility, as the vectors know it\n"
+    "vec3 ssgi_free(ssgi_vectors v)\n"
+    "{\n"
+    "    return clamp(vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x) * 1.12837917, 0.0, 1.0);\n"
+    "}\n" };
+
 /* ==== >>gather: what a pixel collects ============================================================================= */
 
 static const ssgi_gl__chunk ssgi_gl__basis = { __LINE__ + 1, 0,
@@ -944,10 +1383,16 @@ static const ssgi_gl__chunk ssgi_gl__points_ssdo = { __LINE__ + 1, 0,
     "void ssgi_gather(vec3 P, vec3 n, vec2 xi)\n"
     "{\n" };
 
+static const ssgi_gl__chunk ssgi_gl__points_s3ho = { __LINE__ + 1, 0,
+    "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less what is blocked of it, in directions by the cosine [S3HO12 eq. 2];\n"
+    "// it is exact where nothing is blocked\n"
+    "void ssgi_gather(vec3 P, vec3 n, vec2 xi, inout ssgi_vectors v)\n"
+    "{\n" };
+
 static const ssgi_gl__chunk ssgi_gl__points_from = { __LINE__ + 1, SSGI_GL__RECEIVED,
     "    ssgi_P = P;\n" };
 
-static const ssgi_gl__chunk ssgi_gl__points_normal = { __LINE__ + 1, SSGI_GL__AREA,
+static const ssgi_gl__chunk ssgi_gl__points_normal = { __LINE__ + 1, SSGI_GL__FACING,
     "    ssgi_n = n;\n" };
 
 static const ssgi_gl__chunk ssgi_gl__points_turn = { __LINE__ + 1, SSGI_GL__K_TEXT,
@@ -958,15 +1403,15 @@ static const ssgi_gl__chunk ssgi_gl__points_pick = { __LINE__ + 1, SSGI_GL__K_TE
     "    int set = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
     "    mat3 basis = ssgi_basis(n);\n" };
 
-static const ssgi_gl__chunk ssgi_gl__points_sh = { __LINE__ + 1, SSGI_GL__E_SH,
-    "    vec3 first = vec3(0.0), square = vec3(0.0), mixed = vec3(0.0); // moments of the blocked directions, about n: x y z, xx yy zz, xy yz zx\n" };
-
 static const ssgi_gl__chunk ssgi_gl__points_map = { __LINE__ + 1, SSGI_GL__E_MAP,
     "    mat3 world = transpose(u_ssgi_rotation) * basis;\n"
     "    vec3 all = vec3(0.0), dark = vec3(0.0);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__points_bounce = { __LINE__ + 1, SSGI_GL__SENDERS,
     "    vec3 bounce = vec3(0.0);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__points_free = { __LINE__ + 1, SSGI_GL__FREE,
+    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, vec3(0.0, 0.0, 1.0)); // about n\n" };
 
 static const ssgi_gl__chunk ssgi_gl__points_loop = { __LINE__ + 1, 0,
     "    vec3 start = ssgi_lift(P, n);\n"
@@ -1013,12 +1458,6 @@ static const ssgi_gl__chunk ssgi_gl__sum_ao = { __LINE__ + 1, 0,
     "    return sum / float(SSGI_SAMPLES);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__sum_sh = { __LINE__ + 1, SSGI_GL__E_SH,
-    "        vec3 b = blocked * k.xyz;\n"
-    "        first += b;\n"
-    "        square += b * k.xyz;\n"
-    "        mixed += b * k.yzx;\n" };
-
 static const ssgi_gl__chunk ssgi_gl__sum_map = { __LINE__ + 1, SSGI_GL__E_MAP,
     "        vec3 L = ssgi_environment(world * k.xyz);\n"
     "        all += L;\n"
@@ -1030,27 +1469,41 @@ static const ssgi_gl__chunk ssgi_gl__sum_angle = { __LINE__ + 1, SSGI_GL__SOLID_
 static const ssgi_gl__chunk ssgi_gl__sum_area = { __LINE__ + 1, SSGI_GL__AREA,
     "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05)); // as often as if directions were uniform, which the area is meant for\n" };
 
+static const ssgi_gl__chunk ssgi_gl__sum_free = { __LINE__ + 1, SSGI_GL__FREE,
+    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), blocked * (-3.14159265 / float(SSGI_SAMPLES)));\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sum_reflected = { __LINE__ + 1, SSGI_GL__RGB,
+    "        if (blocked > 0.0) { // the sender's own cosine lobe, unoccluded, times its albedo [S3HO12 eq. 5, ours of solid angle]\n"
+    "            vec3 o = normalize(ssgi_unpack_normal(ssgi_sender_place)), albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_both_sides = { __LINE__ + 1, SSGI_GL__SENDER_KEPT | SSGI_GL__TWO_SIDED,
+    "            if (dot(o, basis * k.xyz) > 0.0) o = -o;\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_reflected_end = { __LINE__ + 1, SSGI_GL__RGB,
+    "            ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
+    "            for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
+    "        }\n" };
+
 static const ssgi_gl__chunk ssgi_gl__points_end = { __LINE__ + 1, 0,
     "    }\n" };
 
-static const ssgi_gl__chunk ssgi_gl__light_sh = { __LINE__ + 1, SSGI_GL__E_SH,
-    "    // the cosine lobe's own moments are exact, so that only what is blocked is noisy; the environment is a quadric\n"
-    "    float seen = 1.0 - (square.x + square.y + square.z) / float(SSGI_SAMPLES);\n"
-    "    first = vec3(0.0, 0.0, 2.0 / 3.0) - first / float(SSGI_SAMPLES);\n"
-    "    square = vec3(0.25, 0.25, 0.5) - square / float(SSGI_SAMPLES);\n"
-    "    mixed /= float(-SSGI_SAMPLES);\n"
-    "    mat3 turned = basis * mat3(square.x, mixed.x, mixed.z, mixed.x, square.y, mixed.y, mixed.z, mixed.y, square.z);\n"
-    "    first = basis * first;\n"
-    "    square = turned[0] * basis[0] + turned[1] * basis[1] + turned[2] * basis[2];\n"
-    "    mixed = turned[0] * basis[0].yzx + turned[1] * basis[1].yzx + turned[2] * basis[2].yzx;\n"
-    "    o_ssgi_light.xyz = max(vec3(ssgi_quadric(0, square, seen, mixed, first), ssgi_quadric(3, square, seen, mixed, first), ssgi_quadric(6, square, seen, mixed, first)), 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__light_vectors = { __LINE__ + 1, SSGI_GL__FREE,
+    "    ssgi_vectors v = ssgi_vectors_none();\n" };
+
+static const ssgi_gl__chunk ssgi_gl__light_dot = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__light_map = { __LINE__ + 1, SSGI_GL__E_MAP,
     "    // the share of the samples' light that is free, of what the open pixel gets: exact where nothing is blocked\n"
-    "    o_ssgi_light.xyz = ssgi_open(world[2]) * (1.0 - dark / max(all, 1e-30));\n" };
+    "    o_ssgi_light.xyz = ssgi_open(world[2], 0) * (1.0 - dark / max(all, 1e-30));\n" };
 
 static const ssgi_gl__chunk ssgi_gl__light_bounce = { __LINE__ + 1, SSGI_GL__SENDERS,
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__points_turned = { __LINE__ + 1, SSGI_GL__FREE,
+    "    ssgi_sh_turn(lobe, basis);\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n" };
+
+static const ssgi_gl__chunk ssgi_gl__points_exact = { __LINE__ + 1, SSGI_GL__EXACT,
+    "    ssgi_lacking = ssgi_open(transpose(u_ssgi_rotation) * n, 0);\n" };
 
 static const ssgi_gl__chunk ssgi_gl__points_close = { __LINE__ + 1, 0,
     "}\n" };
@@ -1258,14 +1711,29 @@ static const ssgi_gl__chunk ssgi_gl__main_ssdo = { __LINE__ + 1, 0,
     "    }\n"
     "}\n" };
 
-/* ==== >>light: environment, lights, senders ======================================================================== */
-
-static const ssgi_gl__chunk ssgi_gl__quadric = { __LINE__ + 1, SSGI_GL__E_SH,
-    "// one channel of the environment over moments: xx yy zz, 1, xy yz zx, x y z\n"
-    "float ssgi_quadric(int i, vec3 square, float one, vec3 mixed, vec3 first)\n"
+static const ssgi_gl__chunk ssgi_gl__vectors_none = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
+    "ssgi_vectors ssgi_vectors_none()\n"
     "{\n"
-    "    return dot(u_ssgi_environment[i].xyz, square) + u_ssgi_environment[i].w * one + dot(u_ssgi_environment[i + 1].xyz, mixed) + dot(u_ssgi_environment[i + 2].xyz, first);\n"
+    "    ssgi_vectors v;\n"
+    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
+    "    return v;\n"
     "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__main_s3ho = { __LINE__ + 1, 0,
+    "    float z = ssgi_depth(p);\n"
+    "    ssgi_vectors v = ssgi_vectors_none();\n"
+    "    if (z < SSGI_FAR) {\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "        ssgi_gather(P, ssgi_normal(p, P), xi, v);\n"
+    "    }\n" };
+static const ssgi_gl__chunk ssgi_gl__main_words = { __LINE__ + 1, SSGI_GL__WORDS,
+    "    ssgi_store(v);\n" };
+static const ssgi_gl__chunk ssgi_gl__main_packed = { __LINE__ + 1, SSGI_GL__PACKED,
+    "    ssgi_store(v);\n" };
+static const ssgi_gl__chunk ssgi_gl__main_dot = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "    o_ssgi_light = vec4(max(ssgi_irradiance(v), 0.0), z);\n" };
+
+/* ==== >>light: environment, lights, senders ======================================================================== */
 
 static const ssgi_gl__chunk ssgi_gl__environment = { __LINE__ + 1, SSGI_GL__E_MAP,
     "// radiance of the environment about a world-space direction\n"
@@ -1273,24 +1741,25 @@ static const ssgi_gl__chunk ssgi_gl__environment = { __LINE__ + 1, SSGI_GL__E_MA
     "{\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0);\n"
     "    return texelFetch(t_ssgi_environment, min(ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size)), size - 1), 0).xyz;\n"
-    "}\n"
-    "\n"
-    "vec3 ssgi_open_texel(ivec2 p, ivec2 last)\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__open = { __LINE__ + 1, SSGI_GL__I_MAP,
+    "vec3 ssgi_open_texel(ivec2 p, ivec2 last, int slice)\n"
     "{\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y); // over an edge the square goes on mirrored\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
-    "    return texelFetch(t_ssgi_irradiance, p, 0).xyz;\n"
+    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
     "}\n"
     "\n"
-    "// irradiance over pi of an open surface with a world-space normal, between four texels\n"
-    "vec3 ssgi_open(vec3 n)\n"
+    "// irradiance over pi of an open surface with a world-space normal, or what a cone about it brings, between four texels\n"
+    "vec3 ssgi_open(vec3 n, int slice)\n"
     "{\n"
-    "    ivec2 last = textureSize(t_ssgi_irradiance, 0) - 1;\n"
+    "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
     "    ivec2 p = ivec2(floor(t));\n"
     "    t -= vec2(p);\n"
-    "    return mix(mix(ssgi_open_texel(p, last), ssgi_open_texel(p + ivec2(1, 0), last), t.x),\n"
-    "               mix(ssgi_open_texel(p + ivec2(0, 1), last), ssgi_open_texel(p + 1, last), t.x), t.y);\n"
+    "    return mix(mix(ssgi_open_texel(p, last, slice), ssgi_open_texel(p + ivec2(1, 0), last, slice), t.x),\n"
+    "               mix(ssgi_open_texel(p + ivec2(0, 1), last, slice), ssgi_open_texel(p + 1, last, slice), t.x), t.y);\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__segment = { __LINE__ + 1, SSGI_GL__SEGMENTS,
@@ -1323,7 +1792,7 @@ static const ssgi_gl__chunk ssgi_gl__shadow_map = { __LINE__ + 1, SSGI_GL__MAPS_
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__lights_head = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__lights_head = { __LINE__ + 1, SSGI_GL__FULL,
     "void main()\n"
     "{\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n" };
@@ -1335,15 +1804,20 @@ static const ssgi_gl__chunk ssgi_gl__lights_begin = { __LINE__ + 1, 0,
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), sum = vec3(0.0);\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_lift = { __LINE__ + 1, SSGI_GL__SEGMENTS,
     "    vec3 start = ssgi_lift(P, n);\n" };
-static const ssgi_gl__chunk ssgi_gl__lights_loop = { __LINE__ + 1, 0,
-    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
-    "        vec4 at = texelFetch(t_ssgi_lights, ivec2(0, i), 0), colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
-    "        vec3 l = at.w > 0.5 ? at.xyz - P : at.xyz;\n"
-    "        float dd = max(dot(l, l), 1e-30), d = sqrt(dd);\n"
-    "        l /= d;\n"
-    "        float cosine = dot(n, l), g = cosine;\n"
-    "        if (at.w > 0.5) g /= max(dd, colour.w * colour.w);\n"
+/* Both passes that walk the rows of t_ssgi_lights. */
+#define SSGI_GL__EACH_LIGHT \
+    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n" \
+    "        vec4 at = texelFetch(t_ssgi_lights, ivec2(0, i), 0), colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n" \
+    "        vec3 l = at.w > 0.5 ? at.xyz - P : at.xyz;\n" \
+    "        float dd = max(dot(l, l), 1e-30), d = sqrt(dd), g = 1.0;\n" \
+    "        l /= d;\n" \
+    "        if (at.w > 0.5) g /= max(dd, colour.w * colour.w);\n" \
     "        if (at.w > 2.5) g *= max(-dot(facing.xyz, l), 0.0);\n"
+static const ssgi_gl__chunk ssgi_gl__lights_loop = { __LINE__ + 1, 0, SSGI_GL__EACH_LIGHT };
+static const ssgi_gl__chunk ssgi_gl__shade_loop = { __LINE__ + 1, SSGI_GL__LAMPS, SSGI_GL__EACH_LIGHT };
+static const ssgi_gl__chunk ssgi_gl__lights_cosine = { __LINE__ + 1, 0,
+    "        float cosine = dot(n, l);\n"
+    "        g *= cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_reach = { __LINE__ + 1, SSGI_GL__SEGMENTS,
     "        float reach = at.w > 0.5 ? min(u_ssgi_radius, d) : u_ssgi_radius;\n" };
@@ -1369,15 +1843,73 @@ static const ssgi_gl__chunk ssgi_gl__senders_head = { __LINE__ + 1, 0,
     "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 sum = vec3(0.0);\n" };
-static const ssgi_gl__chunk ssgi_gl__senders_first = { __LINE__ + 1, SSGI_GL__S_LIGHT | SSGI_GL__FIRST,
-    "    sum += texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz * texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n" };
-static const ssgi_gl__chunk ssgi_gl__senders_hidden = { __LINE__ + 1, SSGI_GL__S_LIGHT | SSGI_GL__HIDDEN,
-    "    sum += texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz * texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n" };
+static const ssgi_gl__chunk ssgi_gl__senders_first = { __LINE__ + 1, SSGI_GL__ALBEDO | SSGI_GL__FIRST,
+    "    sum += texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n" };
+static const ssgi_gl__chunk ssgi_gl__senders_hidden = { __LINE__ + 1, SSGI_GL__ALBEDO | SSGI_GL__HIDDEN,
+    "    sum += texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n" };
+static const ssgi_gl__chunk ssgi_gl__senders_lit = { __LINE__ + 1, SSGI_GL__S_LIGHT,
+    "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n" };
 static const ssgi_gl__chunk ssgi_gl__senders_direct = { __LINE__ + 1, SSGI_GL__S_DIRECT,
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz;\n" };
 static const ssgi_gl__chunk ssgi_gl__senders_tail = { __LINE__ + 1, 0,
     "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z))));\n"
     "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__bent = { __LINE__ + 1, SSGI_GL__CONES,
+    "// The mean of the free directions, which is band 1, and the cosine of the half-angle of a cone about it that is spread as they are: of directions by the\n"
+    "// cosine in a cone of cosine c the mean has the length 2/3 (1 + c + c^2) / (1 + c) [SSBN11, for directions by the cosine].\n"
+    "vec4 ssgi_bent(ssgi_sh s)\n"
+    "{\n"
+    "    vec3 m = s.a.wyz * 0.65147002;\n"
+    "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
+    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_half = { __LINE__ + 1, SSGI_GL__HALF,
+    "void main()\n"
+    "{\n"
+    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_bent = { __LINE__ + 1, SSGI_GL__BENT_OUT,
+    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_head = { __LINE__ + 1, SSGI_GL__SHADED,
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    ssgi_vectors v = ssgi_load(ivec2(gl_FragCoord.xy));\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_normal_read = { __LINE__ + 1, SSGI_GL__EXACT_SHADE,
+    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_harmonics = { __LINE__ + 1, SSGI_GL__HARMONICS,
+    "    vec3 sum = ssgi_irradiance(v);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_cones = { __LINE__ + 1, SSGI_GL__BENT_LIT,
+    "    vec4 bent = ssgi_bent(v.c[0]);\n"
+    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz, sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0));\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_normal = { __LINE__ + 1, SSGI_GL__BENT_NORMAL,
+    "    sum *= ssgi_open(axis, 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_cone = { __LINE__ + 1, SSGI_GL__BENT_CONE,
+    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
+    "    float slice = min(bent.w * float(last + 1), float(last));\n"
+    "    sum *= mix(ssgi_open(axis, int(slice)), ssgi_open(axis, min(int(slice) + 1, last)), fract(slice));\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_point = { __LINE__ + 1, SSGI_GL__LAMPS,
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp = { __LINE__ + 1, SSGI_GL__LAMPS,
+    "        // a cap of the sky as wide as the sphere, windowed, and such that it lights what faces it openly by what it sends [S3HO12 2.2, normalised]\n"
+    "        float c = at.w > 0.5 ? sqrt(max(1.0 - colour.w * colour.w / dd, 0.0)) : 1.0;\n"
+    "        vec4 w = u_ssgi_window * vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
+    "        float open = 0.25 * w.x;\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp2 = { __LINE__ + 1, SSGI_GL__LAMPS | SSGI_GL__V2,
+    "        open += 0.5 * w.y;\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp3 = { __LINE__ + 1, SSGI_GL__LAMPS | SSGI_GL__V3,
+    "        open += 0.3125 * w.z;\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp_end = { __LINE__ + 1, SSGI_GL__LAMPS,
+    "        ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), l);\n"
+    "        vec3 e = vec3(ssgi_sh_dot(y, v.c[0]), ssgi_sh_dot(y, v.c[1 % v.c.length()]), ssgi_sh_dot(y, v.c[2 % v.c.length()])) / open;\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp_exact = { __LINE__ + 1, SSGI_GL__EXACT_LAMPS,
+    "        e += ssgi_free(v) * (max(dot(n, l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_lamp_add = { __LINE__ + 1, SSGI_GL__LAMPS,
+    "        sum += colour.xyz * e * (0.31830989 * g);\n"
+    "    }\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_tail = { __LINE__ + 1, SSGI_GL__SHADED,
+    "    o_ssgi_light.xyz = max(sum, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__shade_albedo = { __LINE__ + 1, SSGI_GL__ALBEDO,
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n" };
 
 /* ==== >>filter ==================================================================================================== */
 
@@ -1426,6 +1958,14 @@ static const ssgi_gl__chunk ssgi_gl__blur_half_colour = { __LINE__ + 1, SSGI_GL_
     "    vec4 sum = vec4(0.0);\n"
     "    float z = ssgi_depth(p);\n" };
 
+static const ssgi_gl__chunk ssgi_gl__blur_full_vectors = { __LINE__ + 1, SSGI_GL__FULL | SSGI_GL__VECTORS,
+    "    ssgi_vectors sum = ssgi_load(p + u_ssgi_target);\n"
+    "    float z = ssgi_depth(p), all = 1.0;\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blur_half_vectors = { __LINE__ + 1, SSGI_GL__HALF | SSGI_GL__VECTORS,
+    "    ssgi_vectors sum = ssgi_vectors_none();\n"
+    "    float z = ssgi_depth(p), all = 0.0;\n" };
+
 static const ssgi_gl__chunk ssgi_gl__blur_centre = { __LINE__ + 1, 0,
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    float footprint = ssgi_footprint(z);\n" };
@@ -1455,6 +1995,9 @@ static const ssgi_gl__chunk ssgi_gl__blur_tap_colour = { __LINE__ + 1, SSGI_GL__
     "            float d = s.w;\n"
     "            s.w = 1.0;\n" };
 
+static const ssgi_gl__chunk ssgi_gl__blur_tap_vectors = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "            float d = ssgi_depth(q);\n" };
+
 static const ssgi_gl__chunk ssgi_gl__weight_gaussian = { __LINE__ + 1, SSGI_GL__GAUSSIAN,
     "            // Gaussian over its depth difference, softened by a pixel's footprint [HSAO08 4.1.3]\n"
     "            float w = exp(-0.5 * float(x * x + y * y) / (0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25)) * footprint / (footprint + abs(d - z));\n" };
@@ -1475,9 +2018,20 @@ static const ssgi_gl__chunk ssgi_gl__weight_tent = { __LINE__ + 1, SSGI_GL__BILA
 static const ssgi_gl__chunk ssgi_gl__weight_normals = { __LINE__ + 1, SSGI_GL__F_NORMALS,
     "            w *= max(dot(n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, d))), 1e-3);\n" };
 
-static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__blur_tail = { __LINE__ + 1, SSGI_GL__PLAIN,
     "            if (ssgi_inside(q) && d < SSGI_FAR) sum += s * w;\n"
     "        }\n" };
+
+static const ssgi_gl__chunk ssgi_gl__blur_tail_vectors = { __LINE__ + 1, SSGI_GL__VECTORS,
+    "            if (!ssgi_inside(q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
+    "            ssgi_vectors s = ssgi_load(at);\n"
+    "            for (int c = 0; c < s.c.length(); ++c) ssgi_sh_add(sum.c[c], s.c[c], w);\n"
+    "            all += w;\n"
+    "        }\n"
+    "    float scale = z < SSGI_FAR && all > 0.0 ? 1.0 / all : 0.0;\n"
+    "    for (int c = 0; c < sum.c.length(); ++c) ssgi_sh_add(sum.c[c], sum.c[c], scale - 1.0);\n"
+    "    ssgi_store(sum);\n"
+    "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__blur_grey = { __LINE__ + 1, SSGI_GL__GREY,
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
@@ -1497,18 +2051,33 @@ static const ssgi_gl__chunk ssgi_gl__blur_colour = { __LINE__ + 1, SSGI_GL__COLO
                         &ssgi_gl__normal_view, &ssgi_gl__normal_world, &ssgi_gl__normal_from_depth
 #define SSGI_GL__GATHER &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, &ssgi_gl__basis
 #define SSGI_GL__TEST   SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__back_fixed, &ssgi_gl__back_reach, &ssgi_gl__look_from, &ssgi_gl__look_normal, &ssgi_gl__look_head, \
-                        &ssgi_gl__look_views, &ssgi_gl__look_tail, &ssgi_gl__unpack, &ssgi_gl__unpack_depth, &ssgi_gl__unpack_normal, &ssgi_gl__sent_head, &ssgi_gl__sent_views, &ssgi_gl__sent_main, \
-                        &ssgi_gl__sent_both, &ssgi_gl__sent_facing, &ssgi_gl__sent_area, &ssgi_gl__sent_area_both, &ssgi_gl__sent_patch, &ssgi_gl__sent_disc, &ssgi_gl__faded, \
-                        &ssgi_gl__shallow_head, &ssgi_gl__shallow_depth, &ssgi_gl__shallow_send, &ssgi_gl__shallow_test, &ssgi_gl__shallow_thin, &ssgi_gl__shallow_whole, &ssgi_gl__shallow_fade, \
-                        &ssgi_gl__view_surface, &ssgi_gl__surface_head, &ssgi_gl__surface_views, &ssgi_gl__surface_layers, &ssgi_gl__surface_one, &ssgi_gl__offer, \
+                        &ssgi_gl__look_views, &ssgi_gl__look_tail, &ssgi_gl__unpack, &ssgi_gl__unpack_depth, &ssgi_gl__unpack_normal, &ssgi_gl__sent_kept, &ssgi_gl__sent_head, &ssgi_gl__sent_views, &ssgi_gl__sent_main, \
+                        &ssgi_gl__sent_both, &ssgi_gl__sent_facing, &ssgi_gl__sent_area, &ssgi_gl__sent_area_both, &ssgi_gl__sent_patch, &ssgi_gl__sent_disc, &ssgi_gl__faded_head, &ssgi_gl__faded_range, &ssgi_gl__faded_smooth, &ssgi_gl__faded_ended, &ssgi_gl__faded_lambda, &ssgi_gl__faded_tail, \
+                        &ssgi_gl__shallow_head, &ssgi_gl__shallow_depth, &ssgi_gl__shallow_send, &ssgi_gl__shallow_keep, &ssgi_gl__shallow_test, &ssgi_gl__shallow_thin, &ssgi_gl__shallow_whole, &ssgi_gl__shallow_fade, \
+                        &ssgi_gl__view_surface, &ssgi_gl__surface_head, &ssgi_gl__surface_views, &ssgi_gl__surface_layers, &ssgi_gl__surface_one, &ssgi_gl__offer, &ssgi_gl__offer_keep, &ssgi_gl__offer_end, \
                         &ssgi_gl__matter_head, &ssgi_gl__matter_solid, &ssgi_gl__matter_thin, &ssgi_gl__matter_loop, &ssgi_gl__matter_depths, &ssgi_gl__matter_held, &ssgi_gl__matter_back, &ssgi_gl__matter_inside, \
                         &ssgi_gl__matter_offer, &ssgi_gl__matter_fade, &ssgi_gl__matter_whole, &ssgi_gl__matter_tail, &ssgi_gl__deep_head, &ssgi_gl__deep_reset, \
                         &ssgi_gl__deep_main, &ssgi_gl__deep_views, &ssgi_gl__deep_tail
-#define SSGI_GL__LOOP   &ssgi_gl__points_turn, &ssgi_gl__points_pick, &ssgi_gl__points_sh, &ssgi_gl__points_map, &ssgi_gl__points_bounce, &ssgi_gl__points_loop, \
+#define SSGI_GL__LOOP   &ssgi_gl__points_turn, &ssgi_gl__points_pick, &ssgi_gl__points_map, &ssgi_gl__points_loop, \
                         &ssgi_gl__points_constant, &ssgi_gl__points_fetched, &ssgi_gl__points_single, &ssgi_gl__points_several
 #define SSGI_GL__LENGTH &ssgi_gl__kernel, &ssgi_gl__length_uniform, &ssgi_gl__length_square, &ssgi_gl__length_cube
 #define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target
 #define SSGI_GL__MAPS   &ssgi_gl__depth_tex, &ssgi_gl__layers_tex, &ssgi_gl__normal_tex, &ssgi_gl__normals_tex, &ssgi_gl__noise_tex
+#define SSGI_GL__SH     &ssgi_gl__sh_struct, &ssgi_gl__sh_struct3, &ssgi_gl__sh_struct4, &ssgi_gl__sh_struct_end, &ssgi_gl__sh_basis, &ssgi_gl__sh_basis2, &ssgi_gl__sh_basis3, &ssgi_gl__sh_basis4, \
+                        &ssgi_gl__sh_basis_end, &ssgi_gl__sh_zonal, &ssgi_gl__sh_zonal3, &ssgi_gl__sh_zonal4, &ssgi_gl__sh_zonal_end
+#define SSGI_GL__SH_ADD &ssgi_gl__sh_add, &ssgi_gl__sh_add3, &ssgi_gl__sh_add4, &ssgi_gl__sh_add_end
+#define SSGI_GL__SH_DOT &ssgi_gl__sh_dot, &ssgi_gl__sh_dot3, &ssgi_gl__sh_dot4, &ssgi_gl__sh_dot_end
+#define SSGI_GL__SH_TURN &ssgi_gl__sh_about, &ssgi_gl__sh_about4, &ssgi_gl__sh_quarter, &ssgi_gl__sh_quarter4, &ssgi_gl__sh_quarter_end, &ssgi_gl__sh_turn, &ssgi_gl__sh_turn2, &ssgi_gl__sh_turn3, &ssgi_gl__sh_turn_end
+#define SSGI_GL__VECTOR_TYPE &ssgi_gl__vectors_mono, &ssgi_gl__vectors_rgb
+#define SSGI_GL__LOAD   &ssgi_gl__unhalf_native, &ssgi_gl__unhalf_made, &ssgi_gl__unpack_sh, &ssgi_gl__unpack_sh2, &ssgi_gl__unpack_sh3, &ssgi_gl__unpack_sh4, &ssgi_gl__unpack_sh_end, \
+                        &ssgi_gl__load, &ssgi_gl__load_words, &ssgi_gl__load_words2, &ssgi_gl__load_words3, &ssgi_gl__load_words4, &ssgi_gl__load_mono, &ssgi_gl__load_mono3, &ssgi_gl__load_mono_end, \
+                        &ssgi_gl__load_rgb, &ssgi_gl__load_rgb3, &ssgi_gl__load_rgb_end, &ssgi_gl__load_end
+#define SSGI_GL__STORE  &ssgi_gl__half_native, &ssgi_gl__half_made, &ssgi_gl__pack_sh, &ssgi_gl__pack_sh2, &ssgi_gl__pack_sh3, &ssgi_gl__pack_sh_end, &ssgi_gl__pack_more, &ssgi_gl__pack_more4, \
+                        &ssgi_gl__pack_more_end, &ssgi_gl__store_words, &ssgi_gl__store_words3, &ssgi_gl__store_words4, &ssgi_gl__store_words_end, &ssgi_gl__store_mono, &ssgi_gl__store_mono3, &ssgi_gl__store_rgb, \
+                        &ssgi_gl__store_rgb3, &ssgi_gl__store_packed_end
+#define SSGI_GL__DOT    &ssgi_gl__free_part, &ssgi_gl__lacking, &ssgi_gl__incoming, &ssgi_gl__incoming3, &ssgi_gl__incoming4, &ssgi_gl__incoming_end, &ssgi_gl__incoming_exact, &ssgi_gl__incoming_out
+#define SSGI_GL__OF_VECTORS(x) &ssgi_gl__##x##_sh0, &ssgi_gl__##x##_sh1, &ssgi_gl__##x##_sh2, &ssgi_gl__##x##_sh3, &ssgi_gl__##x##_packed0, &ssgi_gl__##x##_packed1, &ssgi_gl__##x##_red0, \
+                        &ssgi_gl__##x##_red1, &ssgi_gl__##x##_green0, &ssgi_gl__##x##_green1, &ssgi_gl__##x##_blue0, &ssgi_gl__##x##_blue1
 #define SSGI_GL__DEEP_C &ssgi_gl__c_layers, &ssgi_gl__c_views, &ssgi_gl__c_view_layers
 #define SSGI_GL__CAMERAS &ssgi_gl__view_to, &ssgi_gl__view_from, &ssgi_gl__view_decode, &ssgi_gl__view_size
 
@@ -1516,10 +2085,10 @@ static const ssgi_gl__chunk *const ssgi_gl__vertex_chunks[] = { &ssgi_gl__triang
 static const ssgi_gl__row *const ssgi_gl__vertex_rows[] = { NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__ssao_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, SSGI_GL__LENGTH, &ssgi_gl__points_ao, &ssgi_gl__points_from, SSGI_GL__LOOP, &ssgi_gl__sum_ao, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, SSGI_GL__LENGTH, &ssgi_gl__points_ao, &ssgi_gl__points_from, &ssgi_gl__points_normal, SSGI_GL__LOOP, &ssgi_gl__sum_ao, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_ao, NULL };
 static const ssgi_gl__row *const ssgi_gl__ssao_rows[] = {
     &ssgi_gl__c_samples, &ssgi_gl__c_several, SSGI_GL__DEEP_C, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase,
-    &ssgi_gl__fade_row, &ssgi_gl__rotation, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__kernel_tex, &ssgi_gl__ao_out, NULL };
+    &ssgi_gl__fade_row, &ssgi_gl__lambda_row, &ssgi_gl__rotation, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__kernel_tex, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__slices_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(screen), &ssgi_gl__arc, &ssgi_gl__slices_head, &ssgi_gl__slices_thin, &ssgi_gl__slices_last, &ssgi_gl__slices_loop,
@@ -1535,17 +2104,36 @@ static const ssgi_gl__row *const ssgi_gl__march_rows[] = {
     &ssgi_gl__phase, &ssgi_gl__rotation, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__ao_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__ssdo_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, &ssgi_gl__quadric, &ssgi_gl__octahedron, &ssgi_gl__environment, SSGI_GL__LENGTH, &ssgi_gl__points_ssdo, &ssgi_gl__points_from, &ssgi_gl__points_normal,
-    SSGI_GL__LOOP, &ssgi_gl__sum_sh, &ssgi_gl__sum_map, &ssgi_gl__sum_angle, &ssgi_gl__sum_area, &ssgi_gl__points_end, &ssgi_gl__light_sh, &ssgi_gl__light_map, &ssgi_gl__light_bounce,
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, &ssgi_gl__sh_cosine, SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__SH_TURN, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__DOT, &ssgi_gl__octahedron, &ssgi_gl__environment, &ssgi_gl__open,
+    SSGI_GL__LENGTH, &ssgi_gl__points_ssdo, &ssgi_gl__points_from, &ssgi_gl__points_normal,
+    &ssgi_gl__points_bounce, &ssgi_gl__points_free, SSGI_GL__LOOP, &ssgi_gl__sum_free, &ssgi_gl__sum_map, &ssgi_gl__sum_angle, &ssgi_gl__sum_area, &ssgi_gl__points_end, &ssgi_gl__light_vectors, &ssgi_gl__points_turned, &ssgi_gl__points_exact, &ssgi_gl__light_dot, &ssgi_gl__light_map, &ssgi_gl__light_bounce,
     &ssgi_gl__points_close, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_depth, &ssgi_gl__main_layer, &ssgi_gl__main_light, &ssgi_gl__main_bounce, &ssgi_gl__main_ssdo, NULL };
 static const ssgi_gl__row *const ssgi_gl__ssdo_rows[] = {
     &ssgi_gl__c_samples, &ssgi_gl__c_several, SSGI_GL__DEEP_C, &ssgi_gl__c_receiver, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness,
-    &ssgi_gl__phase, &ssgi_gl__fade_row, &ssgi_gl__nearest, &ssgi_gl__gain, &ssgi_gl__rotation, &ssgi_gl__quadric_row, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__senders_tex, &ssgi_gl__view_senders,
+    &ssgi_gl__phase, &ssgi_gl__fade_row, &ssgi_gl__nearest, &ssgi_gl__gain, &ssgi_gl__lambda_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__senders_tex, &ssgi_gl__view_senders,
     &ssgi_gl__kernel_tex, &ssgi_gl__map_tex, &ssgi_gl__open_tex, &ssgi_gl__light_out, &ssgi_gl__bounce_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__s3ho_chunks[] = {
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, SSGI_GL__LENGTH, &ssgi_gl__sh_cosine, SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__SH_TURN, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__STORE, SSGI_GL__DOT, &ssgi_gl__octahedron,
+    &ssgi_gl__open, &ssgi_gl__points_s3ho,
+    &ssgi_gl__points_from, &ssgi_gl__points_normal, &ssgi_gl__points_free, SSGI_GL__LOOP, &ssgi_gl__sum_free, &ssgi_gl__sum_reflected, &ssgi_gl__sum_both_sides, &ssgi_gl__sum_reflected_end, &ssgi_gl__points_end,
+    &ssgi_gl__points_turned, &ssgi_gl__points_exact, &ssgi_gl__points_close, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_s3ho, &ssgi_gl__main_words, &ssgi_gl__main_packed, &ssgi_gl__main_dot, &ssgi_gl__lights_end, NULL };
+static const ssgi_gl__row *const ssgi_gl__s3ho_rows[] = {
+    &ssgi_gl__c_samples, &ssgi_gl__c_several, SSGI_GL__DEEP_C, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, &ssgi_gl__fade_row,
+    &ssgi_gl__lambda_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__senders_tex, &ssgi_gl__view_senders, &ssgi_gl__kernel_tex, &ssgi_gl__open_tex,
+    SSGI_GL__OF_VECTORS(o), &ssgi_gl__dotted_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__shade_chunks[] = {
+    SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__lamps_cosine, SSGI_GL__SH, SSGI_GL__SH_DOT, SSGI_GL__VECTOR_TYPE, SSGI_GL__LOAD, SSGI_GL__DOT, &ssgi_gl__bent, &ssgi_gl__lights_head, &ssgi_gl__shade_half, &ssgi_gl__main_depth, &ssgi_gl__shade_bent, &ssgi_gl__shade_head, &ssgi_gl__shade_normal_read, &ssgi_gl__points_exact, &ssgi_gl__shade_harmonics, &ssgi_gl__shade_cones,
+    &ssgi_gl__shade_normal, &ssgi_gl__shade_cone, &ssgi_gl__shade_point, &ssgi_gl__shade_loop, &ssgi_gl__shade_lamp, &ssgi_gl__shade_lamp2, &ssgi_gl__shade_lamp3, &ssgi_gl__shade_lamp_end, &ssgi_gl__shade_lamp_exact, &ssgi_gl__shade_lamp_add, &ssgi_gl__shade_tail,
+    &ssgi_gl__shade_albedo, &ssgi_gl__lights_end, NULL };
+static const ssgi_gl__row *const ssgi_gl__shade_rows[] = {
+    SSGI_GL__READS, &ssgi_gl__lamps_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, &ssgi_gl__window_row, SSGI_GL__MAPS, &ssgi_gl__lamps_tex, &ssgi_gl__open_tex, &ssgi_gl__albedo_tex,
+    SSGI_GL__OF_VECTORS(t), &ssgi_gl__shaded_out, &ssgi_gl__bent_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__lights_chunks[] = {
     SSGI_GL__FETCH, &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, SSGI_GL__TEST, &ssgi_gl__segment, &ssgi_gl__shadow_map, &ssgi_gl__lights_head, &ssgi_gl__lights_noise, &ssgi_gl__main_depth,
-    &ssgi_gl__main_layer, &ssgi_gl__lights_begin, &ssgi_gl__lights_lift, &ssgi_gl__lights_loop, &ssgi_gl__lights_reach, &ssgi_gl__lights_map, &ssgi_gl__lights_fill,
+    &ssgi_gl__main_layer, &ssgi_gl__lights_begin, &ssgi_gl__lights_lift, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_reach, &ssgi_gl__lights_map, &ssgi_gl__lights_fill,
     &ssgi_gl__lights_limit, &ssgi_gl__lights_segment, &ssgi_gl__lights_tail, &ssgi_gl__lights_add, &ssgi_gl__lights_end, NULL };
 static const ssgi_gl__row *const ssgi_gl__lights_rows[] = {
     &ssgi_gl__c_points, SSGI_GL__DEEP_C, &ssgi_gl__c_receiver, &ssgi_gl__p_project, SSGI_GL__READS, &ssgi_gl__p_radius, &ssgi_gl__p_offset, &ssgi_gl__thickness, &ssgi_gl__p_phase,
@@ -1553,17 +2141,18 @@ static const ssgi_gl__row *const ssgi_gl__lights_rows[] = {
 
 static const ssgi_gl__chunk *const ssgi_gl__senders_chunks[] = {
     SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__pack, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__main_layer, &ssgi_gl__senders_head, &ssgi_gl__senders_first,
-    &ssgi_gl__senders_hidden, &ssgi_gl__senders_direct, &ssgi_gl__senders_tail, NULL };
+    &ssgi_gl__senders_hidden, &ssgi_gl__senders_lit, &ssgi_gl__senders_direct, &ssgi_gl__senders_tail, NULL };
 static const ssgi_gl__row *const ssgi_gl__senders_rows[] = {
     &ssgi_gl__c_receiver, SSGI_GL__READS, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__albedo_tex, &ssgi_gl__albedos_tex, &ssgi_gl__s_light_tex, &ssgi_gl__direct_tex, &ssgi_gl__sender_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
-    SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), &ssgi_gl__blur_head, &ssgi_gl__blur_full_grey, &ssgi_gl__blur_full_colour, &ssgi_gl__blur_half_grey,
-    &ssgi_gl__blur_half_colour, &ssgi_gl__blur_centre, &ssgi_gl__blur_normal, &ssgi_gl__blur_loop, &ssgi_gl__blur_tap_full, &ssgi_gl__blur_tap_half, &ssgi_gl__blur_tap_grey,
-    &ssgi_gl__blur_tap_colour, &ssgi_gl__weight_gaussian, &ssgi_gl__weight_bilateral, &ssgi_gl__weight_box, &ssgi_gl__weight_tent, &ssgi_gl__weight_normals, &ssgi_gl__blur_tail,
+    SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__LOAD, SSGI_GL__STORE, &ssgi_gl__blur_head, &ssgi_gl__blur_full_grey, &ssgi_gl__blur_full_colour, &ssgi_gl__blur_half_grey,
+    &ssgi_gl__blur_half_colour, &ssgi_gl__blur_full_vectors, &ssgi_gl__blur_half_vectors, &ssgi_gl__blur_centre, &ssgi_gl__blur_normal, &ssgi_gl__blur_loop, &ssgi_gl__blur_tap_full, &ssgi_gl__blur_tap_half, &ssgi_gl__blur_tap_grey,
+    &ssgi_gl__blur_tap_colour, &ssgi_gl__blur_tap_vectors, &ssgi_gl__weight_gaussian, &ssgi_gl__weight_bilateral, &ssgi_gl__weight_box, &ssgi_gl__weight_tent, &ssgi_gl__weight_normals, &ssgi_gl__blur_tail, &ssgi_gl__blur_tail_vectors,
     &ssgi_gl__blur_grey, &ssgi_gl__blur_colour, NULL };
 static const ssgi_gl__row *const ssgi_gl__blur_rows[] = {
-    &ssgi_gl__c_filter, SSGI_GL__READS, &ssgi_gl__near_radius, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__light_tex, &ssgi_gl__blurred_out, &ssgi_gl__colour_out, NULL };
+    &ssgi_gl__c_filter, SSGI_GL__READS, &ssgi_gl__near_radius, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__light_tex, SSGI_GL__OF_VECTORS(t), &ssgi_gl__blurred_out,
+    &ssgi_gl__colour_out, SSGI_GL__OF_VECTORS(o), NULL };
 
 typedef struct ssgi_gl__pass {
     const char *name;
@@ -1577,8 +2166,10 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { "hsao", SSGI_GL_HSAO, SSGI_GL_SLICES, { ssgi_gl__vertex_chunks, ssgi_gl__slices_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__slices_rows } },
     { "hsao", SSGI_GL_HSAO, SSGI_GL_MARCH,  { ssgi_gl__vertex_chunks, ssgi_gl__march_chunks },  { ssgi_gl__vertex_rows, ssgi_gl__march_rows } },
     { "ssdo", SSGI_GL_SSDO, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__ssdo_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__ssdo_rows } },
+    { "s3ho", SSGI_GL_S3HO, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__s3ho_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__s3ho_rows } },
     { "lights", SSGI_GL_LIGHTS, -1,         { ssgi_gl__vertex_chunks, ssgi_gl__lights_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__lights_rows } },
     { "senders", SSGI_GL_SENDERS, -1,       { ssgi_gl__vertex_chunks, ssgi_gl__senders_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__senders_rows } },
+    { "shade", SSGI_GL_SHADE, -1,           { ssgi_gl__vertex_chunks, ssgi_gl__shade_chunks },  { ssgi_gl__vertex_rows, ssgi_gl__shade_rows } },
     { "blur", SSGI_GL_BLUR, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__blur_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__blur_rows } }
 };
 enum { SSGI_GL__ROWS = (int)(sizeof ssgi_gl__passes / sizeof ssgi_gl__passes[0]) };
@@ -1620,19 +2211,28 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(thin, 1, "0 or 1"),
     SSGI_GL__F(falloff, SSGI_GL_FALLOFF_CUBE, "SSGI_GL_FALLOFF_LINEAR, _SQUARE or _CUBE"),
     SSGI_GL__F(kernel, 1, "0 or 1"),
-    SSGI_GL__F(fade, 1, "0 or 1"),
+    SSGI_GL__F(fade, SSGI_GL_FADE_LAMBDA_ENDED, "SSGI_GL_FADE_NONE, _SMOOTH, _LAMBDA or _LAMBDA_ENDED"),
+    SSGI_GL__F(range, 1, "0 or 1"),
     SSGI_GL__F(layers, 8, "0..8"),
     SSGI_GL__F(views, 4, "0..4"),
     SSGI_GL__F(view_layers, 8, "0..8"),
     SSGI_GL__F(receiver, 7, "0..7"),
     SSGI_GL__F(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT_NONE, _SH or _MAP"),
     SSGI_GL__F(bounce, SSGI_GL_BOUNCE_DISC, "SSGI_GL_BOUNCE_NONE, _SOLID_ANGLE, _PATCH or _DISC"),
+    SSGI_GL__F(bands, 4, "0..4"),
+    SSGI_GL__F(packed, 1, "0 or 1"),
+    SSGI_GL__F(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER_FREE, _BOTH or _REFLECTED"),
+    SSGI_GL__F(shaded, 1, "0 or 1"),
+    SSGI_GL__F(exact, 1, "0 or 1"),
+    SSGI_GL__F(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING_HARMONICS, _BENT_NORMAL, _BENT_CONE or _BENT"),
+    SSGI_GL__F(lamps, 1, "0 or 1"),
+    SSGI_GL__F(albedo, 1, "0 or 1"),
     SSGI_GL__F(two_sided, 1, "0 or 1"),
     SSGI_GL__F(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW_SEGMENT, _MAP, _FILL or _NONE"),
     SSGI_GL__F(accumulate, 1, "0 or 1"),
-    SSGI_GL__F(radiance, SSGI_GL_RADIANCE_BOTH, "SSGI_GL_RADIANCE_LIGHT, _DIRECT or _BOTH"),
+    SSGI_GL__F(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE_LIGHT, _DIRECT, _BOTH or _ALBEDO"),
     SSGI_GL__F(half, 1, "0 or 1"),
-    SSGI_GL__F(colour, 1, "0 or 1"),
+    SSGI_GL__F(colour, SSGI_GL_VECTORS, "SSGI_GL_GREY, _COLOUR or _VECTORS"),
     SSGI_GL__F(filter, SSGI_GL_GAUSSIAN, "SSGI_GL_BILATERAL or SSGI_GL_GAUSSIAN"),
     SSGI_GL__F(filter_radius, 4, "0..4"),
     SSGI_GL__F(filter_normals, 1, "0 or 1"),
@@ -1644,6 +2244,12 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
     int value;
     memcpy(&value, (const char *)d + offset, sizeof value);
     return value;
+}
+
+/* Vectors that are read or written; ssdo makes one of its own besides. */
+static int ssgi_gl__stored(const ssgi_gl_desc *d)
+{
+    return (d->pass == SSGI_GL_S3HO && !d->shaded) || d->pass == SSGI_GL_SHADE || (d->pass == SSGI_GL_BLUR && d->colour == SSGI_GL_VECTORS);
 }
 
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
@@ -1662,6 +2268,10 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.filter: only SSGI_GL_BILATERAL brings half size to full");
     if (desc->pass == SSGI_GL_SSDO && desc->environment == SSGI_GL_ENVIRONMENT_NONE && desc->bounce == SSGI_GL_BOUNCE_NONE)
         return ssgi_gl__bad(why, "desc.environment: ssdo needs an environment, a bounce or both");
+    if (ssgi_gl__stored(desc) && desc->transfer && !desc->packed)
+        return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
+    if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
+        return ssgi_gl__bad(why, "desc.shading: a mean direction is had from one vector of two bands or more: desc.bands, desc.transfer");
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
     if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
@@ -1673,23 +2283,25 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
-    static const struct counts { unsigned char half, samples, directions, steps, rays, thin; } table[5][3] = {    /* FAST, BALANCED, BEST */
-        { { 0, 8, 0, 0, 0, 1 }, { 0, 16, 0, 0, 0, 1 }, { 0, 32, 0, 0, 0, 1 } },      /* ssao */
-        { { 1, 0, 1, 3, 0, 0 }, { 1, 0, 2, 6, 0, 0 }, { 0, 0, 3, 8, 0, 0 } },        /* slices */
-        { { 0, 0, 4, 6, 0, 1 }, { 0, 0, 6, 9, 1, 1 }, { 0, 0, 8, 18, 2, 1 } },       /* march: rays past a solid foreground would all end on it */
-        { { 1, 8, 0, 0, 0, 1 }, { 0, 16, 0, 0, 0, 1 }, { 0, 32, 0, 0, 0, 1 } },      /* ssdo */
-        { { 0, 4, 0, 0, 0, 1 }, { 0, 8, 0, 0, 0, 1 }, { 0, 16, 0, 0, 0, 1 } } };     /* lights */
+    static const struct counts { unsigned char half, samples, directions, steps, rays, thin, faded; } table[5][3] = {    /* FAST, BALANCED, BEST */
+        { { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 }, { 0, 32, 0, 1, 0, 1, 0 } },     /* ssao */
+        { { 1, 0, 1, 3, 0, 0, 0 }, { 1, 0, 2, 6, 0, 0, 0 }, { 0, 0, 3, 8, 0, 0, 0 } },       /* slices */
+        { { 0, 0, 4, 6, 0, 1, 0 }, { 0, 0, 6, 9, 1, 1, 0 }, { 0, 0, 8, 18, 2, 1, 0 } },      /* march: rays past a solid foreground would all end on it */
+        { { 1, 4, 0, 4, 0, 1, 1 }, { 0, 4, 0, 4, 0, 1, 1 }, { 0, 8, 0, 6, 0, 1, 1 } },       /* ssdo, s3ho: points along a direction find what single ones miss, faded by where it is seen */
+        { { 0, 4, 0, 1, 0, 1, 0 }, { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 } } };    /* lights */
     const struct counts *c;
     ssgi_result r = ssgi_gl_check(desc, why);
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_SSDO ? 3 : desc->pass == SSGI_GL_LIGHTS ? 4 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
+    c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO || desc->pass == SSGI_GL_SHADE ? 3 : desc->pass == SSGI_GL_LIGHTS ? 4 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
     desc->half = c->half;
+    desc->steps = c->steps;
     if (c->samples) {
         desc->samples = c->samples;
+        desc->range = c->faded;
+        desc->fade = c->faded ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
     } else {
         desc->directions = c->directions;
-        desc->steps = c->steps;
         desc->normal_rays = c->rays;
     }
     desc->thin = c->thin;
@@ -1707,79 +2319,124 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = d.pass == SSGI_GL_HSAO ? 6 : 1;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
+    if (!d.bands) d.bands = d.pass == SSGI_GL_SSDO ? 3 : 4;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
     return d;
 }
 
-static uint64_t ssgi_gl__features(const ssgi_gl_desc *d)
+typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings, halves; } ssgi_gl__dialect;    /* halves: packHalf2x16 */
+static const ssgi_gl__dialect ssgi_gl__dialects[] = {
+    { "330", "#version 330 core\n", 0, 0, 0 }, { "410", "#version 410 core\n", 0, 0, 0 }, { "450", "#version 450 core\n", 0, 1, 1 },
+    { "300es", "#version 300 es\n", 1, 0, 1 }, { "310es", "#version 310 es\n", 1, 1, 1 }, { "320es", "#version 320 es\n", 1, 1, 1 }
+};
+
+static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
 {
+    static const uint64_t depth_kind[] = { SSGI_GL__D_WINDOW | SSGI_GL__D_TEXTURE, SSGI_GL__D_LINEAR | SSGI_GL__D_TEXTURE, SSGI_GL__D_CUSTOM };
     static const uint64_t normal_kind[] = { SSGI_GL__N_SIGNED | SSGI_GL__N_TEXTURE, SSGI_GL__N_UNSIGNED | SSGI_GL__N_TEXTURE, SSGI_GL__N_OCTA | SSGI_GL__N_TEXTURE,
                                             SSGI_GL__N_DEPTH | SSGI_GL__TOWARD, SSGI_GL__N_CUSTOM };
     static const uint64_t noise_kind[] = { SSGI_GL__NOISE_GRADIENT, SSGI_GL__NOISE_TILE4, SSGI_GL__NOISE_TEXTURE };
     static const uint64_t falloff_kind[] = { SSGI_GL__UNIFORM, SSGI_GL__SQUARE, SSGI_GL__CUBE };
+    static const uint64_t fade_kind[] = { 0, SSGI_GL__SMOOTH, SSGI_GL__LAMBDA, SSGI_GL__LAMBDA | SSGI_GL__ENDED };
     static const uint64_t bounce_kind[] = { 0, SSGI_GL__SENDERS | SSGI_GL__SOLID_ANGLE, SSGI_GL__SENDERS | SSGI_GL__AREA | SSGI_GL__PATCH, SSGI_GL__SENDERS | SSGI_GL__AREA | SSGI_GL__DISC };
-    static const uint64_t light_kind[] = { 0, SSGI_GL__E_LIT | SSGI_GL__E_SH, SSGI_GL__E_LIT | SSGI_GL__E_MAP };
+    static const uint64_t light_kind[] = { 0, SSGI_GL__E_LIT, SSGI_GL__E_LIT | SSGI_GL__E_MAP | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON };
     static const uint64_t shadow_kind[] = { SSGI_GL__SEGMENTS | SSGI_GL__BLOCKED, SSGI_GL__MAPS_READ, SSGI_GL__MAPS_READ | SSGI_GL__SEGMENTS | SSGI_GL__BLOCKED, 0 };
-    static const uint64_t radiance_kind[] = { SSGI_GL__S_LIGHT, SSGI_GL__S_DIRECT, SSGI_GL__S_LIGHT | SSGI_GL__S_DIRECT };
-    const int blur = d->pass == SSGI_GL_BLUR, hsao = d->pass == SSGI_GL_HSAO, slices = hsao && d->search == SSGI_GL_SLICES, points = d->pass == SSGI_GL_SSAO || d->pass == SSGI_GL_SSDO;
-    const int sized = blur || hsao || points, hidden = d->receiver && (d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_LIGHTS || d->pass == SSGI_GL_SENDERS);
-    const int normals = !blur || d->filter == SSGI_GL_BILATERAL, depth = !blur || d->half || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
-    uint64_t f = d->orthographic ? SSGI_GL__ORTHOGRAPHIC : SSGI_GL__PERSPECTIVE;
-    f |= hidden ? SSGI_GL__HIDDEN : SSGI_GL__FIRST;
-    if (sized) f |= d->half ? SSGI_GL__HALF : SSGI_GL__FULL;
+    static const uint64_t radiance_kind[] = { SSGI_GL__ALBEDO | SSGI_GL__S_LIGHT, SSGI_GL__S_DIRECT, SSGI_GL__ALBEDO | SSGI_GL__S_LIGHT | SSGI_GL__S_DIRECT, SSGI_GL__ALBEDO };
+    static const uint64_t shading_kind[] = { SSGI_GL__HARMONICS, SSGI_GL__CONES, SSGI_GL__CONES, SSGI_GL__CONES };
+    static const uint64_t bent_kind[] = { 0, SSGI_GL__BENT_NORMAL | SSGI_GL__I_MAP | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON, SSGI_GL__BENT_CONE | SSGI_GL__I_MAP | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON,
+                                          SSGI_GL__BENT_OUT };
+    static const uint64_t content_kind[] = { SSGI_GL__GREY, SSGI_GL__COLOUR, 0 };
+    const int blur = d->pass == SSGI_GL_BLUR, hsao = d->pass == SSGI_GL_HSAO, shade = d->pass == SSGI_GL_SHADE, slices = hsao && d->search == SSGI_GL_SLICES;
+    const int points = d->pass == SSGI_GL_SSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO, stored = ssgi_gl__stored(d);
+    const int sized = blur || hsao || points || shade, hidden = d->receiver && (d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_LIGHTS || d->pass == SSGI_GL_SENDERS);
+    const int dotted = (d->pass == SSGI_GL_S3HO && d->shaded) || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_SH) || (shade && d->shading == SSGI_GL_SHADING_HARMONICS);
+    const int exact = d->exact && dotted, lamps = shade && d->lamps && d->shading != SSGI_GL_SHADING_BENT;
+    const int normals = blur ? d->filter == SSGI_GL_BILATERAL : !shade || exact, depth = !blur || d->half || stored || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
+    ssgi_gl__set s = { { 0, 0, 0, 0 } };
+    uint64_t f = (d->orthographic ? SSGI_GL__ORTHOGRAPHIC : SSGI_GL__PERSPECTIVE) | (hidden ? SSGI_GL__HIDDEN : SSGI_GL__FIRST) | (sized && d->half ? SSGI_GL__HALF : SSGI_GL__FULL);
     if (depth || normals) f |= SSGI_GL__GBUFFER;
-    if (depth) {
-        f |= d->depth == SSGI_GL_DEPTH_WINDOW ? SSGI_GL__D_WINDOW : d->depth == SSGI_GL_DEPTH_LINEAR ? SSGI_GL__D_LINEAR : SSGI_GL__D_CUSTOM;
-        if (d->depth != SSGI_GL_DEPTH_CUSTOM) f |= SSGI_GL__D_TEXTURE;
-    }
+    if (!shade || lamps || exact) f |= SSGI_GL__POSITION;
+    if (depth) f |= depth_kind[d->depth];
     if (normals) {
         f |= SSGI_GL__NORMALS | normal_kind[d->normal];
         if (d->normal != SSGI_GL_NORMAL_FROM_DEPTH) f |= d->world_normals ? SSGI_GL__N_WORLD | SSGI_GL__WORLD : SSGI_GL__N_VIEW;
     }
     switch (d->pass) {
-    case SSGI_GL_SSAO: f |= SSGI_GL__BLOCKED; break;
+    case SSGI_GL_SSAO: break;
     case SSGI_GL_HSAO:
-        f |= d->hard ? SSGI_GL__HARD : SSGI_GL__LINEAR;
+        ssgi_gl__add(&s, d->hard ? SSGI_GL__HARD : SSGI_GL__LINEAR);
         if (slices) f |= SSGI_GL__TOWARD | (d->thin ? SSGI_GL__THIN : SSGI_GL__SOLID);
-        else if (d->normal_rays) f |= SSGI_GL__RAYS | SSGI_GL__BLOCKED;
+        else if (d->normal_rays) ssgi_gl__add(&s, SSGI_GL__RAYS | SSGI_GL__BLOCKED);
         break;
     case SSGI_GL_SSDO:
-        f |= SSGI_GL__BLOCKED | bounce_kind[d->bounce] | light_kind[d->environment];
-        if (d->environment == SSGI_GL_ENVIRONMENT_MAP) f |= SSGI_GL__WORLD;
-        if (d->bounce) f |= d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED;
-        if ((f & SSGI_GL__ONE_SIDED) || (f & SSGI_GL__AREA)) f |= SSGI_GL__NORMALS_SENT;
+        ssgi_gl__add(&s, bounce_kind[d->bounce]);
+        ssgi_gl__add(&s, light_kind[d->environment]);
+        if (d->environment == SSGI_GL_ENVIRONMENT_MAP) ssgi_gl__add(&s, SSGI_GL__I_MAP);
+        if (d->bounce) ssgi_gl__add(&s, d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED);
+        if (d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE) ssgi_gl__add(&s, SSGI_GL__FACING);
+        if (d->bounce && (!d->two_sided || d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE)) f |= SSGI_GL__NORMALS_SENT;
+        break;
+    case SSGI_GL_S3HO:
+        if (d->transfer) ssgi_gl__add(&s, SSGI_GL__SENDERS | SSGI_GL__SOLID_ANGLE | SSGI_GL__SENDER_KEPT | SSGI_GL__NORMALS_SENT | (d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED));
         break;
     case SSGI_GL_LIGHTS:
-        f |= shadow_kind[d->shadow];
-        if (d->accumulate) f |= SSGI_GL__ADD;
+        ssgi_gl__add(&s, shadow_kind[d->shadow]);
+        if (d->accumulate) ssgi_gl__add(&s, SSGI_GL__ADD);
         break;
-    case SSGI_GL_SENDERS: f |= radiance_kind[d->radiance]; break;
+    case SSGI_GL_SENDERS:
+        ssgi_gl__add(&s, radiance_kind[d->radiance]);
+        f |= SSGI_GL__OCTAHEDRON;
+        break;
+    case SSGI_GL_SHADE:
+        ssgi_gl__add(&s, shading_kind[d->shading]);
+        ssgi_gl__add(&s, bent_kind[d->shading]);
+        if (d->shading == SSGI_GL_SHADING_BENT_NORMAL || d->shading == SSGI_GL_SHADING_BENT_CONE) ssgi_gl__add(&s, SSGI_GL__BENT_LIT);
+        if (lamps) ssgi_gl__add(&s, SSGI_GL__LAMPS);
+        if (d->shading != SSGI_GL_SHADING_BENT) {
+            ssgi_gl__add(&s, SSGI_GL__SHADED);
+            if (d->albedo) ssgi_gl__add(&s, SSGI_GL__ALBEDO);
+        }
+        break;
     default:
-        f |= (d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL) | (d->colour ? SSGI_GL__COLOUR : SSGI_GL__GREY);
-        if (d->filter == SSGI_GL_BILATERAL && d->filter_normals) f |= SSGI_GL__F_NORMALS;
+        ssgi_gl__add(&s, (d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL) | content_kind[d->colour]);
+        if (!stored) ssgi_gl__add(&s, SSGI_GL__PLAIN);
+        if (d->filter == SSGI_GL_BILATERAL && d->filter_normals) ssgi_gl__add(&s, SSGI_GL__F_NORMALS);
     }
-    if (blur || (hsao && !slices) || (f & SSGI_GL__BLOCKED)) f |= SSGI_GL__PROJECT;
-    if (d->pass == SSGI_GL_SENDERS || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_MAP)) f |= SSGI_GL__OCTAHEDRON;
+    if (stored || d->pass == SSGI_GL_S3HO || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_SH)) {
+        const int bands = shade && d->shading && !lamps && d->bands > 2 ? 2 : d->bands;     /* a mean direction needs no more */
+        ssgi_gl__add(&s, SSGI_GL__VECTORS | (!stored ? SSGI_GL__HARMONICS : d->packed ? SSGI_GL__PACKED : SSGI_GL__WORDS) | (d->transfer && d->pass != SSGI_GL_SSDO ? SSGI_GL__RGB : SSGI_GL__MONO)
+                     | (bands > 1 ? SSGI_GL__V2 : 0) | (bands > 2 ? SSGI_GL__V3 : 0) | (bands > 3 ? SSGI_GL__V4 : 0));
+        if (d->pass == SSGI_GL_SSDO || (d->pass == SSGI_GL_S3HO && d->transfer != SSGI_GL_TRANSFER_REFLECTED)) ssgi_gl__add(&s, SSGI_GL__FREE);
+        if (lamps || !(shade || (blur && !d->half))) f |= SSGI_GL__LOBES;
+        if (stored && d->packed) ssgi_gl__add(&s, (ssgi_gl__dialects[d->dialect].halves ? SSGI_GL__HALF_NATIVE : SSGI_GL__HALF_MADE) | (shade ? 0 : SSGI_GL__PACKS) | (d->pass == SSGI_GL_S3HO ? 0 : SSGI_GL__UNPACKS));
+    }
+    if (exact) {
+        ssgi_gl__add(&s, SSGI_GL__EXACT | (shade ? SSGI_GL__EXACT_SHADE : 0) | (lamps ? SSGI_GL__EXACT_LAMPS : 0) | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON);
+        ssgi_gl__add(&s, SSGI_GL__I_MAP);
+    }
     if (points) {
-        f |= falloff_kind[d->falloff] | (d->steps > 1 ? SSGI_GL__SEVERAL : SSGI_GL__SINGLE) | (d->kernel ? SSGI_GL__K_TEXTURE : SSGI_GL__K_TEXT);
-        if (d->fade) f |= SSGI_GL__FADE;
+        ssgi_gl__add(&s, SSGI_GL__BLOCKED | (d->steps > 1 ? SSGI_GL__SEVERAL : SSGI_GL__SINGLE) | (d->kernel ? SSGI_GL__K_TEXTURE : SSGI_GL__K_TEXT));
+        ssgi_gl__add(&s, falloff_kind[d->falloff] | fade_kind[d->fade] | (d->range ? SSGI_GL__RANGE | SSGI_GL__FACING : 0));
+        if (d->fade || d->range) f |= SSGI_GL__FADE;
     }
-    if (hsao || (f & SSGI_GL__BLOCKED)) f |= noise_kind[d->noise];
+    f |= s.word[0] & SSGI_GL__COMMON;
+    if (blur || (hsao && !slices) || (f & SSGI_GL__BLOCKED)) f |= SSGI_GL__PROJECT;
+    if (hsao || (f & SSGI_GL__BLOCKED)) ssgi_gl__add(&s, noise_kind[d->noise]);
     if (f & SSGI_GL__BLOCKED) {
         f |= d->thin ? SSGI_GL__THIN | (d->pass == SSGI_GL_LIGHTS ? SSGI_GL__REACH : SSGI_GL__FIXED) : SSGI_GL__SOLID;
         if (d->views) f |= SSGI_GL__VIEWS;
         if (f & (SSGI_GL__FADE | SSGI_GL__SENDERS)) f |= SSGI_GL__LOOK;
         if (!(f & SSGI_GL__FADE)) f |= SSGI_GL__NO_FADE;
-        f |= d->layers > 1 || d->views ? SSGI_GL__DEEP : SSGI_GL__SHALLOW;
+        if (!(f & SSGI_GL__SENDERS)) f |= SSGI_GL__DEPTHS;
+        f |= d->layers > 1 || d->views ? SSGI_GL__DEEP | (d->layers > 1 ? SSGI_GL__LAYERS : SSGI_GL__ONE_LAYER) : SSGI_GL__SHALLOW;
     }
-    if ((f & SSGI_GL__BLOCKED) && !(f & SSGI_GL__SENDERS)) f |= SSGI_GL__DEPTHS;
-    if ((f & (SSGI_GL__FADE | SSGI_GL__NORMALS_SENT)) || ((f & SSGI_GL__DEEP) && (f & SSGI_GL__SENDERS))) f |= SSGI_GL__RECEIVED;
+    if ((f & SSGI_GL__FADE) || ssgi_gl__has(&s, SSGI_GL__ONE_SIDED) || ssgi_gl__has(&s, SSGI_GL__AREA) || ((f & SSGI_GL__DEEP) && (f & SSGI_GL__SENDERS))) f |= SSGI_GL__RECEIVED;
     f |= hidden && !(f & SSGI_GL__DEPTHS) ? SSGI_GL__UNSEEN : SSGI_GL__SEEN;
     if (blur || hsao || (f & (SSGI_GL__BLOCKED | SSGI_GL__N_DEPTH))) f |= SSGI_GL__INSIDE;
-    if (f & SSGI_GL__DEEP) f |= d->layers > 1 ? SSGI_GL__LAYERS : SSGI_GL__ONE_LAYER;
     if (hidden || ((f & SSGI_GL__DEPTHS) && (f & SSGI_GL__LAYERS))) f |= SSGI_GL__LAYERS_READ;
-    return f;
+    ssgi_gl__add(&s, f);
+    return s;
 }
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass)
@@ -1789,12 +2446,6 @@ SSGI_DEF const char *ssgi_gl_pass_name(int pass)
     return NULL;
 }
 
-typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings; } ssgi_gl__dialect;
-static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", 0, 0 }, { "410", "#version 410 core\n", 0, 0 }, { "450", "#version 450 core\n", 0, 1 },
-    { "300es", "#version 300 es\n", 1, 0 }, { "310es", "#version 310 es\n", 1, 1 }, { "320es", "#version 320 es\n", 1, 1 }
-};
-
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
 {
     return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
@@ -1803,23 +2454,28 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
 SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d;
+    ssgi_gl__set s;
     uint64_t f;
-    int n, test;
+    int n, test, open, vectors;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     d = ssgi_gl__resolve(desc);
-    f = ssgi_gl__features(&d);
-    n = 1 + (f & SSGI_GL__N_DEPTH ? 4 : f & SSGI_GL__NORMALS ? 1 : 0) + (f & SSGI_GL__NOISE_TEXTURE ? 1 : 0);
+    s = ssgi_gl__features(&d);
+    f = s.word[0];
+    n = 1 + (f & SSGI_GL__N_DEPTH ? 4 : f & SSGI_GL__NORMALS ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__NOISE_TEXTURE) ? 1 : 0);
     test = (f & SSGI_GL__LAYERS ? d.layers : 1) + (f & SSGI_GL__VIEWS ? d.views * d.view_layers : 0);
+    open = ssgi_gl__has(&s, SSGI_GL__I_MAP) ? ssgi_gl__has(&s, SSGI_GL__BENT_CONE) ? 8 : 4 : 0;
+    vectors = ssgi_gl__has(&s, SSGI_GL__PACKED) ? (d.transfer ? 3 : 1) * (ssgi_gl__has(&s, SSGI_GL__V3) ? 2 : 1) : ssgi_gl__has(&s, SSGI_GL__V4) ? 4 : ssgi_gl__has(&s, SSGI_GL__V3) ? 3 : 1;
     switch (d.pass) {
-    case SSGI_GL_SSAO: return n + d.samples * (d.steps * test + d.kernel);
-    case SSGI_GL_SSDO: return n + d.samples * (d.steps * test + d.kernel + (f & SSGI_GL__E_MAP ? 1 : 0)) + (f & SSGI_GL__E_MAP ? 4 : 0);
+    case SSGI_GL_SSAO: case SSGI_GL_S3HO: return n + d.samples * (d.steps * test + d.kernel) + open;
+    case SSGI_GL_SSDO: return n + d.samples * (d.steps * test + d.kernel + (ssgi_gl__has(&s, SSGI_GL__E_MAP) ? 1 : 0)) + open;
     case SSGI_GL_HSAO: return n + d.directions * d.steps * (d.search == SSGI_GL_SLICES ? 2 : 1 + d.normal_rays * test);
-    case SSGI_GL_LIGHTS: return n + 3 + (f & SSGI_GL__MAPS_READ ? 6 : 0) + (f & SSGI_GL__SEGMENTS ? d.samples * test : 0) + d.accumulate;
-    case SSGI_GL_SENDERS: return n + (f & SSGI_GL__S_LIGHT ? 2 : 0) + (f & SSGI_GL__S_DIRECT ? 1 : 0);
+    case SSGI_GL_LIGHTS: return n + 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + (ssgi_gl__has(&s, SSGI_GL__SEGMENTS) ? d.samples * test : 0) + d.accumulate;
+    case SSGI_GL_SENDERS: return n + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_LIGHT) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_DIRECT) ? 1 : 0);
+    case SSGI_GL_SHADE: return n + vectors + open + (ssgi_gl__has(&s, SSGI_GL__LAMPS) ? 3 : 0) + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0);
     default: {
-        const int side = 2 * d.filter_radius + 1;
-        n -= !d.half;                           /* depth comes with the centre */
-        return n + side * side + (f & SSGI_GL__F_NORMALS ? (f & SSGI_GL__N_DEPTH ? 4 : 1) * (side * side - 1) : 0);
+        const int side = 2 * d.filter_radius + 1, tap = d.colour == SSGI_GL_VECTORS ? vectors + 1 : 1;
+        n -= d.colour == SSGI_GL_VECTORS || !d.half;        /* depth comes with the centre */
+        return n + side * side * tap + (d.half && tap > 1 ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__F_NORMALS) ? (f & SSGI_GL__N_DEPTH ? 4 : 1) * (side * side - !d.half) : 0);
     } }
 }
 
@@ -1885,12 +2541,12 @@ static void ssgi_gl__put_kernel(ssgi_gl__text *t, int samples)
 }
 
 /* Only rows that exist in this variant, slots given in their order. */
-static int ssgi_gl__collect(const ssgi_gl__row *const *rows, const ssgi_gl_desc *d, uint64_t features, ssgi_gl_io *out, int capacity)
+static int ssgi_gl__collect(const ssgi_gl__row *const *rows, const ssgi_gl_desc *d, const ssgi_gl__set *features, ssgi_gl_io *out, int capacity)
 {
     int n = 0, textures = 0, outputs = 0;
     for (; *rows; ++rows) {
         ssgi_gl_io io = (*rows)->io;
-        if (((*rows)->need & features) != (*rows)->need) continue;
+        if (!ssgi_gl__has(features, (*rows)->need)) continue;
         if (io.kind == SSGI_GL_TEXTURE) io.slot = textures++;
         if (io.kind == SSGI_GL_OUTPUT) io.slot = outputs++;
         if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(d, io.offset); io.offset = 0; }
@@ -1903,7 +2559,7 @@ static int ssgi_gl__collect(const ssgi_gl__row *const *rows, const ssgi_gl_desc 
 static size_t ssgi_gl__size_of(const char *type)
 {
     static const struct size { const char *type; size_t bytes; } sizes[] = { { "float", 4 }, { "int", 4 }, { "ivec2", 8 }, { "vec4", 16 }, { "mat3", 48 },
-                                                                            { "vec4[9]", 144 }, { "mat4[4]", 256 }, { "vec4[4]", 64 } };
+                                                                            { "vec4[12]", 192 }, { "mat4[4]", 256 }, { "vec4[4]", 64 } };
     size_t i = 0;
     while (strcmp(sizes[i].type, type)) ++i;        /* the rows above have no others */
     return sizes[i].bytes;
@@ -1949,22 +2605,39 @@ static void ssgi_gl__put_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, in
     if (at) ssgi_gl__put(t, "};\n");
 }
 
+static void ssgi_gl__put_chunks(ssgi_gl__text *t, const ssgi_gl__chunk *const *chunk, const ssgi_gl__set *features, const ssgi_gl_desc *d)
+{
+    for (; *chunk; ++chunk) {
+        if (!ssgi_gl__has(features, (*chunk)->need)) continue;
+        if ((*chunk)->text[0] != ' ' && (*chunk)->text[0] != '}') ssgi_gl__put(t, "\n");       /* chunks that begin inside a function continue it */
+        if (d) ssgi_gl__line(t, d, (*chunk)->line);
+        if (d && *chunk == &ssgi_gl__kernel) ssgi_gl__put_kernel(t, d->samples);
+        ssgi_gl__put(t, (*chunk)->text);
+    }
+}
+
 static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage)
 {
     ssgi_gl_desc d = ssgi_gl__resolve(desc);
     const ssgi_gl__pass *pass = ssgi_gl__find(&d);
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d.dialect];
-    const ssgi_gl__chunk *const *chunk = pass->chunks[stage];
-    uint64_t features = ssgi_gl__features(&d);
+    const ssgi_gl__set features = ssgi_gl__features(&d);
     ssgi_gl_io io[SSGI_GL_MAX_IO];
-    int n = ssgi_gl__collect(pass->rows[stage], &d, features, io, SSGI_GL_MAX_IO), i;
+    int n = ssgi_gl__collect(pass->rows[stage], &d, &features, io, SSGI_GL_MAX_IO), i;
 
     ssgi_gl__put(t, d.version ? d.version : dialect->version);
     if (d.version && *d.version && d.version[strlen(d.version) - 1] != '\n') ssgi_gl__put(t, "\n");
     if (dialect->es) {
-        ssgi_gl__put(t, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
-        for (i = 0; i < n && !strstr(io[i].type, "2DArray"); ++i) {}
-        if (i < n) ssgi_gl__put(t, "precision highp sampler2DArray;\nprecision highp usampler2DArray;\n");
+        static const char *const types[] = { "sampler2D", "sampler2DArray", "usampler2D", "usampler2DArray" };
+        int k;
+        ssgi_gl__put(t, "precision highp float;\nprecision highp int;\n");
+        for (k = 0; k < 4; ++k) {
+            for (i = 0; i < n && strcmp(io[i].type, types[k]); ++i) {}
+            if (i == n) continue;
+            ssgi_gl__put(t, "precision highp ");
+            ssgi_gl__put(t, types[k]);
+            ssgi_gl__put(t, ";\n");
+        }
     }
     for (i = 0; i < n; ++i) {
         if (io[i].kind != SSGI_GL_CONSTANT) continue;
@@ -1996,13 +2669,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage
         ssgi_gl__put(t, d.fetch);
         ssgi_gl__put(t, "\n");
     }
-    for (; *chunk; ++chunk) {
-        if (((*chunk)->need & features) != (*chunk)->need) continue;
-        if ((*chunk)->text[0] != ' ') ssgi_gl__put(t, "\n");       /* chunks that begin inside a function continue it */
-        ssgi_gl__line(t, &d, (*chunk)->line);
-        if (*chunk == &ssgi_gl__kernel) ssgi_gl__put_kernel(t, d.samples);
-        ssgi_gl__put(t, (*chunk)->text);
-    }
+    ssgi_gl__put_chunks(t, pass->chunks[stage], &features, &d);
 }
 
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage)
@@ -2017,12 +2684,70 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return t.length;
 }
 
+static void ssgi_gl__put_lane(ssgi_gl__text *t, const char *vector, int i)
+{
+    const char name[] = { '.', "abcd"[i / 4], '.', "xyzw"[i % 4], 0 };
+    ssgi_gl__put(t, vector);
+    ssgi_gl__put(t, name);
+}
+
+/* The product's terms by what ssgi_sh_product makes of pairs of basis functions. */
+static void ssgi_gl__put_product(ssgi_gl__text *t, int bands)
+{
+    const int n = bands * bands;
+    int i, j, k;
+    ssgi_gl__put(t, "\n// the product of two functions, as far as these bands hold it\nssgi_sh ssgi_sh_product(ssgi_sh x, ssgi_sh y)\n{\n    ssgi_sh p = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n");
+    for (i = 0; i < n; ++i)
+        for (j = i; j < n; ++j) {
+            float one[16] = { 0 }, other[16] = { 0 }, product[16];
+            one[i] = other[j] = 1.0f;
+            ssgi_sh_product(product, bands, one, other);
+            ssgi_gl__put(t, i == 0 && j == 0 ? "    float q = " : "    q = ");
+            ssgi_gl__put_lane(t, "x", i);
+            ssgi_gl__put(t, " * ");
+            ssgi_gl__put_lane(t, "y", j);
+            if (i != j) {
+                ssgi_gl__put(t, " + ");
+                ssgi_gl__put_lane(t, "x", j);
+                ssgi_gl__put(t, " * ");
+                ssgi_gl__put_lane(t, "y", i);
+            }
+            ssgi_gl__put(t, ";\n");
+            for (k = 0; k < n; ++k) {
+                if (product[k] < 1e-5f && product[k] > -1e-5f) continue;
+                ssgi_gl__put_lane(t, "    p", k);
+                ssgi_gl__put(t, " += q * ");
+                ssgi_gl__put_float(t, product[k]);
+                ssgi_gl__put(t, ";\n");
+            }
+        }
+    ssgi_gl__put(t, "    return p;\n}\n");
+}
+
+SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
+{
+    static const ssgi_gl__chunk *const chunks[] = { &ssgi_gl__sh_cosine, SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__SH_DOT, SSGI_GL__SH_TURN, NULL };
+    ssgi_gl__set features = { { 0, 0, 0, 0 } };
+    ssgi_gl__text t;
+    if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
+    ssgi_gl__add(&features, SSGI_GL__VECTORS | SSGI_GL__LOBES | SSGI_GL__FREE | (bands > 1 ? SSGI_GL__V2 : 0) | (bands > 2 ? SSGI_GL__V3 : 0) | (bands > 3 ? SSGI_GL__V4 : 0));
+    memset(&t, 0, sizeof t);
+    t.out = out;
+    t.capacity = capacity;
+    ssgi_gl__put_chunks(&t, chunks, &features, NULL);
+    ssgi_gl__put_product(&t, bands);
+    if (capacity) out[t.length < capacity ? t.length : capacity - 1] = 0;
+    return t.length;
+}
+
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
 {
     ssgi_gl_desc d;
+    ssgi_gl__set features;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     d = ssgi_gl__resolve(desc);
-    return ssgi_gl__collect(ssgi_gl__find(&d)->rows[SSGI_GL_FRAGMENT], &d, ssgi_gl__features(&d), rows, capacity);
+    features = ssgi_gl__features(&d);
+    return ssgi_gl__collect(ssgi_gl__find(&d)->rows[SSGI_GL_FRAGMENT], &d, &features, rows, capacity);
 }
 
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
@@ -2059,12 +2784,28 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.radius = radius;
     f.offset = 1.5f;
     f.thickness = radius;
-    f.fade = 0.5f * radius;
+    f.fade = 0.3f * radius;
     f.nearest = 0.25f;
     f.gain = 1.0f;
     f.steepest = 20.0f;
+    f.lambda = 4.0f;
+    ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     *frame = f;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands, const float *world_to_view, const char **why)
+{
+    float turned[48];
+    int i;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    if (!coefficients) return ssgi_gl__bad(why, "coefficients: must not be NULL");
+    if (bands < 1 || bands > 4) return ssgi_gl__bad(why, "bands: must be 1..4");
+    memset(turned, 0, sizeof turned);
+    memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
+    if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
+    for (i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
     return SSGI_OK;
 }
 

@@ -3,7 +3,7 @@
       build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; in 450 two, too:
                                      FOLDER/hsao.450.half.thin.frag
 
-   One file a text: a choice that changes nothing in a pass makes no file. ssdo's default here is an environment map.
+   One file a text: a choice that changes nothing in a pass makes no file. ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
       build/glsl-text --passes       the README's table of passes, from reflection */
 #include "../ssgi_gl.h"
@@ -25,17 +25,31 @@ static const choice choices[] = {
     CHOICE("unsigned", normal, SSGI_GL_NORMAL_UNSIGNED), CHOICE("octahedral", normal, SSGI_GL_NORMAL_OCTAHEDRAL), CHOICE("fromdepth", normal, SSGI_GL_NORMAL_FROM_DEPTH),
     CHOICE("customnormal", normal, SSGI_GL_NORMAL_CUSTOM), CHOICE("world", world_normals, 1), CHOICE("tile", noise, SSGI_GL_NOISE_TILE4), CHOICE("jitter", noise, SSGI_GL_NOISE_TEXTURE),
     CHOICE("march", search, SSGI_GL_MARCH), CHOICE("rays", normal_rays, 1), CHOICE("hard", hard, 1), CHOICE("thin", thin, 1), CHOICE("steps", steps, 3),
-    CHOICE("square", falloff, SSGI_GL_FALLOFF_SQUARE), CHOICE("cube", falloff, SSGI_GL_FALLOFF_CUBE), CHOICE("kernel", kernel, 1), CHOICE("fade", fade, 1),
+    CHOICE("square", falloff, SSGI_GL_FALLOFF_SQUARE), CHOICE("cube", falloff, SSGI_GL_FALLOFF_CUBE), CHOICE("kernel", kernel, 1), CHOICE("fade", fade, SSGI_GL_FADE_SMOOTH),
+    CHOICE("lambda", fade, SSGI_GL_FADE_LAMBDA), CHOICE("ended", fade, SSGI_GL_FADE_LAMBDA_ENDED), CHOICE("range", range, 1),
     CHOICE("layers", layers, 2), CHOICE("receiver", receiver, 1), CHOICE("views", views, 2), CHOICE("viewlayers", view_layers, 2), CHOICE("sh", environment, SSGI_GL_ENVIRONMENT_SH),
     CHOICE("solidangle", bounce, SSGI_GL_BOUNCE_SOLID_ANGLE), CHOICE("patch", bounce, SSGI_GL_BOUNCE_PATCH), CHOICE("disc", bounce, SSGI_GL_BOUNCE_DISC), CHOICE("twosided", two_sided, 1),
+    CHOICE("1band", bands, 1), CHOICE("2bands", bands, 2), CHOICE("3bands", bands, 3), CHOICE("4bands", bands, 4), CHOICE("packed", packed, 1), CHOICE("transfer", transfer, SSGI_GL_TRANSFER_BOTH),
+    CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
+    CHOICE("bent", shading, SSGI_GL_SHADING_BENT), CHOICE("lamps", lamps, 1), CHOICE("albedo", albedo, 1),
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
-    CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("half", half, 1), CHOICE("colour", colour, 1),
+    CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO), CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 4096 };
+enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 1 << 14 };
 
 static uint64_t seen[MOST];
 static int files;
+
+static int write_file(const char *path, char *text, size_t n)
+{
+    FILE *file = text ? fopen(path, "wb") : NULL;
+    int bad = !file || fwrite(text, 1, n, file) != n;
+    if (file) bad |= fclose(file);
+    if (bad) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); remove(path); }
+    free(text);
+    return bad ? -1 : 0;
+}
 
 static int write_text(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
@@ -48,16 +62,9 @@ static int write_text(const char *folder, const ssgi_gl_desc *d, const char *fir
         char path[1024];
         size_t n = ssgi_gl_emit(NULL, 0, d, stage);
         char *text = malloc(n + 1);
-        FILE *file;
-        int bad;
         snprintf(path, sizeof path, "%s/%s.%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second, endings[stage]);
-        file = text ? fopen(path, "wb") : NULL;
-        if (!file) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); free(text); return -1; }
-        ssgi_gl_emit(text, n + 1, d, stage);
-        bad = fwrite(text, 1, n, file) != n;
-        bad |= fclose(file);
-        free(text);
-        if (bad) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); remove(path); return -1; }
+        if (text) ssgi_gl_emit(text, n + 1, d, stage);
+        if (write_file(path, text, n)) return -1;
     }
     return 0;
 }
@@ -68,9 +75,11 @@ static void print_passes(void)
     static const struct { const char *title; ssgi_gl_desc desc; } rows[] = {
         { "`ssao`", { .pass = SSGI_GL_SSAO } }, { "`hsao`, slices", { .pass = SSGI_GL_HSAO } }, { "`hsao`, march", { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH } },
         { "`ssdo`, map", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP } }, { "`ssdo`, sh", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH } },
-        { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
-        { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
-        { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = 1 } }
+        { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`s3ho`", { .pass = SSGI_GL_S3HO } },
+        { "`s3ho`, transfer, packed", { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 } }, { "`s3ho`, shaded", { .pass = SSGI_GL_S3HO, .shaded = 1 } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
+        { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`shade`", { .pass = SSGI_GL_SHADE } },
+        { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lamps = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
+        { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS } }
     };
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
@@ -111,6 +120,13 @@ int main(int argc, char **argv)
                     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM) d.fetch = custom;
                     if (write_text(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
+    for (int bands = 1; bands <= 4; ++bands) {
+        const size_t n = ssgi_gl_sh(NULL, 0, bands);
+        char *text = malloc(n + 1), path[1024];
+        if (text) ssgi_gl_sh(text, n + 1, bands);
+        snprintf(path, sizeof path, "%s/sh%d.glsl", argv[1], bands);
+        if (write_file(path, text, n)) return 2;
+    }
     printf("%s: %d fragment texts\n", argv[1], files);
     return 0;
 }

@@ -1,13 +1,31 @@
-/* lit.c - what report.c shows of light: pictures for the demo, a chart, and what layers, cameras and points buy. Included by report.c, which opens stages and
-   measures them. */
+/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Included by report.c, which opens
+   stages and measures them. */
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
-static const lit sun_and_sky = { "sky", "sun:-1,0.45,0.85,4.4,3.9,3.3", 4, 384, 0.4f, { 450, 194, 192, 108 } };
-static const lit sky_boxes   = { "sky", NULL, 4, 1024, 1, { 0 } };
-static const lit sky_alone   = { "sky", NULL, 0, 1024, 1, { 0 } };
-static const lit lamp        = { NULL, "point:0,5,-2.8,10,10,10", 0, 128, 2, { 172, 225, 192, 108 } };
+#define PINK  "3.3,0.9,1.9"
+#define TURQUOISE "0.5,2.3,2.2"
+#define LEFT_SUN(colour)  "sun:-1,0.8,0.35," colour
+#define RIGHT_SUN(colour) "sun:1,0.8,0.35," colour
 
+static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 384, 0.4f, { { 450, 194, 192, 108 } } };
+static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 1024, 1, { { 0 } } };
+static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 1024, 1, { { 0 } } };
+static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 172, 225, 192, 108 } } };
+#define BETWEEN_BOXES { { 180, 185, 192, 108 }, { 390, 185, 192, 108 } }
+static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
+static const lit suns_changed = { NULL, { LEFT_SUN(TURQUOISE), RIGHT_SUN(PINK) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
+static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f, { { 262, 290, 192, 108 }, { 440, 230, 192, 108 } } };
+static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 4096, 1, { { 0 } } };
+static const lit band_lits[] = {
+    { "white", { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
+    { "sky",   { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
+    { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 256, 1, { { 0 } } },
+    { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 0, 2, 1, { { 0 } } },
+    { "probe", { NULL }, 0, 0, 0, 1024, 1, { { 0 } } }
+};
+
+#define SCENE(name, scene, lit) { name, scene, 0, { 0 }, { 0 }, 0, 0, lit }
 #define BOXES_VIEW "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f
 
 static const entry sun_entries[] = {
@@ -21,52 +39,127 @@ static const entry lamp_entries[] = {
     { "bounce",    "ssdo", "",            1 }
 };
 
-static const entry deep_entries[] = {       /* rows of one label make one curve */
-    { "1 layer",             "ssdo", "samples=8",                                   0 },
+/* 16 points each, one a direction, as the papers of point sampling have it: the same visibility for all methods. */
+#define PLAIN "fade=none,range=0"
+
+static const entry deep_entries[] = {       /* rows of one label make one curve; directions of 4 points */
+    { "1 layer",             "ssdo", "samples=2",                                   0 },
     { "1 layer",             "ssdo", "",                                            1 },
-    { "1 layer",             "ssdo", "samples=32",                                  0 },
-    { "1 layer",             "ssdo", "samples=64",                                  1 },
-    { "2 layers",            "ssdo", "samples=8,layers=2",                          0 },
+    { "1 layer",             "ssdo", "samples=8",                                   0 },
+    { "1 layer",             "ssdo", "samples=16",                                  1 },
+    { "1 layer, 1 point a direction", "ssdo", "samples=8,steps=1," PLAIN,           0 },
+    { "1 layer, 1 point a direction", "ssdo", "samples=16,steps=1," PLAIN,          1 },
+    { "1 layer, 1 point a direction", "ssdo", "samples=64,steps=1," PLAIN,          0 },
     { "2 layers",            "ssdo", "layers=2",                                    1 },
-    { "2 layers",            "ssdo", "samples=32,layers=2",                         0 },
-    { "2 layers",            "ssdo", "samples=64,layers=2",                         1 },
-    { "4 cameras",           "ssdo", "samples=8,views=4",                           0 },
+    { "2 layers",            "ssdo", "samples=16,layers=2",                         0 },
     { "4 cameras",           "ssdo", "views=4",                                     1 },
-    { "4 cameras",           "ssdo", "samples=32,views=4",                          0 },
-    { "4 cameras",           "ssdo", "samples=64,views=4",                          1 },
+    { "4 cameras",           "ssdo", "samples=16,views=4",                          1 },
     { "2 layers, 4 cameras", "ssdo", "layers=2,views=4,view_layers=2",              0 },
-    { "2 layers, 4 cameras", "ssdo", "samples=64,layers=2,views=4,view_layers=2",   0 }
+    { "harmonics, 1 layer",  "s3ho", "samples=2",                                   0 },
+    { "harmonics, 1 layer",  "s3ho", "",                                            1 },
+    { "harmonics, 1 layer",  "s3ho", "samples=8",                                   0 },
+    { "harmonics, 1 layer",  "s3ho", "samples=16",                                  1 },
+    { "harmonics, half size", "s3ho-fast", "",                                      1 },
+    { "harmonics, 4 cameras", "s3ho", "views=4",                                    0 }
 };
 static const entry extension_entries[] = {
     { "1 layer",                             "ssdo", "",                               1 },
+    { "1 layer, 16 directions of 1 point",   "ssdo", "samples=16,steps=1," PLAIN,      1 },
     { "2 layers",                            "ssdo", "layers=2",                       1 },
     { "4 layers",                            "ssdo", "layers=4",                       1 },
     { "4 cameras",                           "ssdo", "views=4",                        1 },
     { "2 layers, 4 cameras of 2 layers",     "ssdo", "layers=2,views=4,view_layers=2", 1 },
-    { "1 layer, 4 points a direction",       "ssdo", "steps=4",                        1 },
-    { "4 layers, 4 points a direction",      "ssdo", "layers=4,steps=4",               1 }
+    { "harmonics, 1 layer",                  "s3ho", "",                               1 }
 };
 static const entry cost_entries[] = {
-    { "ambient visibility",                "ssao", "blur=0",                           1 },
-    { "harmonics",                         "ssdo", "environment=sh,bounce=none,blur=0", 1 },
-    { "map",                               "ssdo", "bounce=none,blur=0",               1 },
-    { "map, bounce, of the last frame",    "ssdo", "reuse=1,blur=0",                   1 },
-    { "harmonics, bounce, of the last frame", "ssdo", "environment=sh,reuse=1,blur=0", 1 }
+    { "ambient visibility",                "ssao", "blur=0",                                                            1 },
+    { "harmonics",                         "ssdo", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN,       1 },
+    { "map",                               "ssdo", "samples=16,steps=1,bounce=none,blur=0," PLAIN,                      1 },
+    { "map, bounce, of the last frame",    "ssdo", "samples=16,steps=1,reuse=1,blur=0," PLAIN,                          1 },
+    { "harmonics, bounce, of the last frame", "ssdo", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN,        1 }
 };
 
-typedef struct lit_table { const char *title, *about; view view; const entry *entries; int count; } lit_table;
+static const entry harmonics_entries[] = {
+    { "SSAO",                      "ssao", "",                          1 },
+    { "S3HO",                      "s3ho", "indirect=none",             1 },
+    { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
+};
+static const entry probe_entries[] = {      /* the paper's two steps along a direction */
+    { "S3HO",           "s3ho", "samples=8,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho", "samples=16,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho", "samples=32,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho", "samples=8,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho", "samples=32,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo", "samples=8,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo", "samples=32,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn", "samples=8,steps=2,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn", "samples=32,steps=2,blur=0," PLAIN, 1 },
+    { "SSAO",           "ssao", "samples=8,steps=2,blur=0," PLAIN, 1 },
+    { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "SSAO",           "ssao", "samples=32,steps=2,blur=0," PLAIN, 1 }
+};
+static const entry band_entries[] = {
+    { "1 band, as published",  "s3ho", "bands=1,indirect=none,exact=0", 1 },
+    { "2 bands, as published",  "s3ho", "bands=2,indirect=none,exact=0", 1 },
+    { "3 bands, as published",  "s3ho", "bands=3,indirect=none,exact=0", 1 },
+    { "4 bands, as published",  "s3ho", "bands=4,indirect=none,exact=0", 1 },
+    { "1 band",  "s3ho", "bands=1,indirect=none", 1 },
+    { "2 bands",  "s3ho", "bands=2,indirect=none", 1 },
+    { "3 bands",  "s3ho", "bands=3,indirect=none", 1 },
+    { "4 bands",  "s3ho", "bands=4,indirect=none", 1 }
+};
+static const entry vector_entries[] = {
+    { "ambient visibility", "ssao", "samples=16,blur=0," PLAIN, 1 },
+    { "ambient visibility", "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "cone", "ssbn", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "1 band", "s3ho", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "1 band", "s3ho", "bands=1,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "2 bands", "s3ho", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "2 bands", "s3ho", "bands=2,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "3 bands", "s3ho", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "3 bands", "s3ho", "bands=3,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "4 bands", "s3ho", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands", "s3ho", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands, stored, then met", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN, 1 },
+    { "4 bands, stored packed", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
+    { "4 bands, bounce in one", "s3ho", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
+    { "4 bands, bounce apart", "s3ho", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
+    { "4 bands, light filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4," PLAIN, 1 },
+    { "4 bands, vectors filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
+};
+
+typedef struct lit_table { const char *title, *about; view view; const entry *entries; int count, of; } lit_table;
+#define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 static const lit_table lit_demos[] = {
-    { "Light: a sky and a sun", "Bunny and four boxes under the built-in sky and a sun with shadows.", { BOXES_VIEW, &sun_and_sky }, sun_entries, COUNT(sun_entries) },
-    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.", { "cornell", "cornell", 0, { 0 }, { 0 }, 0, 0, &lamp }, lamp_entries, COUNT(lamp_entries) }
+    { "Light: a sky and a sun", "Bunny and four boxes under the built-in sky and a sun with shadows.", { BOXES_VIEW, &sun_and_sky }, sun_entries, COUNT(sun_entries), OF_LIT },
+    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.", SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT },
+    { "Harmonics: two suns", "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL, SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT },
+    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL, SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT },
+    { "Harmonics: a sky and a bright sun", "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny side. " LOCAL, SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT }
 };
 static const lit_table lit_tables[] = {
-    { "Light: speed against accuracy", "Bunny and four boxes under the sky, one bounce.", { BOXES_VIEW, &sky_boxes }, deep_entries, COUNT(deep_entries) },
-    { "What light costs", "The same scene; 16 directions, no filter.", { BOXES_VIEW, &sky_boxes }, cost_entries, COUNT(cost_entries) },
-    { "What is hidden: columns", "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.", { "columns", "columns", 0, { 0 }, { 0 }, 0, 0, &sky_alone }, extension_entries, COUNT(extension_entries) },
-    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.", { "plates", "plates", 0, { 0 }, { 0 }, 0, 0, &sky_alone }, extension_entries, COUNT(extension_entries) },
-    { "What is hidden: room", "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and cameras stand outside.", { "room", "room", 0, { 0 }, { 0 }, 0, 0, &sky_alone }, extension_entries, COUNT(extension_entries) }
+    { "Light: speed against accuracy", "Bunny and four boxes under the sky, one bounce.", { BOXES_VIEW, &sky_boxes }, deep_entries, COUNT(deep_entries), OF_LIT },
+    { "What light costs", "The same scene; 16 directions, no filter.", { BOXES_VIEW, &sky_boxes }, cost_entries, COUNT(cost_entries), OF_LIT },
+    { "What is hidden: columns", "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.", SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
+    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.", SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
+    { "What is hidden: room", "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and cameras stand outside.", SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
+    { "What harmonics cost", "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they meet the light.", { BOXES_VIEW, &sky_boxes }, vector_entries, COUNT(vector_entries), OF_LIT },
+    { "Under a high-contrast probe", "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of the light from.", SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT }
 };
-enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables) };
+
+/* The same entries under one light each; shown as one table. */
+static const char *const bands_title = "How many bands";
+static const lit_table band_tables[] = {
+    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries, COUNT(band_entries), OF_LIT },
+    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries), OF_LIT },
+    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL, SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT },
+    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.", SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]), band_entries, COUNT(band_entries), OF_LIT }
+};
+enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables), BAND_TABLES = COUNT(band_tables), LIT_SETS = LIT_TABLES + BAND_TABLES, PHASES = 8 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
 
 /* ---- >>pages ------------------------------------------------------------------------------------------------------- */
@@ -93,13 +186,15 @@ static int exposed(kit_image *out, const kit_image *picture, float exposure, con
 /* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some of it with more rays. */
 static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
 {
+    char bounce[32] = "";
     kit_image probe;
     row noise;
     memset(&noise, 0, sizeof noise);
     if (trace(&probe, s, 4 * s->lit->rays, 23, err) || score(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
-    fprintf(html, "<h2>%s</h2>\n<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own error, over the means: radiance %.4f, irradiance %.4f, bounce %.3f.</p>\n",
-            t->title, t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->lit->rays, noise.error[0], noise.error[1], noise.error[2]);
+    if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
+    fprintf(html, "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
+            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->lit->rays, noise.error[0], noise.error[1], bounce);
     return 0;
 }
 
@@ -108,43 +203,50 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     enum { TIMES = 3 };
     const double range = 0.2;
     kit_image picture[MOST_ROWS], whole, part, luminance, difference;
+    const kit_image *from[1 + MOST_ROWS];           /* the truth, what is given, methods */
+    const char *label[1 + MOST_ROWS];
     stage s;
-    page crops;
-    char slug[128], note[64];
-    if (stage_open(&s, &t->view, 720, 405, err) || measure(rows, &s, t->entries, t->count, QUICK_ROUNDS, picture, err) || lit_about(html, &s, t, err) || page_open(&crops, err)) return -1;
+    char slug[1 + MOST_ROWS][128], name[160], note[64];
+    if (stage_open(&s, &t->view, 720, 405, err) || measure(rows, &s, t->entries, t->count, QUICK_ROUNDS, picture, err)) return -1;
+    fprintf(html, "<h2>%s</h2>\n", t->title);
+    if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
     fprintf(html, "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed luminance.</p>\n<div class=\"grid\">\n", (double)s.lit->exposure);
     if (exposed(&luminance, &s.truth, s.lit->exposure, NULL, 1, err)) return -1;
-    for (int i = -1; i < *count; ++i) {             /* the truth, what is given, methods */
-        const int at = i < s.givens ? t->count + i : i - s.givens;
-        const kit_image *from = i < 0 ? &s.truth : i < s.givens ? &s.given[i].picture : &picture[at];
-        const char *label = i < 0 ? "ray-traced truth" : rows[at].label;
-        if (exposed(&whole, from, s.lit->exposure, NULL, 1, err) || exposed(&part, from, s.lit->exposure, s.lit->crop, TIMES, err)) return -1;
-        snprintf(slug, sizeof slug, "lit-%s-", t->view.name);
-        slug_of(slug + strlen(slug), label);
-        if (i < 0) snprintf(note, sizeof note, "%d rays a pixel", s.lit->rays);
+    for (int i = 0; i <= *count; ++i) {
+        const int at = i > s.givens ? i - 1 - s.givens : t->count + i - 1;
+        label[i] = i ? rows[at].label : "ray-traced truth";
+        from[i] = !i ? &s.truth : i > s.givens ? &picture[at] : &s.given[i - 1].picture;
+        if (exposed(&whole, from[i], s.lit->exposure, NULL, 1, err)) return -1;
+        snprintf(slug[i], sizeof slug[i], "lit-%s-", t->view.name);
+        slug_of(slug[i] + strlen(slug[i]), label[i]);
+        if (!i) snprintf(note, sizeof note, "%d rays a pixel", s.lit->rays);
         else if (isnan(rows[at].relative)) snprintf(note, sizeof note, "error %.3f", rows[at].share);
         else snprintf(note, sizeof note, "time %.2f, error %.3f", rows[at].relative, rows[at].share);
-        if (save(&whole, "R,G,B", 1, out, slug, ".png", err) || save(&part, "R,G,B", 1, out, slug, "-crop.png", err)) return -1;
-        figure_html(html, slug, label, note, whole.width, whole.height, i >= 0);
-        if (i < 0) key_html(html, range);
+        if (save(&whole, "R,G,B", 1, out, slug[i], ".png", err)) return -1;
+        figure_html(html, slug[i], label[i], note, whole.width, whole.height, i > 0);
+        if (!i) key_html(html, range);
         fputs("</figure>\n", html);
-        if (i >= 0) {
-            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err) || save(&difference, "R,G,B", 0, out, slug, "-difference.png", err)) return -1;
+        if (i) {
+            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err) || save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err)) return -1;
             kit_image_free(&difference);
         }
-        strcat(slug, "-crop");
-        figure_html(crops.file, slug, label, "", part.width, part.height, 0);
-        fputs("</figure>\n", crops.file);
         kit_image_free(&whole);
-        kit_image_free(&part);
     }
-    fflush(crops.file);
-    fputs("</div>\n<div class=\"grid crops\">\n", html);
-    fwrite(crops.text, 1, crops.size, html);
-    fprintf(html, "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n<h3>Figures</h3>\n", s.lit->crop[2], s.lit->crop[3], s.lit->crop[0], s.lit->crop[1], TIMES, TIMES);
-    fclose(crops.file);
-    free(crops.text);
+    fputs("</div>\n", html);
+    for (int k = 0; k < MOST_CROPS && s.lit->crop[k][2]; ++k) {
+        const int *crop = s.lit->crop[k];
+        fputs("<div class=\"grid crops\">\n", html);
+        for (int i = 0; i <= *count; ++i) {
+            snprintf(name, sizeof name, "%s-crop%s", slug[i], k ? "-2" : "");
+            if (exposed(&part, from[i], s.lit->exposure, crop, TIMES, err) || save(&part, "R,G,B", 1, out, name, ".png", err)) return -1;
+            figure_html(html, name, label[i], "", part.width, part.height, 0);
+            fputs("</figure>\n", html);
+            kit_image_free(&part);
+        }
+        fprintf(html, "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n", crop[2], crop[3], crop[0], crop[1], TIMES, TIMES);
+    }
+    fputs("<h3>Figures</h3>\n", html);
     table_html(html, rows, *count);
     for (int i = 0; i < t->count; ++i) kit_image_free(&picture[i]);
     for (int i = 0; i < *count; ++i) rows[i].scene = t->view.name;
@@ -153,24 +255,126 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     return 0;
 }
 
+/* What an entry's irradiance is off by under an environment: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. */
+static int split(row *r, stage *s, const entry *e, const kit_image *picture, kit_error *err)
+{
+    static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
+    static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
+    const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height;
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3];
+    const int phases = e ? PHASES : 1;
+    double *sum = calloc(6 * pixels, sizeof *sum), *squares = sum + 3 * pixels, level = 0, off = 0, noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
+    kit_run run;
+    if (!sum) return kit_fail(err, "out of memory");
+    if (e && run_open(&run, s, e->method, e->settings, s->radius, err)) return -1;
+    for (int k = 0; k < phases; ++k) {
+        kit_image drawn;
+        if (e) {
+            run.frame.phase = (float)k / PHASES;
+            kit_run_update(&run);
+            kit_run_draw(&run, 0);
+            if (kit_run_read(&drawn, &run, err) || (!run.lit && light_by(&drawn, s, err))) return -1;
+            picture = &drawn;
+        }
+        for (size_t c = 0; c < 3; ++c) {
+            const float *v = kit_image_channel(picture, names[c]);
+            for (size_t i = 0; i < pixels; ++i) {
+                sum[c * pixels + i] += (double)v[i] / phases;
+                squares[c * pixels + i] += (double)v[i] * (double)v[i] / phases;
+            }
+        }
+        if (e) kit_image_free(&drawn);
+    }
+    if (e) kit_run_close(&run);
+    for (int c = 0; c < 3; ++c) {
+        truth[c] = kit_image_channel(&s->truth, names[c]);
+        open[c] = kit_image_channel(&s->given[0].picture, names[c]);
+    }
+    for (size_t i = 0; i < pixels; ++i) {
+        double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
+        if (!(z[i] > 0)) continue;
+        for (size_t c = 0; c < 3; ++c) {
+            const double is = sum[c * pixels + i], should = (double)truth[c][i];
+            level += should;
+            off += (is - should) * (is - should);
+            if (e) noise += fmax(0, squares[c * pixels + i] - is * is) * phases / (phases - 1);
+            of[0] += is * is;
+            of[1] += should * should;
+            product += is * should;
+            bright += luminance[c] * should;
+            unblocked += luminance[c] * (double)open[c][i];
+            values += 1;
+        }
+        if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
+        for (int k = 0; k < (bright < 0.95 * unblocked ? 2 : 1); ++k) {
+            hue[k] += bright * turned;
+            weight[k] += bright;
+        }
+    }
+    level /= values;
+    r->of = OF_SPLIT;
+    r->split[0] = sqrt((off + noise * (phases - 1) / phases) / values) / level;
+    r->split[1] = sqrt(fmax(0, off - noise / phases) / values) / level;
+    r->split[2] = sqrt(noise / values) / level;
+    for (int k = 0; k < 2; ++k) r->split[3 + k] = hue[k] / weight[k] * 180 / acos(-1);
+    free(sum);
+    return 0;
+}
+
+/* A row a number of bands, two columns a light: irradiance's error and the time. */
+static void bands_table(FILE *f, const lit_row_set *sets, int html)
+{
+    fputs(html ? "<div class=\"wide\"><table>\n<tr><th>bands<th>settings" : "bands  ", f);
+    for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, html ? "<th>%s<th>time" : " %10s   time", band_tables[k].title);
+    for (int i = 0; i < sets->count; ++i) {
+        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", sets->row[i].label, sets->row[i].settings);
+        for (int k = 0; k < BAND_TABLES; ++k) {
+            const row *r = &sets[k].row[i];
+            char error[32], time[32];
+            snprintf(error, sizeof error, i < sets[k].count ? "%.4f" : "-", r->error[1]);
+            snprintf(time, sizeof time, i < sets[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
+            fprintf(f, html ? "<td>%s<td>%s" : " %10s %6s", error, time);
+        }
+    }
+    fputs(html ? "\n</table></div>\n" : "\n", f);
+}
+
 static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error *err)
 {
     stage s;
     page csv;
     if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < LIT_TABLES; ++k) {
-        const lit_table *t = &lit_tables[k];
+    for (int k = 0; k < LIT_SETS; ++k) {
+        const lit_table *t = k < LIT_TABLES ? &lit_tables[k] : &band_tables[k - LIT_TABLES];
         entry entries[MOST_ENTRIES];
         lit_row_set *set = &sets[k];
         int count = 0;
         for (int i = 0; i < t->count; ++i) if (t->entries[i].quick || !o->quick) entries[count++] = t->entries[i];
-        if (stage_open(&s, &t->view, 640, 360, err) || measure(set->row, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, NULL, err) || lit_about(html, &s, t, err)) return -1;
+        if (stage_open(&s, &t->view, 640, 360, err) || measure(set->row, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, NULL, err)) return -1;
         set->count = count + s.givens;
+        for (int i = 0; i < set->count && t->of == OF_SPLIT; ++i) {
+            kit_progress("noise", (double)i / set->count);
+            if (split(&set->row[i], &s, i < count ? &entries[i] : NULL, i < count ? NULL : &s.given[i - count].picture, err)) return -1;
+        }
+        kit_progress("noise", 1);
+        if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
+        if (lit_about(html, &s, t, err)) return -1;
         stage_close(&s);
         for (int i = 0; i < set->count; ++i) set->row[i].scene = t->view.name;
         if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, set->row, set->count, (double)NAN, err)) return -1;
-        table_html(html, set->row, set->count);
+        if (k < LIT_TABLES) table_html(html, set->row, set->count);
         table_csv(csv.file, set->row, set->count, !k);
     }
+    bands_table(html, sets + LIT_TABLES, 1);
     return page_close(&csv, o->out, "chart-lit.csv", err);
+}
+
+static void lit_chart_text(FILE *f, const lit_row_set *sets)
+{
+    for (int k = 0; k < LIT_TABLES; ++k) {
+        fprintf(f, "\n%s\n", lit_tables[k].title);
+        table_text(f, sets[k].row, sets[k].count);
+    }
+    fprintf(f, "\n%s\n", bands_title);
+    bands_table(f, sets + LIT_TABLES, 0);
 }

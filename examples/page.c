@@ -2,13 +2,16 @@
 
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
 
+enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, SPLITS = 5 };
+
 /* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
 typedef struct row {
     const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
     double fetches, relative, ms, share;
     kit_score score;                                 /* of ambient visibility, or of radiance */
-    int lit;                                         /* 1: share is error[0], and these are known: */
+    int of;                                          /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
     double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
+    double split[SPLITS];                            /* OF_SPLIT: irradiance's total error, what of it is bias and noise; hue, of all and of what is in shade */
 } row;
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
@@ -45,12 +48,11 @@ static const char *settings_of(const row *r) { return *r->settings ? r->settings
 
 /* ---- >>tables: one list of columns for text, HTML and CSV --------------------------------------------------------- */
 
-enum { OF_AO = 1, OF_LIT = 2 };
 typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
 static const column columns[] = {
-    { OF_AO | OF_LIT, "fetches", "fetches",  "texel fetches per pixel, all passes",                offsetof(row, fetches),    1, 0 },
-    { OF_AO | OF_LIT, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
-    { OF_AO | OF_LIT, "ms",      "ms",       "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes",                offsetof(row, fetches),    1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
     { OF_AO,  "RMSE",       "rmse",          "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
     { OF_AO,  "share",      "share",         "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
     { OF_AO,  "bias",       "bias",          "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
@@ -61,13 +63,18 @@ static const column columns[] = {
     { OF_LIT, "bias",     "irradiance_bias", "mean difference of irradiance over the truth's mean", offsetof(row, bias[1]),   4, 1 },
     { OF_LIT, "bounce",     "bounce",        "RMSE of the bounce over the truth's mean bounce",    offsetof(row, error[2]),   3, 0 },
     { OF_LIT, "bias",       "bounce_bias",   "mean difference of the bounce over the truth's mean bounce", offsetof(row, bias[2]), 3, 1 },
+    { OF_SPLIT, "irradiance", "irradiance_phases", "RMSE of irradiance over the truth's mean, over all phases of the noise", offsetof(row, split[0]), 4, 0 },
+    { OF_SPLIT, "bias error", "irradiance_bias_error", "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
+    { OF_SPLIT, "noise", "irradiance_noise", "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4, 0 },
+    { OF_SPLIT, "hue, deg", "hue_degrees", "mean angle between the rgb of the mean picture and of the truth, weighted by the truth's luminance", offsetof(row, split[3]), 2, 0 },
+    { OF_SPLIT, "in shade", "hue_in_shade_degrees", "the same over pixels that blockers keep 5 % or more of their light from", offsetof(row, split[4]), 2, 0 },
     { OF_AO | OF_LIT, "SSIM", "ssim",        "structural similarity with the truth, 1 = the same", offsetof(row, score.ssim), 4, 0 }
 };
 
-/* The next column after c (-1: the first) that rows of this kind have; -1 past the last. */
-static int next_column(int c, const row *r)
+/* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. */
+static int next_column(int c, int of)
 {
-    while (++c < (int)(sizeof columns / sizeof columns[0])) if (columns[c].of & (r->lit ? OF_LIT : OF_AO)) return c;
+    while (++c < (int)(sizeof columns / sizeof columns[0])) if (columns[c].of & of) return c;
     return -1;
 }
 
@@ -96,11 +103,11 @@ static void table_text(FILE *f, const row *rows, int count)
         if (s > settings) settings = s;
     }
     fprintf(f, "%-*s  %-*s", label, "method", settings, "settings");
-    for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, " %10s", columns[c].head);
+    for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", columns[c].head);
     fputc('\n', f);
     for (int i = 0; i < count; ++i) {
         fprintf(f, "%-*s  %-*s", label, rows[i].label, settings, settings_of(&rows[i]));
-        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, " %10s", cell(text, &rows[i], c, "-"));
+        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, " %10s", cell(text, &rows[i], c, "-"));
         fputc('\n', f);
     }
 }
@@ -109,7 +116,7 @@ static void table_html(FILE *f, const row *rows, int count)
 {
     char text[32];
     fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
-    for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
+    for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, "<th title=\"%s\">%s", columns[c].about, columns[c].head);
     fputs("\n", f);
     for (int i = 0; i < count; ++i) {
         fprintf(f, i && strcmp(rows[i].label, rows[i - 1].label) ? "<tr class=\"first\"><td>" : "<tr><td>");
@@ -117,7 +124,7 @@ static void table_html(FILE *f, const row *rows, int count)
         fputs("<td><code>", f);
         escaped(f, settings_of(&rows[i]));
         fputs("</code>", f);
-        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
+        for (int c = -1; (c = next_column(c, rows->of)) >= 0;) fprintf(f, "<td>%s", cell(text, &rows[i], c, "&ndash;"));
         fputs("\n", f);
     }
     fputs("</table></div>\n", f);
@@ -132,16 +139,17 @@ static void csv_field(FILE *f, const char *s)
 
 static void table_csv(FILE *f, const row *rows, int count, int head)
 {
+    const int of = rows->of & OF_AO ? OF_AO : OF_LIT | OF_SPLIT;         /* all that is lit makes one table */
     if (head) {
         fputs("scene,label,method,settings", f);
-        for (int c = -1; (c = next_column(c, rows)) >= 0;) fprintf(f, ",%s", columns[c].key);
+        for (int c = -1; (c = next_column(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
         fputs(",pixels\n", f);
     }
     for (int i = 0; i < count; ++i) {
         const char *words[4];
         words[0] = rows[i].scene; words[1] = rows[i].label; words[2] = rows[i].method; words[3] = rows[i].settings;
         for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, words[k]); }
-        for (int c = -1; (c = next_column(c, rows)) >= 0;) {
+        for (int c = -1; (c = next_column(c, of)) >= 0;) {
             double v = figure_of(&rows[i], c);
             if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
         }
@@ -248,7 +256,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
             if (x - last > 36) { fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", x, BOTTOM + 20, v); last = x; }
         }
     fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">GL time relative to one unblurred 16-sample SSAO (log scale)</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 46);
-    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of %s</text>\n", (TOP + BOTTOM) / 2, rows->lit ? "the truth's mean radiance" : "having no AO at all");
+    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of %s</text>\n", (TOP + BOTTOM) / 2, rows->of & OF_LIT ? "the truth's mean radiance" : "having no AO at all");
     if (!isnan(floor_)) {
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"#333\" stroke-width=\"1.5\" stroke-dasharray=\"7 5\"/>\n", LEFT, up(&s, floor_), RIGHT);
         taken[boxes++] = (box){ LEFT, up(&s, floor_) - 1.5, RIGHT - LEFT, 3 };
@@ -372,5 +380,9 @@ static void lit_terms(FILE *f)
         "leaves the surface; of the light that arrives, over pi, from the environment and from lights with their shadows; and of light that was reflected once before. The bias after each is the mean difference, over "
         "the same mean. No gain, no fit.\n"
         "<dt>time, of light<dd>As above: all passes of a frame, among them the lights' shadows and the light of hidden senders. Not in it: drawing the G-buffer, its farther layers, extra cameras' G-buffers and shadow maps.\n"
-        "<dt>truth, of light<dd>The environment and the bounce are weighted by 1 &minus; t/radius of the nearest hit, as the methods take them; lights are shadowed by the whole scene.\n</dl>\n", f);
+        "<dt>truth, of light<dd>The environment and the bounce are weighted by 1 &minus; t/radius of the nearest hit, as the methods take them; lights are shadowed by the whole scene, "
+        "unless it says that suns are local: then they are small discs, blocked like the environment.\n"
+        "<dt>bias error, noise, hue<dd>Each method drawn with eight phases of its noise. The bias error is what their mean picture is off, the noise what a pixel varies by (the mean over the pixels of its variance; what is left of "
+        "it in the mean picture is taken off the bias error): the squares of both add up to that of the irradiance's error. All over the truth's mean. Hue: the angle between the red, green and blue of the mean picture's irradiance and the truth's, "
+        "its mean over the pixels weighted by the truth's luminance; and over those that blockers keep 5 % or more of their light from.\n</dl>\n", f);
 }

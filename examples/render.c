@@ -20,7 +20,7 @@ static const char usage[] =
     "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --fovy DEGREES | --ortho-height UNITS  --near N  --far F  --size WxH\n"
     "  --ground            puts a square under the mesh\n"
-    "  --env F.exr | F.hdr | sky   latitude-longitude radiance: +y up, the centre looks to +z (lit methods)\n"
+    "  --env F.exr | F.hdr | sky | probe | white   latitude-longitude radiance: +y up, the centre looks to +z (lit methods)\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; direction to the light and irradiance facing it; up to 16\n"
     "  --gbuffer F.exr     a captured frame: channels Z (positive view depth), N.X N.Y N.Z (view space), maybe albedo.R .., direct.R ..,\n"
     "                      layer1.Z .. (farther depth layers); --camera tells where it was taken\n"

@@ -61,8 +61,15 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 enum { MOST_ENTRIES = COUNT(chart_entries) > COUNT(demo_entries) ? COUNT(chart_entries) : COUNT(demo_entries), MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
-/* What lights a view (as build/render's options take it), how it is shown, and its truth. */
-typedef struct lit { const char *env, *light; int boxes, rays; float exposure; int crop[4] /* x, y, width, height */; } lit;
+/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as the environment is, within the radius, not by
+   all of the scene; in the truth they then are discs of SUN degrees around. */
+enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
+typedef struct lit {
+    const char *env, *light[MOST_SUNS];
+    int   boxes, bounce, local, rays;
+    float exposure;
+    int   crop[MOST_CROPS][4];                 /* x, y, width, height */
+} lit;
 
 /* A view of a scene; what is 0 is the scene's own. lit: NULL = ambient visibility. */
 typedef struct view { const char *name, *path; int ground; float eye[3], target[3], fovy, radius; const lit *lit; } view;
@@ -90,9 +97,9 @@ typedef struct stage {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     const lit   *lit;
-    kit_lighting lighting;
+    kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
     kit_run      lights;                       /* lit: suns and point lights with their shadows, without the environment, */
-    kit_image    direct;                       /* and what it draws */
+    kit_image    direct;                       /* and what ambient visibility leaves as it is: that, unless suns are local, too */
     kit_image    frame, truth, unit;           /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
     given        given[2];
     int          givens;
@@ -122,7 +129,7 @@ static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a 
 
 static int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
 {
-    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->lighting, s->radius, KIT_ATTENUATION_LINEAR, 1, rays, stride, err);
+    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, KIT_ATTENUATION_LINEAR, s->lit->bounce, rays, stride, err);
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
 
@@ -142,10 +149,10 @@ static int truth_of(stage *s, kit_error *err)
     h = hashed(h, &s->radius, sizeof s->radius);
     if (s->lit) {
         h = hashed(h, s->scene.mesh.albedo, floats / 3);
-        if (s->lighting.env.data) h = hashed(h, s->lighting.env.data, 3 * sizeof(float) * (size_t)s->lighting.env.width * (size_t)s->lighting.env.height);
-        h = hashed(h, s->lighting.light, (size_t)s->lighting.lights * sizeof(kit_light));
+        if (s->traced.env.data) h = hashed(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
+        h = hashed(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
     }
-    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->lit ? "lit-" : "", c->width, c->height, (double)s->radius, rays, (unsigned long long)h);
+    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, !s->lit ? "" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         int same = s->truth.width == c->width && s->truth.height == c->height;
         if (trace(&probe, s, rays, 61, err)) return -1;
@@ -176,12 +183,12 @@ static int give(stage *s, const char *label, const char *method, kit_image *pict
     return 0;
 }
 
-/* No AO: a radius so small that nothing is in the environment's way. */
+/* No AO: a radius so small that nothing is in the environment's way, nor in local suns'. */
 static int give_open(stage *s, kit_error *err)
 {
     kit_run run;
     kit_image picture;
-    if (run_open(&run, s, "ssdo", "bounce=none,blur=0", 1e-4f * s->radius, err)) return -1;
+    if (run_open(&run, s, "ssdo", s->lit->local ? "bounce=none,blur=0,shadows=none" : "bounce=none,blur=0", 1e-4f * s->radius, err)) return -1;
     kit_run_draw(&run, 0);
     if (kit_run_read(&picture, &run, err)) return -1;
     kit_run_close(&run);
@@ -202,9 +209,25 @@ static int stage_ao(stage *s, kit_error *err)
 static int stage_lit(stage *s, kit_error *err)
 {
     if (kit_image_new(&s->unit, s->gbuffer.camera.width, s->gbuffer.camera.height, KIT_LIT_CHANNELS, err)) return -1;
-    if (run_open(&s->lights, s, "ssdo", "environment=none,bounce=none", s->radius, err)) return -1;
+    if (run_open(&s->lights, s, "ssdo", s->lit->local ? "environment=none,bounce=none,shadows=none" : "environment=none,bounce=none", s->radius, err)) return -1;
     kit_run_draw(&s->lights, 0);
-    return kit_run_read(&s->direct, &s->lights, err) || (s->lighting.env.data && give_open(s, err)) ? -1 : 0;
+    if (kit_run_read(&s->direct, &s->lights, err)) return -1;
+    if (s->lit->local) memset(s->direct.data, 0, (size_t)s->direct.width * (size_t)s->direct.height * (size_t)s->direct.channels * sizeof *s->direct.data);
+    return s->lighting.env.data || s->lit->local ? give_open(s, err) : 0;
+}
+
+/* What lights the scene; where suns are local, the truth has them in its environment. */
+static int light_up(stage *s, kit_error *err)
+{
+    const lit *l = s->lit;
+    if (l->env && kit_env_read(&s->lighting.env, l->env, err)) return -1;
+    for (int i = 0; i < MOST_SUNS && l->light[i]; ++i) if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;
+    s->traced = s->lighting;
+    if (!l->local) return 0;
+    memset(&s->traced, 0, sizeof s->traced);
+    if (l->env && kit_env_read(&s->traced.env, l->env, err)) return -1;
+    for (int i = 0; i < s->lighting.lights; ++i) if (kit_env_add_sun(&s->traced.env, &s->lighting.light[i], SUN, err)) return -1;
+    return 0;
 }
 
 static int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
@@ -220,8 +243,7 @@ static int stage_open(stage *s, const view *v, int width, int height, kit_error 
     s->lit = v->lit;
     if (s->lit) {
         for (int i = 0; i < s->lit->boxes; ++i) if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
-        if (s->lit->env && kit_env_read(&s->lighting.env, s->lit->env, err)) return -1;
-        if (s->lit->light && kit_light_parse(&s->lighting.light[s->lighting.lights++], s->lit->light, err)) return -1;
+        if (light_up(s, err)) return -1;
     }
     camera = s->scene.camera;
     if (v->fovy > 0) {
@@ -243,6 +265,7 @@ static void stage_close(stage *s)
     kit_image_free(&s->truth);
     kit_image_free(&s->unit);
     kit_image_free(&s->direct);
+    if (s->lit && s->lit->local) kit_image_free(&s->traced.env);
     kit_image_free(&s->lighting.env);
     kit_run_close(&s->lights);
     kit_gbuffer_free(&s->gbuffer);
@@ -273,14 +296,15 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
     kit_score here, unit;
     int failed = mask ? 0 : kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
-    r->lit = s->lit != NULL;
-    for (int g = r->lit ? 0 : 3; g < (r->lit ? 3 : 4) && !failed; ++g) {
-        failed = kit_score_channels(&here, picture, &s->truth, names[g], r->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], r->lit ? 3 : 1, mask, err);
-        const double share = r->lit ? -unit.bias : unit.rmse;
+    r->of = s->lit ? OF_LIT : OF_AO;
+    for (int k = 0; k < SPLITS; ++k) r->split[k] = (double)NAN;
+    for (int g = s->lit ? 0 : 3; g < (s->lit ? 3 : 4) && !failed; ++g) {
+        failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
+        const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
         if (g % 3 == 0) r->score = here;
-        if (g % 3 == 0) r->share = share > 0 ? here.rmse / share : (double)NAN;
-        if (r->lit) r->error[g] = here.rmse / share;
-        if (r->lit) r->bias[g] = here.bias / share;
+        if (g % 3 == 0) r->share = here.rmse * known;
+        if (s->lit) r->error[g] = here.rmse * known;
+        if (s->lit) r->bias[g] = here.bias * known;
     }
     free(mask);
     return failed ? -1 : 0;
@@ -291,7 +315,7 @@ static int light_by(kit_image *visibility, const stage *s, kit_error *err)
 {
     kit_image out;
     const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
-    if (!s->lighting.env.data) return kit_fail(err, "%s: ambient visibility has no environment to dim", s->name);
+    if (!s->givens) return kit_fail(err, "%s: ambient visibility has no environment to dim", s->name);
     if (kit_image_new(&out, visibility->width, visibility->height, KIT_LIT_CHANNELS, err)) return -1;
     for (size_t i = 0; i < pixels * (size_t)out.channels; ++i)
         out.data[i] = s->direct.data[i] + (s->given[0].picture.data[i] - s->direct.data[i]) * visibility->data[i % pixels];
@@ -490,7 +514,7 @@ static int chart(const options *o, kit_error *err)
 {
     static row rows[MOST_SCENES][MOST_ROWS];
     static char names[MOST_SCENES][64];
-    static lit_row_set lit_rows[LIT_TABLES];
+    static lit_row_set lit_rows[LIT_SETS];
     row mean[MOST_ROWS];
     entry entries[MOST_ENTRIES];
     page html, csv;
@@ -546,10 +570,7 @@ static int chart(const options *o, kit_error *err)
     for (int k = 0; k < scenes; ++k) printf("%s %s", k ? "," : "", names[k]);
     printf("\n");
     table_text(stdout, mean, count);
-    for (int k = 0; k < LIT_TABLES && !o->scenes; ++k) {
-        printf("\n%s\n", lit_tables[k].title);
-        table_text(stdout, lit_rows[k].row, lit_rows[k].count);
-    }
+    if (!o->scenes) lit_chart_text(stdout, lit_rows);
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\ncharts: %s/chart.html\n", kit_gl_name(), o->out);
     return 0;
 }

@@ -1,7 +1,9 @@
-/* frames.h - pictures of known geometry that the tests of GL share; defined in test_pipeline.c. */
+/* frames.h - pictures of known geometry, and runs on them, that the tests of GL share. */
 #ifndef FRAMES_H
 #define FRAMES_H
 #include "../examples/kit/kit_gl.h"
+
+/* ---- defined in test_pipeline.c */
 
 kit_camera looking_along_z(int width, int height, int orthographic);
 /* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes x * n = n[3] enclose, from within. */
@@ -17,4 +19,19 @@ int        row_at(double c);
 kit_camera corner_planes(double plane[2][4], double c, double behind);      /* floor, wall; that one moved away by behind */
 double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);       /* the mean of the last pass's first channel over the middle columns of a row, over phases */
 double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c radii */
+
+/* ---- defined in test_light.c; all return whether it went well */
+
+typedef struct box { float lower[3], upper[3]; } box;
+/* env: "white", which is 1 everywhere, or what kit_env_read takes; light: what kit_light_parse takes; NULL = none */
+int        lighten(kit_lighting *l, const char *env, const char *light);
+/* A built-in scene with boxes added, and its G-buffer; camera NULL: the scene's own. */
+int        see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera, int width, int height);
+/* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without end, gap behind it. */
+int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
+/* A method of light: 16 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its picture; both at once. */
+int        begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);
+int        drawn(kit_image *out, kit_run *run);
+int        lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);
+double     mean(const kit_image *image, const char *channel);
 #endif

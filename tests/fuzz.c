@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, lights and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -61,24 +61,48 @@ static int all_finite(const float *f, size_t count)
     return !count;
 }
 
+/* Floats as harmonics, lights and skies; [3*i + c] in sh, finite. */
+static void harmonics(float *sh, int bands, const float *f, size_t count)
+{
+    float out[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], turned[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], window[SSGI_SH_MAX_BANDS], strength;
+    const int any = (int)(count * 7 % 17) - 5;             /* bands: what is too much or too little is limited */
+    const char *why = NULL;
+    ssgi_sh_basis(out, any, f);
+    ssgi_sh_window(window, any, any);
+    ssgi_sh_zonal(out, any, f, f + 6);
+    ssgi_sh_rotate(turned, any, count >= 3 * sizeof out / sizeof *out ? f : sh, any < bands ? 3 : 1, count >= 11 ? f : NULL);
+    ssgi_sh_product(out, bands, sh, f[0] > 0 ? sh : sh + bands * bands);
+    ssgi_sh_rotate(turned, bands, sh, 3, NULL);
+    MUST(all_finite(turned, (size_t)(3 * bands * bands)));
+    if (ssgi_sh_light(sh, bands, f, fabsf(f[3]), f + 4, any, &why) != SSGI_OK) MUST(strchr(why, ':'));
+    if (ssgi_sh_light(sh, bands, f, 0.5f, f + 4, (int)(count % 3), &why) != SSGI_OK) MUST(!strncmp(why, "direction:", 10) || !strncmp(why, "irradiance:", 11));
+    if (ssgi_sh_sky(sh, bands, f, f + 3, f + 6, &why) != SSGI_OK) MUST(!strncmp(why, "up:", 3) || !strncmp(why, "above:", 6) || !strncmp(why, "below:", 6));
+    MUST(all_finite(sh, (size_t)(3 * bands * bands)));
+    if (count % 55 == 0)                                   /* takes long */
+        MUST(ssgi_sh_dering(sh, bands, &strength, &why) == SSGI_OK && strength >= 0.0f && strength <= 1e30f && all_finite(sh, (size_t)(3 * bands * bands)));
+}
+
 /* Pictures of random size as environments, pixels as a reflective shadow map. */
 static void pictures(const float *f, size_t count)
 {
     const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels, height = pixels / width;
     const float *const faces[6] = { f, f, f, f, f, f };
     const int bands = 1 + (int)(count % SSGI_SH_MAX_BANDS), many = 1 + (int)(count % 17);
-    float sh[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], quadric[36], map[3 * 8 * 8], e[2], d[3];
+    float sh[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], map[3 * 8 * 8], e[2], d[3];
     ssgi_sun sun[17];
     ssgi_vpl vpl[17];
     const char *why = NULL;
     MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, (int)height, &why) == SSGI_OK && all_finite(sh, (size_t)(3 * bands * bands)));
+    if (count > 16 && count % 5 == 0) harmonics(sh, bands, f, count);
     MUST(ssgi_sh_project_cube(sh, 3, faces, (int)sqrt((double)pixels), &why) == SSGI_OK && all_finite(sh, 27));
-    ssgi_sh_quadric(quadric, sh, count >= 16 ? f : NULL);
     MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, 0, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "height:", 7));
     MUST(ssgi_environment_suns(sun, many, f, (int)width, (int)height, &why) == SSGI_OK);
     for (int i = 0; i < many; ++i) MUST(all_finite(sun[i].irradiance, 3) && all_finite(sun[i].direction, 3));
-    if (count > 64 && count % 16 == 9)                     /* takes long */
+    if (count > 64 && count % 16 == 9) {                   /* takes long */
         MUST(ssgi_environment_map(map, 8, f, (int)width, (int)height, fabsf(f[1]) < 10.0f ? fabsf(f[1]) : 0.0f, &why) == SSGI_OK && all_finite(map, 3 * 8 * 8));
+        if (ssgi_environment_cone(map, 8, f, (int)width, (int)height, fabsf(f[1]), &why) != SSGI_OK) MUST(!strncmp(why, "cosine:", 7));
+        else MUST(all_finite(map, 3 * 8 * 8));
+    }
     if (ssgi_vpl_choose(vpl, many, f, f, f, pixels, &why) != SSGI_OK) MUST(!strncmp(why, "flux:", 5));
     else for (int i = 0; i < many; ++i) MUST(all_finite(vpl[i].intensity, 3));
     for (size_t i = 0; i + 3 <= count; i += 3) {

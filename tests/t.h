@@ -20,5 +20,6 @@ void test_math(void);
 void test_text(void);
 void test_pipeline(void);
 void test_light(void);
+void test_vectors(void);
 void test_build(void);
 #endif

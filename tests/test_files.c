@@ -1,4 +1,4 @@
-/* test_files.c - files in and out, scores, threads: the kit's util.c, image.c and mesh.c. */
+/* test_files.c - files in and out, scores, threads: the kit's util.c, image.c, mesh.c and light.c. */
 #include "t.h"
 #include "../examples/kit/kit.h"
 
@@ -539,6 +539,59 @@ static void obj_polygons(void)
     kit_mesh_free(&m);
 }
 
+/* ---- environments -------------------------------------------------------------------------------------------- */
+
+/* Luminance of the irradiance over pi that faces a direction; peak: the brightest texel, step: how far texels beside each other differ. */
+static double facing(const kit_image *env, const float to[3], double *peak, double *step)
+{
+    static const double weight[3] = { 0.2126, 0.7152, 0.0722 };
+    const size_t w = (size_t)env->width, texels = w * (size_t)env->height;
+    double sum = 0;
+    *peak = *step = 0;
+    for (size_t i = 0; i < texels; ++i) {
+        const double y = (double)(i / w) + 0.5, pi = acos(-1);
+        float d[3];
+        kit_env_direction(env, (double)(i % w) + 0.5, y, d);
+        const double cosine = fmax(0, (double)(d[0] * to[0] + d[1] * to[1] + d[2] * to[2])), area = 2 * pi / env->width / env->height * sin(pi * y / env->height);
+        for (size_t c = 0; c < 3; ++c) {
+            const double v = (double)env->data[c * texels + i];
+            sum += cosine * area * weight[c] * v;
+            *peak = fmax(*peak, v);
+            *step = fmax(*step, fmax(fabs(v - (double)env->data[c * texels + i / w * w + (i + 1) % w]), i < texels - w ? fabs(v - (double)env->data[c * texels + i + w]) : 0));
+        }
+    }
+    return sum;
+}
+
+static void environments(void)
+{
+    static const struct { const char *name; double up, least, most; } built_in[] = { { "sky", 1.0103, 3, 6 }, { "probe", 1, 150, 300 }, { "white", 1, 1, 1 } };
+    static const float up[3] = { 0, 1, 0 };
+    kit_image env = { 0 };
+    kit_error err = {{0}};
+    double peak, step;
+    for (size_t i = 0; i < sizeof built_in / sizeof *built_in; ++i) {
+        if (!CHECK(!kit_env_read(&env, built_in[i].name, &err), "%s", err.text)) return;
+        const double is = facing(&env, up, &peak, &step);
+        CHECK(fabs(is - built_in[i].up) < 5e-4, "%s: irradiance over pi is %.4f facing up", built_in[i].name, is);
+        CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < 0.45 * peak, "%s: peak %g, steps of %g", built_in[i].name, peak, step);
+        t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f", built_in[i].name, is, peak, step);
+        kit_image_free(&env);
+    }
+    CHECK(kit_env_read(&env, "dusk", &err) == -1 && strstr(err.text, "dusk") && strstr(err.text, "probe"), "\"%s\"", err.text);
+
+    const kit_light sun = { KIT_SUN, { 0.6f, -0.48f, 0.64f }, { 3, 2, 1 } };
+    for (int k = 0; k < 2; ++k) {                       /* on black, then on white */
+        if (k && !CHECK(!kit_env_read(&env, "white", &err), "%s", err.text)) return;
+        if (!CHECK(!kit_env_add_sun(&env, &sun, 3, &err), "%s", err.text)) return;
+        const double is = facing(&env, sun.at, &peak, &step) - k, should = (0.2126 * 3 + 0.7152 * 2 + 0.0722) / acos(-1);
+        CHECK(fabs(is / should - 1) < 1e-3, "a sun brings %.5f, not %.5f", is, should);
+        t_note("a sun's disc: irradiance off by %.1e", is / should - 1);
+        kit_image_free(&env);
+    }
+    CHECK(kit_env_add_sun(&env, &sun, 0.1, &err) == -1 && kit_env_add_sun(&env, &sun, (double)NAN, NULL) == -1 && !env.data, "a sun smaller than a texel: \"%s\"", err.text);
+}
+
 /* ---- threads ------------------------------------------------------------------------------------------------- */
 
 static void count_visit(void *context, int i) { ++((unsigned char *)context)[i]; }
@@ -585,6 +638,7 @@ void test_files(void)
     RUN("an OBJ cut off anywhere is a smaller mesh or one clear error", obj_truncated);
     RUN("a bad OBJ is an error that names file, line and fault", obj_bad);
     RUN("concave polygons and bridged holes are covered once", obj_polygons);
+    RUN("built-in environments are as bright as they say, with soft edges; a sun's disc brings the sun's light", environments);
     RUN("threads visit each index exactly once", parallel);
     files_in_folder(1);
     rmdir(folder);

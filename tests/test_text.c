@@ -22,22 +22,26 @@ typedef struct choice { const char *name; size_t offset; int count, first, step;
 #define CHOICE(field, count, first, step) { #field, offsetof(ssgi_gl_desc, field), count, first, step }
 static const choice choices[] = {
     CHOICE(orthographic, 2, 0, 1), CHOICE(depth, 3, 0, 1), CHOICE(normal, 5, 0, 1), CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 3, 0, 1), CHOICE(steps, 2, 1, 2),
-    CHOICE(normal_rays, 2, 0, 2), CHOICE(hard, 2, 0, 1), CHOICE(thin, 2, 0, 1), CHOICE(falloff, 3, 0, 1), CHOICE(kernel, 2, 0, 1), CHOICE(fade, 2, 0, 1), CHOICE(layers, 3, 1, 1),
-    CHOICE(views, 2, 0, 2), CHOICE(view_layers, 2, 1, 1), CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1), CHOICE(bounce, 4, 0, 1), CHOICE(two_sided, 2, 0, 1),
-    CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1), CHOICE(radiance, 3, 0, 1), CHOICE(half, 2, 0, 1), CHOICE(colour, 2, 0, 1), CHOICE(filter, 2, 0, 1),
-    CHOICE(filter_normals, 2, 0, 1)
+    CHOICE(normal_rays, 2, 0, 2), CHOICE(hard, 2, 0, 1), CHOICE(thin, 2, 0, 1), CHOICE(falloff, 3, 0, 1), CHOICE(kernel, 2, 0, 1), CHOICE(fade, 4, 0, 1),
+    CHOICE(range, 2, 0, 1), CHOICE(layers, 3, 1, 1), CHOICE(views, 2, 0, 2), CHOICE(view_layers, 2, 1, 1), CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
+    CHOICE(bounce, 4, 0, 1), CHOICE(bands, 4, 1, 1), CHOICE(packed, 2, 0, 1), CHOICE(transfer, 3, 0, 1), CHOICE(shaded, 2, 0, 1), CHOICE(shading, 4, 0, 1),
+    CHOICE(lamps, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(exact, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
+    CHOICE(radiance, 4, 0, 1), CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1)
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 4000, TIMES = 4, TEXT = 1 << 16 };
+enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 10000, TIMES = 2, TEXT = 1 << 16,
+       WORDS = (int)(sizeof(ssgi_gl__set) / sizeof(uint64_t)) };
 #define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }"
 
 static ssgi_gl_desc variant[MOST];
 static int variants, first_of[SSGI_GL__ROWS + 1];         /* those of the table's pass t begin at first_of[t] */
-static uint32_t random_state;
+static uint64_t random_state;
 
 static float uniform(float lower, float upper)
 {
-    random_state = random_state * 1664525u + 1013904223u;
-    return lower + (upper - lower) * (float)(random_state >> 8) * (1.0f / 16777216.0f);
+    uint64_t z = random_state += 0x9e3779b97f4a7c15u;      /* SplitMix64: the many choices of a desc are independent */
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
 }
 
 static int  get(const ssgi_gl_desc *d, size_t offset) { int v; memcpy(&v, (const char *)d + offset, sizeof v); return v; }
@@ -52,19 +56,24 @@ static ssgi_gl_desc plain_desc(int t)      /* of the table's pass t: nothing cho
     return d;
 }
 
-/* All that these choices bring into the text, its features and constants; 0 when refused. ssgi_gl_key, but a hundred times as fast. */
+/* All that these choices bring into the text, its rows, chunks and constants; 0 when refused. ssgi_gl_key, but much faster. */
 static uint64_t content(const ssgi_gl_desc *desc)
 {
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl_desc d = ssgi_gl__resolve(desc);
-    uint64_t features = ssgi_gl__features(&d), hash = features * 0x9e3779b97f4a7c15u;
-    for (const ssgi_gl__row *const *r = ssgi_gl__find(&d)->rows[SSGI_GL_FRAGMENT]; *r && (*r)->io.kind == SSGI_GL_CONSTANT; ++r)
-        if (((*r)->need & features) == (*r)->need) hash = (hash ^ (uint64_t)get(&d, (*r)->io.offset)) * 1099511628211u;
+    const ssgi_gl__set features = ssgi_gl__features(&d);
+    const ssgi_gl__pass *pass = ssgi_gl__find(&d);
+    uint64_t hash = 1;
+    for (const ssgi_gl__row *const *r = pass->rows[SSGI_GL_FRAGMENT]; *r; ++r)
+        if (ssgi_gl__has(&features, (*r)->need))
+            hash = (hash ^ (uint64_t)(uintptr_t)*r ^ (uint64_t)((*r)->io.kind == SSGI_GL_CONSTANT ? get(&d, (*r)->io.offset) : 0) << 56) * 0x9e3779b97f4a7c15u;
+    for (const ssgi_gl__chunk *const *c = pass->chunks[SSGI_GL_FRAGMENT]; *c; ++c)
+        if (ssgi_gl__has(&features, (*c)->need)) hash = (hash ^ (uint64_t)(*c)->line) * 0x9e3779b97f4a7c15u;
     return hash | 1;
 }
 
 /* The fields that matter in a desc, those of which another value gives another text, and how they are chosen: VALUES * field + value. */
-typedef struct point { ssgi_gl_desc desc; uint64_t content; int place[CHOICES], places, gain; } point;
+typedef struct point { ssgi_gl_desc desc; uint64_t content; int place[CHOICES], places; } point;
 
 static void locate(point *p)
 {
@@ -80,11 +89,21 @@ static void locate(point *p)
         }
 }
 
+/* Chooses at random, but for those whose bit is set in kept; 0 when nothing that is accepted was found. */
+static uint64_t choose_freely(ssgi_gl_desc *d, uint64_t kept)
+{
+    uint64_t found = 0;
+    for (int tries = 0; tries < 64 && !found; ++tries) {
+        for (int k = 0; k < CHOICES; ++k) if (!(kept >> k & 1)) choose(d, k, (int)uniform(0, (float)choices[k].count - 0.001f));
+        found = content(d);
+    }
+    return found;
+}
+
 static void random_point(point *p, int t)
 {
-    ssgi_gl_desc *d = &p->desc;
-    *d = plain_desc(t);
-    do for (int k = 0; k < CHOICES; ++k) choose(d, k, (int)uniform(0, (float)choices[k].count - 0.001f)); while (!(p->content = content(d)));
+    p->desc = plain_desc(t);
+    p->content = choose_freely(&p->desc, 0);
     locate(p);
 }
 
@@ -103,26 +122,30 @@ static int triples(const point *p, int times, int mark)
     return fresh;
 }
 
-/* Greedy: from a pool of random points, each another text, always the one that covers most. */
+/* Greedy: from a pool of random points always the one that covers most, each another text. */
 static void make_variants(void)
 {
     static point pool[POOL];
+    static int gain[POOL];                                 /* at most: it falls */
+    static uint64_t taken[MOST];
     random_state = 1;
     for (int t = 0; t < SSGI_GL__ROWS; ++t) {
         memset(covered, 0, sizeof covered);
-        for (int i = 0, k = 0; i < POOL; ++i, k = 0) {
+        for (int i = 0; i < POOL; ++i) {
             random_point(&pool[i], t);
-            while (pool[k].content != pool[i].content) ++k;
-            pool[i].gain = k < i ? 0 : triples(&pool[i], TIMES, 0);
+            gain[i] = triples(&pool[i], TIMES, 0);
         }
-        while (variants < MOST) {
-            point *best = pool;
-            for (int i = 1; i < POOL; ++i) if (pool[i].gain > best->gain) best = &pool[i];
-            if (!best->gain) break;
-            const int gain = triples(best, TIMES, 0);      /* may have fallen since it was counted */
-            if (gain == best->gain) { triples(best, TIMES, 1); variant[variants++] = best->desc; }
-            best->gain = gain == best->gain ? 0 : gain;
-        }
+        for (int most = CHOICES * CHOICES * CHOICES / 6; most; --most)
+            for (int i = 0; i < POOL; ++i) {
+                if (gain[i] != most) continue;
+                int v = first_of[t];
+                while (v < variants && taken[v] != pool[i].content) ++v;
+                gain[i] = v < variants ? 0 : triples(&pool[i], TIMES, 0);
+                if (gain[i] < most || variants == MOST) continue;
+                triples(&pool[i], TIMES, 1);
+                taken[variants] = pool[i].content;
+                variant[variants++] = pool[i].desc;
+            }
         first_of[t + 1] = variants;
     }
 }
@@ -188,27 +211,37 @@ static void covering(void)
 
 static struct { int texts; char problem[1000]; } glslang;
 
-/* Every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect. Many files a call. */
+/* The texts compiled: every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect; then the vertex
+   stages. Returns the stage of text i. */
+static int spoken(ssgi_gl_desc *d, int i)
+{
+    const int fragment = i < 2 * variants;
+    *d = variant[fragment ? i / 2 : 0];
+    d->lines = i % 16 < 2;
+    d->dialect = fragment ? (i & 1) * 3 + (int)(content(d) >> 20 & 1023) % 3 : i - 2 * variants;
+    return fragment ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX;
+}
+
+/* Many files a call. */
 static void *glslang_run(void *folder)
 {
     enum { BATCH = 128 };
     static char text[TEXT];
+    ssgi_gl_desc d;
     char path[200], line[400], file[400] = "0";
     int total = 2 * variants + SSGI_GL_DIALECTS, passed = 1;
     for (int first = 0; first < total && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < total; ++i, ++glslang.texts) {
-            int fragment = i < 2 * variants;
-            ssgi_gl_desc d = variant[i / 2 % variants];
-            d.dialect = fragment ? (i & 1) * 3 + (int)(ssgi_gl_key(&d) >> 20 & 1023) % 3 : i - 2 * variants;
-            d.lines = i % 16 < 2;
-            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, fragment ? "frag" : "vert");
-            kit_file_write(path, text, ssgi_gl_emit(text, TEXT, &d, fragment ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX), NULL);
+            const int stage = spoken(&d, i);
+            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, stage == SSGI_GL_FRAGMENT ? "frag" : "vert");
+            kit_file_write(path, text, ssgi_gl_emit(text, TEXT, &d, stage), NULL);
         }
         snprintf(path, sizeof path, "cd '%s' && glslangValidator $(ls) 2>&1 && rm *.* && echo passed", (char *)folder);
         FILE *pipe = popen(path, "r");
         for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
             if (isdigit((unsigned char)line[0])) memcpy(file, line, sizeof file);
-            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&variant[atoi(file) / 2 % variants]), line + 5);
+            spoken(&d, atoi(file));
+            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&d), line + 5);
         }
         if (pipe) pclose(pipe);
         if (!passed && !glslang.problem[0]) strcpy(glslang.problem, "no answer");
@@ -246,48 +279,58 @@ static void compilers(void)
         if (es && !kit_gl_open("egl-es", NULL)) { glGetIntegerv(GL_MAJOR_VERSION, &version[0]); glGetIntegerv(GL_MINOR_VERSION, &version[1]); }
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);    /* takes ES texts too: ARB_ES3_2_compatibility */
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
-        for (int dialect = es ? SSGI_GL_300ES : SSGI_GL_330; dialect < (es ? SSGI_GL_DIALECTS : SSGI_GL_300ES); ++dialect)
-            for (int v = -1; v < variants; ++v, ++texts) {
-                ssgi_gl_desc d = variant[v < 0 ? 0 : v];
-                d.dialect = dialect;
-                if (!compiles(&d, v < 0 ? SSGI_GL_VERTEX : SSGI_GL_FRAGMENT)) break;
-            }
+        for (int i = 0, bad = 0; i < 2 * variants + SSGI_GL_DIALECTS && bad < 3; ++i) {
+            ssgi_gl_desc d;
+            const int stage = spoken(&d, i);
+            if ((d.dialect >= SSGI_GL_300ES) != es) continue;
+            bad += !compiles(&d, stage);
+            ++texts;
+        }
         t_note("%d texts in %.0f s: %s", texts, kit_seconds() - began, kit_gl_name());
     }
     if (!has) return;
     pthread_join(thread, NULL);
     CHECK(!glslang.problem[0], "glslangValidator: %s", glslang.problem);
-    t_note("%d texts: glslangValidator; all %d variants, each in a desktop and an ES dialect in turn", glslang.texts, variants);
+    t_note("%d texts: glslangValidator", glslang.texts);
     snprintf(line, sizeof line, "rm -rf '%s'", folder);
     CHECK(!system(line), "%s", line);
 }
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
+/* Text number k: both stages of some descs, then the functions of harmonics alone. */
+static size_t any_text(int k, char *out, size_t capacity)
+{
+    static const ssgi_gl_desc descs[] = { { .samples = 3 },
+        { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_320ES, .samples = 2, .environment = SSGI_GL_ENVIRONMENT_SH, .bounce = SSGI_GL_BOUNCE_PATCH, .views = 1 },
+        { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
+        { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
+        { .pass = SSGI_GL_SHADE, .lamps = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH } };
+    const int texts = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
+    return k < texts ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES) : ssgi_gl_sh(out, capacity, k - texts + 1);
+}
+
 static void law(void)
 {
     static char full[TEXT], part[TEXT], clean[TEXT];
-    const ssgi_gl_desc descs[] = { { .samples = 3 },
-                                   { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_320ES, .samples = 2, .environment = SSGI_GL_ENVIRONMENT_SH, .bounce = SSGI_GL_BOUNCE_PATCH, .views = 1 },
-                                   { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
-                                   { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
-                                   { .pass = SSGI_GL_BLUR, .normal = SSGI_GL_NORMAL_FROM_DEPTH, .half = 1, .filter_normals = 1 } };
+    const ssgi_gl_desc fine = { 0 }, bad = { .steps = 65 };
+    size_t n;
+    int k = 0;
     memset(clean, 0x5a, sizeof clean);
     memcpy(part, clean, sizeof part);
-    for (size_t k = 0; k < sizeof descs / sizeof descs[0]; ++k)
-        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
-            size_t n = strlen(emit(full, &descs[k], stage));
-            CHECK(ssgi_gl_emit(NULL, 0, &descs[k], stage) == n, "the length asked for with NULL differs");
-            for (size_t capacity = 0; capacity <= n + 1; ++capacity) {
-                size_t got = ssgi_gl_emit(part, capacity, &descs[k], stage), used = capacity > n ? n + 1 : capacity;
-                int right = got == n && (!used || (!memcmp(part, full, used - 1) && !part[used - 1])) && !memcmp(part + used, clean, n + 64 - used);
-                if (!CHECK(right, "capacity %zu of %zu: length %zu, or wrong bytes in or beyond it", capacity, n, got)) return;
-                memcpy(part, clean, used);
-            }
+    for (; (n = any_text(k, NULL, 0)) != 0; ++k) {
+        CHECK(any_text(k, full, TEXT) == n && strlen(full) == n, "text %d: the length asked for with NULL differs", k);
+        for (size_t capacity = 0; capacity <= n + 1; capacity += capacity < 300 || capacity + 300 > n ? 1 : 37) {
+            size_t got = any_text(k, part, capacity), used = capacity > n ? n + 1 : capacity;
+            int right = got == n && (!used || (!memcmp(part, full, used - 1) && !part[used - 1])) && !memcmp(part + used, clean, n + 64 - used);
+            if (!CHECK(right, "text %d, capacity %zu of %zu: length %zu, or wrong bytes in or beyond it", k, capacity, n, got)) return;
+            memcpy(part, clean, used);
         }
-    ssgi_gl_desc bad = { .steps = 65 };
-    CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0) && !ssgi_gl_emit(part, TEXT, descs, -1) && !ssgi_gl_emit(part, TEXT, descs, SSGI_GL_STAGES)
-          && !ssgi_gl_emit(NULL, 1, descs, 0) && !memcmp(part, clean, TEXT), "a bad desc or stage gave text");
+    }
+    CHECK(k == 14, "%d texts", k);                         /* the last had 4 bands: 5 gives none */
+    CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0) && !ssgi_gl_emit(part, TEXT, &fine, -1) && !ssgi_gl_emit(part, TEXT, &fine, SSGI_GL_STAGES)
+          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(NULL, 1, 4) && !memcmp(part, clean, TEXT),
+          "a bad desc, stage or number of bands gave text");
 }
 
 static void same_bytes(void)
@@ -328,8 +371,8 @@ static size_t std140(const char *type, size_t *align)
 /* Reads the declarations back from the text, line by line, and compares them with the rows in their order. */
 static int compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
-    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(\0const int \0out \0in ";
-    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, at = 0, block = -1, last = -1, arrays = 0, precisions = 0;
+    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(\0const int \0out \0in \0";
+    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, at = 0, block = -1, last = -1, precisions = 0, samplers = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
     for (; line < end; line = strchr(line, '\n') + 1) {
@@ -360,7 +403,7 @@ static int compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_i
         } else if (sscanf(line, "layout(location = %d) out %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4) io.kind = SSGI_GL_OUTPUT;
         else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4
                           : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4 && !strcmp(begin, "uniform")) io.kind = SSGI_GL_TEXTURE;
-        arrays |= strstr(type, "sampler2DArray") != NULL;
+        if (io.kind == SSGI_GL_TEXTURE) samplers |= 1 << (2 * (*type == 'u') + (strstr(type, "Array") != NULL));
         int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type) && !strcmp(row[at].format, format)
                    && row[at].offset == io.offset && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings));
         if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at, at < rows ? row[at].name : "none")) return 0;
@@ -370,7 +413,8 @@ static int compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_i
         char start[16] = "\n";
         CHECK(!strstr(end, strcat(start, w)), "%s: a declaration after the declarations: %s", describe(d), w);
     }
-    CHECK(precisions == (es ? arrays ? 5 : 3 : 0), "%s: %d precisions with%s arrays", describe(d), precisions, arrays ? "" : "out");
+    const int kinds = (samplers & 1) + (samplers >> 1 & 1) + (samplers >> 2 & 1) + (samplers >> 3);
+    CHECK(precisions == (es ? 2 + kinds : 0), "%s: %d precisions, %d kinds of samplers", describe(d), precisions, kinds);
     return CHECK(at == rows, "%s: %d declarations, %d rows", describe(d), at, rows);
 }
 
@@ -414,25 +458,49 @@ static int ask_gl(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row
 static void reflection(void)
 {
     static char text[TEXT];
-    static uint64_t seen[MOST];
-    ssgi_gl_io row[SSGI_GL_MAX_IO], few[2];
-    int linked = 0;
+    static uint64_t seen[1 << 12];
+    ssgi_gl_io row[SSGI_GL_MAX_IO], read[SSGI_GL_MAX_IO], few[2];
+    int linked = 0, pairs = 0;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.dialect = i % SSGI_GL_DIALECTS;
-        int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), s = 0;
-        uint64_t hash = 14695981039346656037u;
+        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
         if (!compare_rows(emit(text, &d, SSGI_GL_FRAGMENT), &d, row, rows)) break;
         if (d.dialect != SSGI_GL_450 || !desktop) continue;
-        for (const char *c = text; c < strstr(text, "\n\n"); ++c) hash = (hash ^ (uint64_t)*c) * 1099511628211u;
-        while (s < linked && seen[s] != hash) ++s;
-        if (s < linked) continue;
-        seen[linked++] = hash;
+        uint64_t last = (uint64_t)d.pass;
+        for (const char *line = strchr(text, '\n') + 1; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
+            uint64_t two = last * 31;
+            int s = 0;
+            last = 14695981039346656037u;
+            for (size_t k = 0; k < strcspn(line, "\n"); ++k) last = (last ^ (uint64_t)line[k]) * 1099511628211u;
+            two ^= last;
+            while (s < pairs && seen[s] != two) ++s;
+            if (s == pairs && CHECK(pairs < 1 << 12, "too many pairs of lines")) seen[pairs++] = two;
+        }
+        if (pairs == before) continue;
+        ++linked;
         if (!ask_gl(text, &d, row, rows)) break;
         few[1] = row[3];
         CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name, "more rows than there is room for");
     }
-    t_note("%d texts read back, %d different sets of declarations linked", variants * SSGI_GL_DIALECTS, linked);
+    t_note("%d texts read back, %d linked for %d different pairs of lines", variants * SSGI_GL_DIALECTS, linked, pairs);
+    for (int k = 0; k < 4 * 2 * 3; ++k) {                  /* what s3ho writes is what blur reads, in order, name, type and format */
+        ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
+        blur.pass = SSGI_GL_BLUR;
+        blur.colour = SSGI_GL_VECTORS;
+        const int targets = d.packed ? (d.transfer ? 3 : 1) * (d.bands > 2 ? 2 : 1) : d.bands < 3 ? 1 : d.bands;
+        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), reads = ssgi_gl_reflect(&blur, read, SSGI_GL_MAX_IO);
+        int written = 0, found = 0;
+        for (int i = 0, b = 0; i < rows; ++i) {
+            if (row[i].kind != SSGI_GL_OUTPUT) continue;
+            while (b < reads && strcmp(read[b].name + 1, row[i].name + 1)) ++b;
+            found += b < reads && read[b].kind == SSGI_GL_TEXTURE && !strcmp(read[b].format, row[i].format) && !strcmp(read[b].type, d.packed ? "usampler2D" : "sampler2D")
+                     && !strcmp(row[i].type, d.packed ? "uvec4" : "vec4") && row[i].slot == written;
+            ++written;
+        }
+        CHECK(d.transfer && !d.packed ? !rows && !reads : written == targets && found == targets, "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.bands,
+              d.packed, d.transfer, written, found);
+    }
     emit(text, variant, SSGI_GL_VERTEX);
     CHECK(!strstr(text, "ssgi") && !strstr(text, "uniform") && !strstr(text, "layout"), "the vertex stage declares something");
     CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0, "reflection of nothing");
@@ -443,72 +511,93 @@ static void reflection(void)
 static void off(void)
 {
     static char text[TEXT];
-    for (int v = 0; v < 2 * variants; ++v) {
-        ssgi_gl_desc copy = variant[v / 2], *d = &copy;
+    for (int v = 0; v < variants; ++v) {
+        ssgi_gl_desc copy = variant[v], *d = &copy;
         d->lines = v & 1;
+        d->dialect = v % SSGI_GL_DIALECTS;
         int ssao = d->pass == SSGI_GL_SSAO, hsao = d->pass == SSGI_GL_HSAO, ssdo = d->pass == SSGI_GL_SSDO, lights = d->pass == SSGI_GL_LIGHTS, senders = d->pass == SSGI_GL_SENDERS;
-        int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo, ortho = d->orthographic;
-        int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = !blur || box, from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH;
-        int depth = !blur || d->half || from_depth, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
+        int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE;
+        int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
+        int grey = blur && d->colour == SSGI_GL_GREY, colour = blur && d->colour == SSGI_GL_COLOUR, vectors = blur && !grey && !colour;
+        int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact;
+        int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = blur ? box : !shade || exact;
+        int from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH, depth = !blur || d->half || from_depth || vectors, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
         int fill = d->shadow == SSGI_GL_SHADOW_FILL, maps = lights && (d->shadow == SSGI_GL_SHADOW_MAP || fill), segments = lights && (d->shadow == SSGI_GL_SHADOW_SEGMENT || fill);
         int tested = points || rays || segments, projected = points || march || segments, noise = hsao || tested;
-        int bounce = ssdo && d->bounce, patches = bounce && d->bounce != SSGI_GL_BOUNCE_SOLID_ANGLE;
-        int facing = patches || (bounce && !d->two_sided), sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, env = ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP;
+        int reflected = s3ho && d->transfer, bounce = (ssdo && d->bounce) || reflected, patches = ssdo && d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE;
+        int facing = patches || (bounce && !d->two_sided), env = ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP;
         int views = tested && d->views, deep = views || (tested && d->layers > 1), textures = tested && !bounce, hidden = d->receiver && (ssdo || lights || senders);
-        int layers = hidden || (textures && d->layers > 1), fade = points && d->fade, half = d->half && !lights && !senders, grey = blur && !d->colour, colour = blur && d->colour;
-        int custom = d->depth == SSGI_GL_DEPTH_CUSTOM, lit = senders && d->radiance != SSGI_GL_RADIANCE_DIRECT;
+        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders;
+        int custom = d->depth == SSGI_GL_DEPTH_CUSTOM, bent = shade && d->shading == SSGI_GL_SHADING_BENT, cone = shade && d->shading == SSGI_GL_SHADING_BENT_CONE;
+        int open = env || cone || exact || (shade && d->shading == SSGI_GL_SHADING_BENT_NORMAL), lamps = shade && !bent && d->lamps;
+        int albedo = senders ? d->radiance != SSGI_GL_RADIANCE_DIRECT : shade && !bent && d->albedo;
+        int lit = senders && (d->radiance == SSGI_GL_RADIANCE_LIGHT || d->radiance == SSGI_GL_RADIANCE_BOTH), direct = senders && d->radiance % 3;
+        int reads = shade || vectors, writes = vectors || (s3ho && !d->shaded), kept = reads || writes, sums = sh || s3ho;
+        int turned = sh || (s3ho && d->transfer != SSGI_GL_TRANSFER_REFLECTED), lobes = sums || lamps || (vectors && half), any = kept || sums, three = any && d->transfer && !sh;
+        int bands = !any ? 0 : shade && d->shading && !lamps && d->bands > 2 ? 2 : d->bands, packed = kept && d->packed, words = kept && !packed, one = packed && !three;
+        int native = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_300ES;
         const struct { const char *word; int wanted; } table[] = {
             { "#line", d->lines }, { "SSGI_KERNEL", points && !d->kernel }, { "t_ssgi_kernel", points && d->kernel }, { "SSGI_SAMPLES", points || segments },
-            { "SSGI_STEPS", hsao || (points && d->steps > 1) },
-            { "SSGI_DIRECTIONS", hsao }, { "SSGI_FILTER_RADIUS", blur }, { "SSGI_LAYERS", deep }, { "SSGI_VIEWS", views }, { "SSGI_VIEW_LAYERS", views },
-            { "SSGI_RECEIVER", hidden },
-            { "SSGI_NORMAL_RAYS", rays }, { "ssgi_ray(", rays }, { "ssgi_above(", rays }, { "ssgi_horizon(", march }, { "ssgi_attenuation(", march },
-            { "max(1.0 - d / u_ssgi_radius", march && !d->hard }, { "d < u_ssgi_radius ?", march && d->hard }, { "ssgi_arc(", slices }, { "ssgi_screen(", slices },
-            { "vec2 last", slices && !d->hard }, { "vec3 back", slices && d->thin }, { "u_ssgi_thickness", d->thin && (slices || tested) },
-            { "ssgi_thickness(", d->thin && tested },
+            { "SSGI_STEPS", hsao || (points && d->steps > 1) }, { "SSGI_DIRECTIONS", hsao }, { "SSGI_FILTER_RADIUS", blur }, { "SSGI_LAYERS", deep },
+            { "SSGI_VIEWS", views }, { "SSGI_VIEW_LAYERS", views }, { "SSGI_RECEIVER", hidden }, { "SSGI_NORMAL_RAYS", rays }, { "ssgi_ray(", rays },
+            { "ssgi_above(", rays }, { "ssgi_horizon(", march }, { "ssgi_attenuation(", march }, { "max(1.0 - d / u_ssgi_radius", march && !d->hard },
+            { "d < u_ssgi_radius ?", march && d->hard }, { "ssgi_arc(", slices }, { "ssgi_screen(", slices }, { "vec2 last", slices && !d->hard },
+            { "vec3 back", slices && d->thin }, { "u_ssgi_thickness", d->thin && (slices || tested) }, { "ssgi_thickness(", d->thin && tested },
             { "ssgi_reach", d->thin && segments }, { "ssgi_blocked(", tested }, { "ssgi_lift(", projected }, { "u_ssgi_offset", projected },
-            { "u_ssgi_radius", projected || slices || box },
-            { "ssgi_noise(", noise }, { "u_ssgi_phase", noise }, { "t_ssgi_noise", noise && d->noise == SSGI_GL_NOISE_TEXTURE },
-            { "52.9829189", noise && d->noise == SSGI_GL_NOISE_GRADIENT }, { "& 3", noise && d->noise == SSGI_GL_NOISE_TILE4 },
-            { "ssgi_length(", points }, { "return xi;", points && d->falloff == SSGI_GL_FALLOFF_LINEAR }, { "sqrt(xi)", points && d->falloff == SSGI_GL_FALLOFF_SQUARE },
-            { "pow(xi", points && d->falloff == SSGI_GL_FALLOFF_CUBE }, { "ssgi_faded(", fade }, { "u_ssgi_fade", fade }, { "smoothstep(", fade },
-            { "ssgi_matter(", deep }, { "ssgi_surface(", deep && textures }, { "ssgi_view_layer(", views && textures }, { "ssgi_layer(", layers },
-            { "t_ssgi_layers", layers && !custom },
-            { "t_ssgi_views", views && textures }, { "u_ssgi_view_to", views }, { "u_ssgi_view_from", views && (fade || bounce) }, { "u_ssgi_view_decode", views },
-            { "u_ssgi_view_size", views },
-            { "t_ssgi_senders", bounce }, { "t_ssgi_view_senders", bounce && views }, { "ssgi_sent(", bounce }, { "ssgi_held(", bounce }, { "ssgi_sender", bounce },
-            { "ssgi_offer(", bounce && deep },
-            { "ssgi_point(", fade || bounce }, { "ssgi_unpack_radiance(", bounce }, { "ssgi_unpack_depth(", bounce }, { "ssgi_unpack_normal(", facing },
-            { "ssgi_P", fade || facing || (bounce && deep) }, { "ssgi_way", bounce && deep }, { "ssgi_n", patches },
-            { "u_ssgi_nearest", bounce && d->bounce == SSGI_GL_BOUNCE_PATCH }, { "u_ssgi_gain", patches }, { "c = abs(c)", patches && d->two_sided },
-            { "area / float(SSGI_SAMPLES)", bounce && d->bounce == SSGI_GL_BOUNCE_DISC }, { "ssgi_pack_radiance(", senders }, { "ssgi_pack_place(", senders },
-            { "ssgi_octahedral(", senders || env },
-            { "u_ssgi_environment", sh }, { "ssgi_quadric(", sh }, { "t_ssgi_environment", env }, { "t_ssgi_irradiance", env }, { "ssgi_environment(", env },
-            { "ssgi_open(", env },
-            { "t_ssgi_lights", lights }, { "u_ssgi_lights", lights }, { "t_ssgi_shadow", maps }, { "ssgi_shadow(", maps }, { "u_ssgi_steepest", maps },
-            { "ssgi_segment(", segments },
-            { "min(reach, max(bias", maps && segments }, { "t_ssgi_light", colour || (lights && d->accumulate) || lit }, { "t_ssgi_albedo", lit },
-            { "t_ssgi_direct", senders && d->radiance != SSGI_GL_RADIANCE_LIGHT }, { "o_ssgi_light", lights || colour || sh || env }, { "o_ssgi_bounce", bounce },
-            { "o_ssgi_sender", senders },
-            { "/ 2", half }, { "p *= 2", half && !blur }, { "h * 2", half && blur }, { "ssgi_off_plane(", box }, { "exp(", blur && !box },
-            { "dot(n, ssgi_normal(q", box && d->filter_normals }, { "tent", box && half }, { "t_ssgi_ao", grey }, { "vec2 o_ssgi_ao", ssao || hsao }, { "float o_ssgi_ao", grey },
-            { "u_ssgi_decode", window }, { "ssgi_decode(", window }, { "sampler2D t_ssgi_depth", depth && !custom && (textures || !hidden) },
-            { "ssgi_custom_depth(p +", depth && custom }, { "ssgi_depth(", depth && (!hidden || (textures && !custom)) },
-            { "t_ssgi_normal", map }, { "ssgi_unit(", normals }, { "ssgi_custom_normal(p +", normals && d->normal == SSGI_GL_NORMAL_CUSTOM }, { "ssgi_tangent(", from_depth },
+            { "u_ssgi_radius", projected || slices || box }, { "ssgi_noise(", noise }, { "u_ssgi_phase", noise },
+            { "t_ssgi_noise", noise && d->noise == SSGI_GL_NOISE_TEXTURE }, { "52.9829189", noise && d->noise == SSGI_GL_NOISE_GRADIENT },
+            { "& 3", noise && d->noise == SSGI_GL_NOISE_TILE4 }, { "ssgi_length(", points }, { "return xi;", points && d->falloff == SSGI_GL_FALLOFF_LINEAR },
+            { "sqrt(xi)", points && d->falloff == SSGI_GL_FALLOFF_SQUARE }, { "pow(xi", points && d->falloff == SSGI_GL_FALLOFF_CUBE }, { "ssgi_faded(", faded },
+            { "u_ssgi_fade", points && d->fade == SSGI_GL_FADE_SMOOTH }, { "smoothstep(", points && d->fade == SSGI_GL_FADE_SMOOTH },
+            { "u_ssgi_lambda", points && d->fade >= SSGI_GL_FADE_LAMBDA }, { "weight -= t;", points && d->fade == SSGI_GL_FADE_LAMBDA_ENDED },
+            { "if (t > 1.0", range }, { "ssgi_matter(", deep }, { "ssgi_surface(", deep && textures }, { "ssgi_view_layer(", views && textures },
+            { "ssgi_layer(", layers }, { "t_ssgi_layers", layers && !custom }, { "t_ssgi_views", views && textures }, { "u_ssgi_view_to", views },
+            { "u_ssgi_view_from", views && (faded || bounce) }, { "u_ssgi_view_decode", views }, { "u_ssgi_view_size", views }, { "t_ssgi_senders", bounce },
+            { "t_ssgi_view_senders", bounce && views }, { "ssgi_sent(", bounce }, { "ssgi_held(", bounce }, { "ssgi_sender", bounce },
+            { "ssgi_offer(", bounce && deep }, { "ssgi_sender_place", reflected }, { "ssgi_point(", faded || bounce }, { "ssgi_unpack_radiance(", bounce },
+            { "ssgi_unpack_depth(", bounce }, { "ssgi_unpack_normal(", facing || reflected }, { "ssgi_P", faded || facing || (bounce && deep) },
+            { "ssgi_way", bounce && deep }, { "ssgi_n", patches || range }, { "u_ssgi_nearest", bounce && d->bounce == SSGI_GL_BOUNCE_PATCH && ssdo },
+            { "u_ssgi_gain", patches }, { "c = abs(c)", patches && d->two_sided }, { "o = -o", reflected && d->two_sided }, { "o_ssgi_bounce", bounce && ssdo },
+            { "area / float(SSGI_SAMPLES)", ssdo && d->bounce == SSGI_GL_BOUNCE_DISC }, { "ssgi_pack_radiance(", senders }, { "ssgi_pack_place(", senders },
+            { "ssgi_octahedral(", senders || open }, { "t_ssgi_environment", env }, { "t_ssgi_irradiance", open }, { "ssgi_environment(", env },
+            { "ssgi_open(", open }, { "t_ssgi_irradiance, 0).z", cone }, { "t_ssgi_lights", lights || lamps }, { "u_ssgi_lights", lights || lamps },
+            { "t_ssgi_shadow", maps }, { "ssgi_shadow(", maps }, { "u_ssgi_steepest", maps }, { "ssgi_segment(", segments },
+            { "min(reach, max(bias", maps && segments }, { "t_ssgi_light", colour || (lights && d->accumulate) || lit }, { "t_ssgi_albedo", albedo },
+            { "t_ssgi_direct", direct }, { "o_ssgi_light", lights || colour || light || env || (shade && !bent) }, { "o_ssgi_sender", senders }, { "/ 2", half },
+            { "p *= 2", half && !blur && !shade }, { "h * 2", half && blur }, { "ssgi_off_plane(", box }, { "exp(", blur && !box },
+            { "dot(n, ssgi_normal(q", box && d->filter_normals }, { "tent", box && half }, { "t_ssgi_ao", grey }, { "vec2 o_ssgi_ao", ssao || hsao },
+            { "float o_ssgi_ao", grey }, { "u_ssgi_decode", window }, { "ssgi_decode(", window },
+            { "sampler2D t_ssgi_depth", depth && !custom && (textures || !hidden) }, { "ssgi_custom_depth(p +", depth && custom },
+            { "ssgi_depth(", depth && (!hidden || (textures && !custom)) }, { "t_ssgi_normal", map }, { "ssgi_unit(", normals },
+            { "ssgi_custom_normal(p +", normals && d->normal == SSGI_GL_NORMAL_CUSTOM }, { "ssgi_tangent(", from_depth },
             { "xyz * 2.0", normals && d->normal == SSGI_GL_NORMAL_UNSIGNED }, { "1.0 - abs(e.x)", normals && d->normal == SSGI_GL_NORMAL_OCTAHEDRAL },
-            { "u_ssgi_rotation", (normals && d->world_normals) || env }, { "ssgi_toward(", slices || from_depth }, { "ssgi_project(", projected },
-            { "ssgi_inside(", blur || hsao || tested || from_depth }, { "u_ssgi_size", blur || hsao || tested || from_depth },
+            { "u_ssgi_rotation", (normals && d->world_normals) || open }, { "ssgi_toward(", slices || from_depth }, { "ssgi_project(", projected },
+            { "ssgi_inside(", blur || hsao || tested || from_depth }, { "u_ssgi_size", blur || hsao || tested || from_depth }, { "ssgi_position(", !shade || lamps || exact },
             { "(u_ssgi_project.xy / -P.z)", (projected || slices) && !ortho }, { "-inversesqrt(dot(P, P))", (slices || from_depth) && !ortho },
-            { "SSGI_FAR ? 1.0 / w", window && !ortho } };
+            { "SSGI_FAR ? 1.0 / w", window && !ortho },
+            /* vectors: how many bands, how many of them, how they are stored, what light they meet */
+            { "ssgi_sh", any }, { ".b", bands > 2 }, { ".d", bands > 3 }, { "n.yzx", lobes && bands > 1 }, { "0.54627422", lobes && bands > 2 },
+            { "0.59004359", lobes && bands > 3 }, { "zonal.xyyy", lobes }, { "vec4 SSGI_COSINE", sums || (lamps && exact) }, { "ssgi_lacking", exact },
+            { "ssgi_free(", exact }, { "dot(n, l), 0.0) -", lamps && exact }, { "ssgi_sh_add(", sums || vectors }, { "ssgi_sh_dot(", lamps }, { "ssgi_sh_turn(", turned },
+            { "R * s", turned && bands > 1 }, { "ssgi_sh_about_z(", turned && bands > 2 }, { "ssgi_sh_quarter(", turned && bands > 2 },
+            { "0.79056942", turned && bands > 3 }, { "0.86602540", turned && bands > 2 }, { "ssgi_sh c[1]", any && !three }, { "ssgi_sh c[3]", three },
+            { "ssgi_load(", reads }, { "ssgi_store(", writes }, { "ssgi_pack_half(", packed && writes }, { "packHalf2x16(", packed && writes && native },
+            { "floatBitsToUint(clamp(v", packed && writes && !native }, { "ssgi_unpack_half(", packed && reads }, { "unpackHalf2x16(", packed && reads && native },
+            { "5.9604645e-8", packed && reads && !native }, { "sampler2D t_ssgi_sh0", reads && words }, { "usampler2D t_ssgi_sh0", reads && one },
+            { "usampler2D t_ssgi_red0", reads && packed && three }, { "t_ssgi_sh1", reads && !three && bands > 2 }, { "t_ssgi_sh3", reads && words && bands > 3 },
+            { "t_ssgi_blue1", reads && three && bands > 2 }, { "out vec4 o_ssgi_sh0", writes && words }, { "out uvec4 o_ssgi_sh0", writes && one },
+            { "out uvec4 o_ssgi_red0", writes && packed && three }, { "o_ssgi_sh1", writes && !three && bands > 2 }, { "o_ssgi_sh3", writes && words && bands > 3 },
+            { "o_ssgi_blue1", writes && three && bands > 2 }, { "u_ssgi_harmonics", light }, { "u_ssgi_harmonics[6", light && bands > 2 },
+            { "u_ssgi_harmonics[9", light && bands > 3 }, { "u_ssgi_window", lamps }, { "0.5 * w.y", lamps && bands > 1 }, { "0.3125 * w.z", lamps && bands > 2 },
+            { "ssgi_bent(", shade && d->shading }, { "o_ssgi_bent", bent } };
         emit(text, d, SSGI_GL_FRAGMENT);
         for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
-            CHECK((count(text, table[i].word) > 0) == table[i].wanted, "%s: \"%s\" is %s", describe(d), table[i].word, table[i].wanted ? "missing" : "there");
+            CHECK((count(text, table[i].word) > 0) == (table[i].wanted != 0), "%s: \"%s\" is %s", describe(d), table[i].word, table[i].wanted ? "missing" : "there");
     }
 }
 
 /* ---- >>names: of all variants, not only those that are compiled ----------------------------------------------------- */
 
-enum { ALL = 1 << 23 };                    /* slots for sets of features */
 typedef struct names { uint64_t bit[4]; } names;
 typedef struct part { uint64_t need; names defines, uses; } part;      /* a row or a chunk */
 static char known[256][32];
@@ -522,8 +611,10 @@ static void name_add(names *set_, const char *word, size_t n)
     set_->bit[i / 64 & 3] |= (uint64_t)1 << i % 64;
 }
 
-/* What a chunk defines: our words on lines that begin at global scope. What it uses: the others, without comments. Variables: their value, "ssgi_P =", is
-   defined where they are written and used where they are read. */
+static int name_in(const names *set_, int i) { return (int)(set_->bit[i / 64] >> i % 64 & 1); }
+
+/* What a chunk defines: our words on lines that begin at global scope. What it uses: the others, types too, without comments. Variables: their value,
+   "ssgi_P =", is defined where they are written and used where they are read. */
 static void read_names(part *p, const char *text)
 {
     for (const char *line = text; *line; line += strcspn(line, "\n") + 1) {
@@ -536,24 +627,28 @@ static void read_names(part *p, const char *text)
             if (n < 6 || (strncmp(stem, "ssgi_", 5) && strncmp(stem, "SSGI_", 5)) || !strncmp(word, "ssgi_custom_", 12)) continue;
             after = word + n;
             if (*after == '.') after += 1 + strspn(after + 1, "xyzw");
-            const int global = isalpha((unsigned char)*line), variable = *word == 's' && *after != '(', written = !strncmp(after, " = ", 3);
+            const int type = *after == ' ' && isalpha((unsigned char)after[1]), global = isalpha((unsigned char)*line) && !type;
+            const int variable = *word == 's' && *after != '(' && !type && !global, written = variable && !strncmp(after, " = ", 3);
             snprintf(value, sizeof value, "%.*s =", (int)n, word);
-            if (global || !variable || written) name_add(global ? &p->defines : &p->uses, word, n);
-            if (variable && !global) name_add(written ? &p->defines : &p->uses, value, n + 2);
+            if (!variable || written) name_add(global ? &p->defines : &p->uses, word, n);
+            if (variable) name_add(written ? &p->defines : &p->uses, value, n + 2);
         }
     }
 }
 
-/* Every combination of choices, each set of features once: what is used is declared or defined, and the other way round. */
+static ssgi_gl__set features_of(const ssgi_gl_desc *d) { const ssgi_gl_desc whole = ssgi_gl__resolve(d); return ssgi_gl__features(&whole); }
+
+/* For each name, all combinations of the choices that its parts depend on, the others at random: it is there if and only if it is used. */
 static void closed(void)
 {
-    static uint64_t seen[ALL];
+    enum { DRAWN = 1000 };
     static part parts[SSGI_GL_MAX_IO * 2 + 200];
-    int wrong[2][256] = { { 0 } }, sets = 0;
-    char first[2][256][100];
+    int tried = 0;
+    random_state = 3;
     for (int t = 0; t < SSGI_GL__ROWS; ++t) {
-        int count_of[CHOICES], many = 0, rest = 0;
-        uint64_t matter = 0;
+        ssgi_gl__set moved[CHOICES];                       /* the features that a choice changes in any of many descs */
+        int many = 0;
+        memset(moved, 0, sizeof moved);
         memset(parts, 0, sizeof parts);
         for (const ssgi_gl__row *const *r = ssgi_gl__passes[t].rows[SSGI_GL_FRAGMENT]; *r; ++r) {
             parts[many].need = (*r)->need;
@@ -564,39 +659,45 @@ static void closed(void)
             if (*c == &ssgi_gl__kernel) name_add(&parts[many].defines, "SSGI_KERNEL", 11);
             read_names(&parts[many++], (*c)->text);
         }
-        for (int v = first_of[t]; v < first_of[t + 1]; ++v) {
-            point p = { .desc = variant[v], .content = content(&variant[v]) };
-            locate(&p);
-            for (int k = 0; k < p.places; ++k) matter |= (uint64_t)1 << p.place[k] / VALUES;
+        for (int i = 0; i < DRAWN; ++i) {
+            ssgi_gl_desc d = plain_desc(t), other;
+            choose_freely(&d, 0);
+            const ssgi_gl__set its = features_of(&d);
+            for (int k = 0; k < CHOICES; ++k)
+                for (int v = 0; v < choices[k].count; ++v) {
+                    other = d;
+                    choose(&other, k, v);
+                    if (ssgi_gl_check(&other, NULL) != SSGI_OK) continue;
+                    const ssgi_gl__set others = features_of(&other);
+                    for (int w = 0; w < WORDS; ++w) moved[k].word[w] |= its.word[w] ^ others.word[w];
+                }
         }
-        for (int k = 0; k < CHOICES; ++k)                  /* more layers than two bring no other features */
-            count_of[k] = !(matter >> k & 1) || !strcmp(choices[k].name, "view_layers") ? 1 : !strcmp(choices[k].name, "layers") ? 2 : choices[k].count;
-        memset(seen, 0, sizeof seen);
-        for (int i = 0; !rest; ++i) {
-            ssgi_gl_desc d = plain_desc(t), whole;
-            names defines = { { 0 } }, uses = { { 0 } };
-            rest = i;
-            for (int k = 0; k < CHOICES; rest /= count_of[k++]) choose(&d, k, rest % count_of[k]);
-            if (rest || ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
-            whole = ssgi_gl__resolve(&d);
-            const uint64_t features = ssgi_gl__features(&whole);
-            uint64_t at = (features * 0x9e3779b97f4a7c15u) >> 20;
-            while (seen[at % ALL] && seen[at % ALL] != features) ++at;
-            if (seen[at % ALL]) continue;
-            seen[at % ALL] = features;
-            ++sets;
-            for (int k = 0; k < many; ++k)
-                for (int w = 0; w < 4 && (parts[k].need & features) == parts[k].need; ++w) { defines.bit[w] |= parts[k].defines.bit[w]; uses.bit[w] |= parts[k].uses.bit[w]; }
-            for (int n = 0; n < knowns && memcmp(&defines, &uses, sizeof uses); ++n) {
-                const int wants = (int)(uses.bit[n / 64] >> n % 64 & 1);
-                if ((int)(defines.bit[n / 64] >> n % 64 & 1) != wants && !wrong[wants][n]++) snprintf(first[wants][n], sizeof first[wants][n], "%s", describe(&d));
+        for (int n = 0; n < knowns; ++n) {
+            uint64_t kept = 0;
+            int wrong[2] = { 0, 0 }, rest = 0;
+            char first[2][200] = { "", "" };
+            for (int p = 0; p < many; ++p)
+                for (int k = 0; k < CHOICES && (name_in(&parts[p].defines, n) || name_in(&parts[p].uses, n)); ++k)
+                    if (moved[k].word[parts[p].need >> 62] & parts[p].need & (SSGI_GL__BIT(62) - 1)) kept |= (uint64_t)1 << k;
+            for (int i = 0; !rest; ++i) {
+                ssgi_gl_desc d = plain_desc(t);
+                d.dialect = i & 1 ? SSGI_GL_450 : SSGI_GL_410;     /* where one has what the other lacks */
+                rest = i / 2;
+                for (int k = 0; k < CHOICES; ++k)
+                    if (kept >> k & 1) { choose(&d, k, rest % choices[k].count); rest /= choices[k].count; }
+                if (rest || !choose_freely(&d, kept)) continue;
+                const ssgi_gl__set features = features_of(&d);
+                int defined = 0, used = 0;
+                for (int p = 0; p < many; ++p)
+                    if (ssgi_gl__has(&features, parts[p].need)) { defined |= name_in(&parts[p].defines, n); used |= name_in(&parts[p].uses, n); }
+                ++tried;
+                if (defined != used && !wrong[used]++) snprintf(first[used], sizeof first[used], "%s", describe(&d));
             }
+            for (int used = 0; used < 2; ++used)
+                CHECK(!wrong[used], "%s is %s in %d, as in %s", known[n], used ? "not there, but used," : "there, but not used,", wrong[used], first[used]);
         }
     }
-    for (int n = 0; n < knowns; ++n)
-        for (int wants = 0; wants < 2; ++wants)
-            CHECK(!wrong[wants][n], "%s is %s in %d, as in %s", known[n], wants ? "not there, but used," : "there, but not used,", wrong[wants][n], first[wants][n]);
-    t_note("%d sets of features, all that choices make; %d names", sets, knowns);
+    t_note("%d names in %d descs", knowns, tried);
 }
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
@@ -605,8 +706,8 @@ static int reserved(const char *word, size_t n)   /* in any dialect, and not use
 {
     static const char words[] = " common partition active asm class union enum typedef template this resource goto inline noinline public static extern external interface long "
         "short half fixed unsigned superp input output filter sizeof cast namespace using sample patch subroutine coherent volatile restrict readonly writeonly shared buffer "
-        "atomic_uint precise smooth flat noperspective centroid attribute varying double switch case default do while discard inout image1D image2D lowp mediump invariant "
-        "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect struct in texture texture2D noise1 noise2 row_major packed ";
+        "atomic_uint precise smooth flat noperspective centroid attribute varying double switch case default do while discard image1D image2D lowp mediump invariant "
+        "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect in texture texture2D noise1 noise2 row_major packed ";
     char key[64];
     if (n > 60) return 1;
     snprintf(key, sizeof key, " %.*s ", (int)n, word);
@@ -653,18 +754,25 @@ static void sentences(void)
 {
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
     static const struct { const char *start; size_t offset; int most; } ints[] = {
-        INT(pass, 5), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
-        INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 1), INT(layers, 8), INT(views, 4), INT(view_layers, 8),
-        INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 2), INT(half, 1), INT(colour, 1), INT(filter, 1),
-        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1) };
+        INT(pass, 7), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
+        INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 3), INT(range, 1), INT(layers, 8), INT(views, 4), INT(view_layers, 8),
+        INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(bands, 4), INT(packed, 1), INT(transfer, 2), INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1),
+        INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1) };
     static const struct { const char *start; ssgi_gl_desc desc; } rules[] = {
         { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } }, { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
         { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } }, { "desc.environment:", { .pass = SSGI_GL_SSDO } },
         { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } }, { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
         { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
-        { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } }, { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } } };
+        { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } }, { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
+        { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } }, { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
+        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
+        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
+        /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no matter */
+        { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } }, { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
+        { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } }, { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } } };
     const char *why = "";
-    CHECK(offsetof(ssgi_gl_desc, version) / sizeof(int) - sizeof ints / sizeof ints[0] < 2, "desc has ints that this test does not know");
+    CHECK(sizeof ints / sizeof ints[0] == sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]
+          && offsetof(ssgi_gl_desc, version) / sizeof(int) - sizeof ints / sizeof ints[0] < 2, "desc has ints that this test does not know");
     CHECK(ssgi_gl_check(NULL, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "desc:"), "NULL: %s", why);
     for (size_t i = 0; i < sizeof ints / sizeof ints[0]; ++i)
         for (int k = 0; k < 4; ++k) {
@@ -681,8 +789,9 @@ static void sentences(void)
             CHECK(ssgi_gl_preset(&d, SSGI_GL_BEST, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start) && !memcmp(&d, &was, sizeof d), "preset: \"%s\"", why);
         }
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; ++i) {
+        const char *start = rules[i].start ? rules[i].start : "";
         why = "";
-        CHECK(ssgi_gl_check(&rules[i].desc, &why) == SSGI_BAD_ARGUMENT && NAMES(why, rules[i].start), "%s \"%s\"", rules[i].start, why);
+        CHECK(ssgi_gl_check(&rules[i].desc, &why) == (*start ? SSGI_BAD_ARGUMENT : SSGI_OK) && (*start ? NAMES(why, start) : !*why), "rule %zu, %s \"%s\"", i, start, why);
     }
     for (int v = 0; v < variants; ++v)
         for (int preset = -1; preset < 4; ++preset) {
@@ -695,6 +804,7 @@ static void sentences(void)
     static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, radii[] = { 0, -1, NAN, INFINITY, -INFINITY, 2e18f };
     ssgi_view view, none;
     ssgi_gl_frame frame, was;
+    float light = 0;
     memset(&none, 0, sizeof none);
     memset(&was, 0x5a, sizeof was);
     frame = was;
@@ -706,8 +816,11 @@ static void sentences(void)
         CHECK(ssgi_gl_frame_init(&frame, &view, radii[i], &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:"), "radius %g: %s", (double)radii[i], why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refused frame was written to");
     CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f && frame.thickness == 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
-          && frame.fade == 0.25f && frame.nearest == 0.25f && frame.gain == 1.0f && frame.steepest == 20.0f && !frame.lights && frame.environment[3] == 0.0f
+          && frame.fade == 0.3f * 0.5f && frame.nearest == 0.25f && frame.gain == 1.0f && frame.steepest == 20.0f && !frame.lights && frame.lambda == 4.0f
+          && frame.window[0] == 1.0f && fabsf(frame.window[1] - 0.8535534f) < 1e-6f && fabsf(frame.window[3] - 0.1464466f) < 1e-6f
           && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32, "the frame's defaults");
+    for (int i = 0; i < 48; ++i) light += fabsf(frame.harmonics[i]);
+    CHECK(light == 0.0f, "a frame's light is not black");
 }
 
 static void defaults(void)
@@ -729,6 +842,24 @@ static void defaults(void)
         { { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE },
         { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE, .samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thin = 1 }, 2 + 3 },
         { { .pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH }, { .pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH, .layers = 1 }, 2 + 2 + 1 },
+        { { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH, .bands = 3 }, 2 + 16 },
+        { { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_S3HO, .samples = 16, .steps = 1, .layers = 1, .bands = 4 }, 2 + 16 },
+        { { .pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE },
+          { .pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE, .samples = 16 },
+          3 + 16 * (2 * (3 + 2) + 1) },
+        { { .pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1 }, { .pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1, .bands = 4 }, 2 + 16 + 4 },
+        { { .pass = SSGI_GL_SHADE }, { .pass = SSGI_GL_SHADE, .bands = 4 }, 1 + 4 },
+        { { .pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1, .bands = 4 }, 2 + 4 + 4 + 3 },
+        { { .pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1 }, 1 + 1 + 3 },
+        { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 }, 1 + 6 + 1 },
+        { { .pass = SSGI_GL_SHADE, .shading = 2 }, { .pass = SSGI_GL_SHADE, .shading = 2, .bands = 2 }, 1 + 1 + 8 },
+        { { .pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1, .bands = 4 }, 1 + 4 + 4 + 3 },
+        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lamps = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
+        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS }, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .bands = 4, .filter_radius = 1 }, 2 + 4 + 8 * 5 },
+        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1 },
+          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1, .filter_radius = 1 }, 2 + 9 * (1 + 3 + 1) },
+        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
+          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
         { { .pass = SSGI_GL_BLUR }, { .pass = SSGI_GL_BLUR, .filter_radius = 1 }, 1 + 9 },
         { { .pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN }, { .pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 25 } };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
@@ -740,16 +871,20 @@ static void defaults(void)
 
 /* ---- >>cameras: extra ones and those of shadow maps ---------------------------------------------------------------- */
 
+/* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth, cos(angle/2) at another. */
+static void rotation(float m[16], double angle, double a, double b)
+{
+    const double x = sin(angle / 2) * cos(a), y = sin(angle / 2) * sin(a), z = cos(angle / 2) * sin(b), w = cos(angle / 2) * cos(b);
+    const double turn[16] = { 1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w), 0, 2 * (x * y - z * w), 1 - 2 * (z * z + x * x), 2 * (y * z + x * w), 0,
+                              2 * (z * x + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1 };
+    for (int i = 0; i < 16; ++i) m[i] = (float)turn[i];
+}
+
 /* Any rigid matrix. */
 static void rigid(float m[16])
 {
-    float q[4], l = 0;
-    for (int i = 0; i < 4; ++i) { q[i] = uniform(-1, 1); l += q[i] * q[i]; }
-    for (int i = 0; i < 4; ++i) q[i] /= sqrtf(l + 1e-9f);
-    const float x = q[0], y = q[1], z = q[2], w = q[3];
-    const float turn[16] = { 1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w), 0, 2 * (x * y - z * w), 1 - 2 * (z * z + x * x), 2 * (y * z + x * w), 0,
-                             2 * (z * x + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), 1 };
-    memcpy(m, turn, sizeof turn);
+    rotation(m, (double)uniform(0, 3.14f), (double)uniform(0, 6.28f), (double)uniform(0, 6.28f));
+    for (int k = 0; k < 3; ++k) m[12 + k] = uniform(-9, 9);
 }
 
 /* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
@@ -867,21 +1002,26 @@ static void refused_cameras(void)
 
 enum { SIDE = 64, MANY = SIDE * SIDE };
 static float in[MANY][4], out[MANY][4];
+static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, flat */
 
 static ssgi_gl_views probed;               /* extra cameras that probes see */
 
-/* The text of a pass up to its main, and a main that makes o of a, one input: in to out. maps: what all its textures read. */
-static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
+/* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input, a: its own; Y(k): the same of maps,
+   which all textures of the text read too. */
+static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
 {
-    static char vertex[TEXT], text[TEXT], rest[2000];
-    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER }, buffers[] = { GL_NONE, GL_COLOR_ATTACHMENT1 };
-    const char *const source[] = { emit(vertex, d, SSGI_GL_VERTEX), emit(text, d, SSGI_GL_FRAGMENT) };
+    static char vertex[TEXT];
+    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER }, buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
+    const ssgi_gl_desc plain = { .dialect = dialect };
+    const char *const source[] = { emit(vertex, &plain, SSGI_GL_VERTEX), text };
+    char *end = strstr(text, "void main");
     kit_error err = { "" };
     GLuint program, block[2], framebuffer, target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL), input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]);
     int read;
-    snprintf(rest, sizeof rest, "layout(location = 1) out vec4 o;\nlayout(binding = 7) uniform sampler2D t_in;\n"
-             "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = texelFetch(t_in, texel, 0);\n    %s\n}\n", statements);
-    strcpy(strstr(text, "void main"), rest);
+    if (!end) end = text + strlen(text);
+    snprintf(end, TEXT - (size_t)(end - text), "layout(location = 7) out highp vec4 o;\nuniform highp sampler2D t_in, t_maps;\n"
+             "#define AT(t, k) texelFetch(t, ivec2((texel.x & ~3) + (k), texel.y), 0)\n#define X(k) AT(t_in, k)\n#define Y(k) AT(t_maps, k)\n"
+             "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n", statements);
     program = kit_program(source, stage, 2, &err);
     if (!CHECK(program, "%s", err.text)) return 0;
     glGenBuffers(2, block);
@@ -893,10 +1033,12 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
     for (GLenum unit = 0; unit < 8; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 7 ? input : maps); }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, target, 0);
-    glDrawBuffers(2, buffers);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
+    glDrawBuffers(8, buffers);
     glViewport(0, 0, SIDE, SIDE);
     glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "t_in"), 7);
+    glUniform1i(glGetUniformLocation(program, "t_maps"), 6);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     read = kit_texture_read(target, SIDE, SIDE, 4, out[0]);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -906,6 +1048,13 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
     glDeleteBuffers(2, block);
     glDeleteProgram(program);
     return CHECK(!read, "the probe cannot be read");
+}
+
+static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
+{
+    static char text[TEXT];
+    emit(text, d, SSGI_GL_FRAGMENT);
+    return probe_text(text, d->dialect, frame, maps, statements);
 }
 
 #define NEAR(got, want, within, what) CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, (double)(got), (double)(want))
@@ -1138,6 +1287,133 @@ static void twin_views_of_others(void)
     }
 }
 
+/* What ssgi_gl_sh writes, in both languages: a case is four pixels, one a word of the result. */
+static void twin_harmonics(void)
+{
+    enum { BASIS, ZONAL, TURN, PRODUCT, SUMS, FUNCTIONS };
+    static const char *const heads[] = { "#version 330 core\n", "#version 300 es\nprecision highp float;\n" };
+    static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c", "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
+    static const char *const parts[] = { "", "", " s.b = b; s.c = c;", " s.b = b; s.c = c; s.d = d;" };
+    static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);", "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
+        "s = ssgi_sh_product(s, y);", "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
+    static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
+    static float others[4 * MANY];
+    static char text[TEXT], body[600];
+    const ssgi_gl_frame frame = { .radius = 1 };
+    const double pi = 3.14159265358979;
+    double worst[FUNCTIONS] = { 0 };
+    random_state = 13;
+    for (int k = 0; k < 2 * 4 * FUNCTIONS; ++k) {
+        const int es = k & 1, bands = k / 2 % 4 + 1, what = k / 8;
+        for (int i = 0; i < 4 * MANY; ++i) {
+            ins[i] = i % 16 < bands * bands || what == ZONAL ? uniform(-1, 1) : 0;
+            others[i] = ins[i] * uniform(-1, 1);
+        }
+        for (int i = 0; i < MANY / 4 && what < PRODUCT; ++i) {     /* rotations: none, half turns, the axis at a pole and near it, any */
+            const double tilt = tilts[i / 2 % 8], a = (double)uniform(0, 6.28f), b = (double)uniform(0, 6.28f);
+            if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
+            else rotation(&others[16 * i], i & 16 ? (double)uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
+            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += uniform(-1.2e-7f, 1.2e-7f);    /* as a product of matrices is rounded */
+        }
+        GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, others);
+        size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
+        n += ssgi_gl_sh(text + n, sizeof text - n, bands);
+        snprintf(text + n, sizeof text - n, "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.a = a;%s return s; }\n", parts[bands - 1]);
+        snprintf(body, sizeof body, "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); %s o = %s;", calls[what], words[bands - 1]);
+        if (!probe_text(text, es ? SSGI_GL_300ES : SSGI_GL_330, &frame, map, body)) return;
+        for (int i = 0; i < MANY / 4; ++i) {
+            const float *x = &ins[16 * i], *y = &others[16 * i], *got = &outs[16 * i];
+            float want[16] = { 0 };
+            double both = 0;
+            if (what == BASIS) ssgi_sh_basis(want, bands, y + 8);
+            if (what == ZONAL) ssgi_sh_zonal(want, bands, x, y + 8);
+            if (what == TURN) ssgi_sh_rotate(want, bands, x, 1, y);
+            if (what == PRODUCT) ssgi_sh_product(want, bands, x, y);
+            for (int j = 0; j < 16 && what == SUMS; ++j) { want[j] = x[j] + 0.5f * y[j]; both += (double)x[j] * (double)y[j]; }
+            if (what == SUMS) want[0] = (float)both;
+            for (int j = 0; j < (bands < 3 ? 4 : 4 * bands); ++j) {
+                NEAR(got[j], want[j], 1e-5, calls[what]);
+                worst[what] = fmax(worst[what], fabs((double)got[j] - (double)want[j]));
+            }
+        }
+        glDeleteTextures(1, &map);
+    }
+    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, product %.1e, sums %.1e", worst[BASIS], worst[ZONAL], worst[TURN], worst[PRODUCT], worst[SUMS]);
+}
+
+/* A half's bits: to nearest, to even between two; and its value. */
+static int half_of(float x)
+{
+    const double y = fmin(fabs((double)x), 65504);
+    const int e = y < 6.103515625e-5 ? -14 : ilogb(y);
+    return (signbit(x) ? 0x8000 : 0) + ((e + 14) << 10) + (int)nearbyint(ldexp(y, 10 - e));
+}
+
+static double value_of(int half)
+{
+    const int e = half >> 10 & 31, m = half & 1023;
+    return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
+}
+
+/* Every half is read as it is, and floats are rounded to it, in languages that have halves and by our own code in those that have not. */
+static void twin_halves(void)
+{
+    static const int dialects[] = { SSGI_GL_330, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES };
+    static const float odd[] = { 0, -0.0f, 65504, 65519, 65520, 65536, 1e9f, 1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f, 1, 1e-40f };
+    const ssgi_gl_frame frame = { .radius = 1 };
+    for (int k = 0; k < 4; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .dialect = dialects[k] };
+        for (int round = 0; round < 4; ++round) {
+            for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(4 * MANY * round + i);
+            if (!probe(&d, &frame, 0, "uvec4 h = uvec4(a); uvec2 u = h.xz | h.yw << 16u; o = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));")) return;
+            for (int i = 0; i < 4 * MANY; ++i)
+                if (((4 * MANY * round + i) & 0x7c00) != 0x7c00) NEAR(outs[i], value_of(4 * MANY * round + i), 0, "ssgi_unpack_half");
+        }
+        random_state = 14;
+        for (int i = 0; i < 4 * MANY; ++i) {               /* halves, what lies between two and beside that, anything, the odd ones */
+            const int h = (int)uniform(0, 0x7bff);
+            const float middle = (float)(0.5 * (value_of(h) + value_of(h + 1)));
+            const float x[4] = { (float)value_of(h), middle, nextafterf(middle, i & 4 ? 0.0f : 1e9f), powf(10, uniform(-9, 10)) };
+            ins[i] = (i < 64 ? odd[i % 16] : x[i & 3]) * (i & 16 ? -1.0f : 1.0f);
+        }
+        if (!probe(&d, &frame, 0, "uvec2 u = uvec2(ssgi_pack_half(a.xy), ssgi_pack_half(a.zw)); o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);")) return;
+        for (int i = 0; i < 4 * MANY; ++i) {
+            const float x = ins[i];
+            const int got = (int)outs[i];
+            CHECK(got == half_of(x), "ssgi_pack_half(%.9g), %s: 0x%04x, to nearest even 0x%04x", (double)x, ssgi_gl_dialect_name(d.dialect), (unsigned)got, (unsigned)half_of(x));
+        }
+    }
+}
+
+/* ---- >>light of a frame ---------------------------------------------------------------------------------------------- */
+
+static void frame_light(void)
+{
+    static const struct { const char *start; int frame, coefficients, bands; } bad[] = {
+        { "frame:", 0, 1, 3 }, { "coefficients:", 1, 0, 3 }, { "bands:", 1, 1, 0 }, { "bands:", 1, 1, 5 }, { "bands:", 1, 1, -1 } };
+    ssgi_gl_frame frame, was;
+    float c[48], turned[48], m[16];
+    const char *why = "";
+    memset(&was, 0x5a, sizeof was);
+    random_state = 15;
+    for (int i = 0; i < 64; ++i) {
+        const int bands = 1 + i % 4, matrix = i & 4;
+        rigid(m);
+        for (int k = 0; k < 48; ++k) c[k] = uniform(-1, 1);
+        memset(turned, 0, sizeof turned);
+        ssgi_sh_rotate(turned, bands, c, 3, matrix ? m : NULL);
+        frame = was;
+        CHECK(ssgi_gl_harmonics_set(&frame, c, bands, matrix ? m : NULL, &why) == SSGI_OK, "%s", why);
+        for (int k = 0; k < 48; ++k)
+            CHECK(fabsf(frame.harmonics[12 * (k / 12) + 4 * (k % 3) + k / 3 % 4] - turned[k]) <= 1e-6f, "%d bands: coefficient %d, channel %d", bands, k / 3, k % 3);
+        memcpy(frame.harmonics, was.harmonics, sizeof was.harmonics);
+        CHECK(!memcmp(&frame, &was, sizeof was), "other members were written to");
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
+        CHECK(ssgi_gl_harmonics_set(bad[i].frame ? &frame : NULL, bad[i].coefficients ? c : NULL, bad[i].bands, m, &why) == SSGI_BAD_ARGUMENT && NAMES(why, bad[i].start)
+              && !memcmp(&frame, &was, sizeof was), "%s \"%s\", or the frame was written to", bad[i].start, why);
+}
+
 /* ---- >>fuzz, >>speed ----------------------------------------------------------------------------------------------- */
 
 static void fuzz(void)
@@ -1150,7 +1426,7 @@ static void fuzz(void)
     random_state = 7;
     for (int i = 0; i < TRIES; ++i) {
         ssgi_gl_desc d = { .fetch = i & 2 ? FETCH : NULL, .version = i & 4 ? "" : NULL };
-        int broken = (int)(random_state >> 31);
+        int broken = uniform(0, 1) < 0.5f;
         const char *why = NULL;
         for (size_t k = 0; k < fields; ++k) set(&d, ssgi_gl__fields[k].offset, (int)uniform(0, (float)ssgi_gl__fields[k].most + 0.999f));
         if (broken) {
@@ -1165,7 +1441,7 @@ static void fuzz(void)
         size_t n = ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT);
         int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), fetches = ssgi_gl_fetches(&d), bad = r != SSGI_OK;
         emitted += !bad;
-        CHECK(bad ? !n && !rows && !fetches && !ssgi_gl_key(&d) : n > 500 && n < TEXT && strlen(text) == n && rows > 5 && rows <= SSGI_GL_MAX_IO && fetches > 0 && ssgi_gl_key(&d),
+        CHECK(bad ? !n && !rows && !fetches && !ssgi_gl_key(&d) : n > 500 && n < TEXT && strlen(text) == n && rows > 3 && rows <= SSGI_GL_MAX_IO && fetches > 0 && ssgi_gl_key(&d),
               "%s: %zu characters, %d rows, %d fetches", bad ? "refused" : describe(&d), n, rows, fetches);
     }
     t_note("%d descs, %d accepted, %d emitted", TRIES, accepted, emitted);
@@ -1179,9 +1455,10 @@ static void speed(void)
     static char text[TEXT];
     static double took[RUNS];
     static const ssgi_gl_desc descs[] = { { .samples = 64 }, { .pass = SSGI_GL_HSAO }, { .pass = SSGI_GL_BLUR },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_PATCH, .layers = 2, .views = 2, .fade = 1, .samples = 64 } };
-    double us[4];
-    for (int k = 0; k < 4; ++k) {
+        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_PATCH, .layers = 2, .views = 2, .fade = 1, .samples = 64 },
+        { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1, .layers = 2, .views = 2, .fade = 3, .range = 1, .samples = 64 } };
+    double us[5];
+    for (int k = 0; k < 5; ++k) {
         for (int i = 0; i < RUNS; ++i) {
             double began = kit_seconds();
             ssgi_gl_emit(text, TEXT, &descs[k], SSGI_GL_FRAGMENT);
@@ -1191,7 +1468,7 @@ static void speed(void)
         us[k] = took[RUNS / 2] * 1e6;
         CHECK(us[k] < (k < 3 ? 50 : 100), "%s: %.1f us", ssgi_gl_pass_name(descs[k].pass), us[k]);
     }
-    t_note("ssao of 64 points %.1f us, hsao %.1f us, blur %.1f us, ssdo of 64 with all it has %.1f us", us[0], us[1], us[2], us[3]);
+    t_note("ssao of 64 points %.1f us, hsao %.1f us, blur %.1f us; of 64 with all they have: ssdo %.1f us, s3ho %.1f us", us[0], us[1], us[2], us[3], us[4]);
 }
 
 void test_text(void)
@@ -1209,12 +1486,15 @@ void test_text(void)
     RUN("defaults written out give the same text, and as many fetches as counted by hand", defaults);
     RUN("extra cameras and shadow maps see what ssgi_view_project says, and lead back", cameras);
     RUN("cameras that are wrong are named, and nothing is written", refused_cameras);
+    RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written", frame_light);
     if (desktop) {
         RUN("twins: depth, position, projection, footprint and offset as in C", twin_views);
         RUN("twins: noise and kernel as in C, the tile even over every block", twin_noise_and_kernel);
         RUN("twins: normals of every encoding and frame come back", twin_normals);
         RUN("twins: what senders pack comes back, as its format says", twin_senders);
         RUN("twins: an extra camera's points and the octahedral map as in C", twin_views_of_others);
+        RUN("twins: harmonics of one to four bands in both languages as in C", twin_harmonics);
+        RUN("twins: halves, where the language has them and where it has not", twin_halves);
         RUN("twins: a slice's arc is the integral that it says", twin_arc);
     }
     kit_gl_close();

@@ -439,6 +439,38 @@ static void threads(void)
     kit_mesh_free(&scene.mesh);
 }
 
+/* Every edge of a closed solid is some other triangle's, the other way round; a bit of the picture lies in contact shadow. */
+static void solids(void)
+{
+    static const struct { const char *name; size_t boxes; } scenes[] = { { "boxes", 4 }, { "blocks", 13 } };
+    for (int k = 0; k < 2; ++k) {
+        kit_scene s;
+        kit_image y;
+        kit_error err = { "" };
+        size_t open_edges = 0, dark = 0, pixels = 64 * 36;
+        if (!CHECK(!kit_scene_load(&s, scenes[k].name, 0, &err), "%s", err.text)) return;
+        const size_t edges = 3 * s.mesh.triangles;
+        CHECK(s.mesh.triangles == 12 * scenes[k].boxes, "%s: %zu triangles", s.name, s.mesh.triangles);
+        for (size_t i = 0; i < edges; ++i) {
+            int others = 0;
+            for (size_t j = 0; j < edges; ++j) {
+                const float *a = s.mesh.position + 3 * i, *b = s.mesh.position + 3 * j, *a2 = s.mesh.position + 3 * (i - i % 3 + (i + 1) % 3), *b2 = s.mesh.position + 3 * (j - j % 3 + (j + 1) % 3);
+                others += !memcmp(a, b2, 3 * sizeof *a) && !memcmp(a2, b, 3 * sizeof *a);
+            }
+            open_edges += others != 1;
+        }
+        CHECK(open_edges == 0, "%s: %zu of %zu edges are not shared by two triangles", s.name, open_edges, edges);
+        s.camera.width = 64;
+        s.camera.height = 36;
+        if (!CHECK(!kit_truth_ao(&y, &s, &s.camera, s.radius, KIT_ATTENUATION_LINEAR, 16, 1, &err), "%s", err.text)) return;
+        for (size_t i = 0; i < pixels; ++i) dark += y.data[i] < 0.8f;
+        CHECK(dark > pixels / 50 && dark < pixels / 3, "%s: %zu of %zu pixels lie in contact shadow", s.name, dark, pixels);
+        t_note("%s: %.1f %% of the picture in contact shadow", s.name, 100.0 * (double)dark / (double)pixels);
+        kit_image_free(&y);
+        kit_scene_free(&s);
+    }
+}
+
 /* ray and ball of radius 1: the nearer distance, or 1e30 */
 static double ball_hit(const float o[3], const float d[3], const double middle[3])
 {
@@ -525,5 +557,6 @@ void test_trace(void)
     RUN("truth: a corner agrees with its closed form", corner);
     RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
     RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
+    RUN("boxes and blocks are closed solids with shadows at their feet", solids);
     RUN("floor: planes are open, creases closed, silhouettes cut", floors);
 }

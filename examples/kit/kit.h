@@ -139,10 +139,14 @@ typedef struct kit_lighting {
     kit_light light[KIT_MAX_LIGHTS];
 } kit_lighting;
 
-/* "sky": a built-in clear sky with a soft sun side, no sharp sun; else an .exr or .hdr file with channels R, G, B. Latitude-longitude, oriented as
+/* Built in: "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with coloured windows and lamps up to a thousand times as bright as it;
+   "white", radiance 1 everywhere. Else an .exr or .hdr file with channels R, G, B. Latitude-longitude, oriented as
    OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the centre; texels are areas, the first row reaches up to the pole. env gets
    channels R,G,B in this order; values that are not finite or below 0 become 0. */
-int  kit_env_read(kit_image *env, const char *path_or_sky, kit_error *err);
+int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
+/* Adds a sun as a disc with soft edges, whose irradiance facing it is the sun's colour, to env (1024 x 512 black texels first if it has no data).
+   degrees: half-angle, from one texel's height to 45. The light must be a SUN. */
+int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err);
 void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);   /* bilinear; wraps around; direction need not be unit; 0 if data is NULL */
 /* Between a direction and its place in the picture, in texels from the top left corner: (0.5, 0.5) is the first texel's centre. */
 void kit_env_place(const kit_image *env, const float direction[3], double at[2]);      /* in [0, width] x [0, height]; direction need not be unit */

@@ -59,7 +59,7 @@ const char *kit_gl_name(void);                    /* "renderer, version"; "" whe
 int         kit_gl_is_es(void);
 int         kit_gl_is_software(void);
 
-/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F RGBA32F, RG32UI RGBA32UI,
+/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F RGBA32F, R32UI RG32UI RGBA32UI,
    DEPTH_COMPONENT24, DEPTH_COMPONENT32F; 0 is returned for others. data: as many floats a texel as the format has components; of the UI
    formats their bits, so uint32_t behind the pointer. */
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
@@ -165,13 +165,15 @@ double kit_method_value(const kit_method *method, const char *key);
 /* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a frame); light, for lit methods (NULL = none). */
 typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;
 
-enum { KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
+enum { KIT_MAX_TARGETS = 6, KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
        KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };   /* uniform buffers: the picture's frame, two an extra camera, then these */
 typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
-    GLuint             program, framebuffer, target[2];     /* target: 0 when it draws into a slice of senders */
+    GLuint             program, framebuffer, target[KIT_MAX_TARGETS];   /* target: 0 when it draws into a slice of senders */
     GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights */
+    int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
+    int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
     uint64_t           key;                /* equal ones share their program */
     double             ms;                 /* of the last kit_run_draw that was timed */
@@ -190,7 +192,8 @@ typedef struct kit_run {
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_views cameras;
-    float        *equirect, harmonics[27]; /* the environment, interleaved; its first three bands, if a pass reads them */
+    GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
+    float        *equirect, harmonics[48]; /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
 } kit_run;
 

@@ -41,7 +41,7 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
 }
 
 /* Horizon to zenith, a glow of 20 degrees half-width about the sun's place, and a ground that takes over within 6 degrees below the horizon. The luminance of the
-   irradiance over pi facing up is 1. */
+   irradiance over pi facing up is 1.01. */
 static void sky_radiance(const float d[3], double rgb[3])
 {
     static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 }, glow[3] = { 4.4, 3.1, 1.6 }, ground[3] = { 0.24, 0.17, 0.11 };
@@ -52,7 +52,41 @@ static void sky_radiance(const float d[3], double rgb[3])
         rgb[c] = ground[c] + above * (horizon[c] + high * (zenith[c] - horizon[c]) + near_sun * glow[c] - ground[c]);
 }
 
-static int sky_new(kit_image *env, kit_error *err)
+static void white_radiance(const float d[3], double rgb[3]) { (void)d; rgb[0] = rgb[1] = rgb[2] = 1; }
+
+/* A bright place on the sphere of directions: angles and half sizes in degrees; power 2 gives discs, more of it rectangles. */
+typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } glow;
+
+/* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
+static double glow_at(const glow *g, const float d[3])
+{
+    const double lon = g->longitude * pi / 180, lat = g->latitude * pi / 180, x = (double)d[0], y = (double)d[1], z = (double)d[2], level = x * sin(lon) + z * cos(lon);
+    const double depth = level * cos(lat) + y * sin(lat);
+    if (depth <= 0) return 0;
+    const double across = atan2(x * cos(lon) - z * sin(lon), depth), up = atan2(y * cos(lat) - level * sin(lat), depth);
+    const double off = pow(pow(fabs(across) * 180 / pi / g->wide, g->power) + pow(fabs(up) * 180 / pi / g->high, g->power), 1 / g->power), t = fmin(1, fmax(0, (1.4 - off) / 0.8));
+    return t * t * (3 - 2 * t);
+}
+
+/* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to -x; a few lamps, warm to -x. The luminance of
+   the irradiance over pi facing up is 1. */
+static void probe_radiance(const float d[3], double rgb[3])
+{
+    static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
+    static const glow glows[] = {
+        {   48, 26, 4, 9, 6, {  3.5,  9.0, 28.0 } }, {   68, 26, 4, 9, 6, {  3.0, 17.0,  6.5 } }, {   88, 26, 4, 9, 6, {  6.0, 16.0, 29.0 } },
+        {  108, 26, 4, 9, 6, {  2.5, 13.0, 10.0 } }, {  128, 26, 4, 9, 6, { 10.0,  6.0, 25.0 } }, { -112, 24, 4, 9, 6, { 19.0,  9.0,  2.0 } },
+        { -132, 24, 4, 9, 6, { 16.0,  5.0,  1.5 } }, { 180, 34, 7, 7, 2, { 10.0,  7.0,  8.0 } },
+        {  -62, 36, 3.2, 3.2, 2, { 300, 158, 52 } }, {  -88, 18, 3, 3, 2, { 190, 100, 34 } }, { 24, 58, 3, 3, 2, { 105, 112, 118 } }, { 150, 14, 3, 3, 2, { 110, 64, 26 } } };
+    const double t = 0.5 + 0.5 * (double)d[1], unit = 1 / 1.4387;
+    for (int c = 0; c < 3; ++c) rgb[c] = unit * (low[c] + t * t * (high[c] - low[c]));
+    for (size_t i = 0; i < sizeof glows / sizeof glows[0]; ++i)
+        for (int c = 0; c < 3; ++c) rgb[c] += unit * glow_at(&glows[i], d) * glows[i].rgb[c];
+}
+
+static const struct { const char *name; void (*radiance)(const float d[3], double rgb[3]); } built_in[] = { { "sky", sky_radiance }, { "probe", probe_radiance }, { "white", white_radiance } };
+
+static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3]), kit_error *err)
 {
     if (kit_image_new(env, 512, 256, "R,G,B", err)) return -1;
     for (int y = 0; y < env->height; ++y)
@@ -60,9 +94,28 @@ static int sky_new(kit_image *env, kit_error *err)
             float  d[3];
             double rgb[3];
             kit_env_direction(env, x + 0.5, y + 0.5, d);
-            sky_radiance(d, rgb);
+            radiance(d, rgb);
             for (int c = 0; c < 3; ++c) env->data[(c * env->height + y) * env->width + x] = (float)rgb[c];
         }
+    return 0;
+}
+
+int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err)
+{
+    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / pi, asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / pi, degrees, degrees, 2, { 0 } };
+    const int  width = env->data ? env->width : 1024, height = env->data ? env->height : 512;
+    double     facing = 0;
+    if (!(degrees >= 180.0 / height && degrees <= 45)) return kit_fail(err, "sun of half-angle %g: must be a texel's %g to 45 degrees", degrees, 180.0 / height);
+    if (!env->data && kit_image_new(env, width, height, "R,G,B", err)) return -1;
+    for (int pass = 0; pass < 2; ++pass)                /* first what the disc brings at radiance 1 */
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                float d[3];
+                kit_env_direction(env, x + 0.5, y + 0.5, d);
+                const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0] + (double)d[1] * (double)sun->at[1] + (double)d[2] * (double)sun->at[2];
+                if (!pass) facing += weight * cosine * 2 * pi / width * pi / height * sin(pi * (y + 0.5) / height);
+                for (int c = 0; c < 3 && pass; ++c) env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
+            }
     return 0;
 }
 
@@ -72,8 +125,8 @@ int kit_env_read(kit_image *env, const char *path, kit_error *err)
     const char *dot = strrchr(path, '.');
     kit_image file, image = { 0 };
     int failed = 0;
-    if (!strcmp(path, "sky")) return sky_new(env, err);
-    if (!dot || (strcasecmp(dot, ".exr") && strcasecmp(dot, ".hdr"))) return kit_fail(err, "environment %s: must be sky or end in .exr or .hdr", path);
+    for (size_t i = 0; i < sizeof built_in / sizeof built_in[0]; ++i) if (!strcmp(path, built_in[i].name)) return drawn(env, built_in[i].radiance, err);
+    if (!dot || (strcasecmp(dot, ".exr") && strcasecmp(dot, ".hdr"))) return kit_fail(err, "environment %s: must be sky, probe, white or end in .exr or .hdr", path);
     if ((strcasecmp(dot, ".exr") ? kit_hdr_read : kit_exr_read)(&file, path, err)) return -1;
     for (int c = 0; c < 3 && !failed; ++c)
         if (!kit_image_channel(&file, names[c])) failed = kit_fail(err, "%s: has no channel %s", path, names[c]);

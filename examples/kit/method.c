@@ -36,8 +36,10 @@ static const row view_size_row = { { "view_size", "pixels of an extra camera's s
 static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
 static const row march_row     = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps) };
 static const row falloff_row   = { { "falloff", "weight of a blocker at distance t: 1 - t/radius, or the square or cube of that ratio", "linear square cube", 0, 0, 2, 1 }, GATHER, DESC(falloff) };
-static const row fade_row      = { { "fade", "1: blockers fade out toward the radius, by where they are seen", NULL, 0, 0, 1, 1 }, GATHER, DESC(fade) };
-static const row fade_from_row = { { "fade_from", "where fading begins, in radii", NULL, 0.5, 0, 1, 0 }, SCALED, FRAMED(fade) };
+static const row fade_row      = { { "fade", "how blockers fade with the distance at which they are seen", "none smooth lambda lambda-ended", 0, 0, 3, 1 }, GATHER, DESC(fade) };
+static const row lambda_row    = { { "lambda", "of that fading, per radius: more is weaker", NULL, 4, 0, 1000, 0 }, FRAME, FRAMED(lambda) };
+static const row range_row     = { { "range", "1: what is seen beyond the radius or below the receiver's plane blocks nothing", NULL, 0, 0, 1, 1 }, GATHER, DESC(range) };
+static const row fade_from_row = { { "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0 }, SCALED, FRAMED(fade) };
 static const row sets_row      = { { "sets", "sets of directions in a texture, one a pixel; 0 = one set, turned", NULL, 0, 0, 256, 1 }, PLAN, 0 };
 static const row slices_row    = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 }, GATHER, DESC(directions) };
 static const row dirs_row      = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 }, GATHER, DESC(directions) };
@@ -58,15 +60,29 @@ static const row shadow_row    = { { "shadow_size", "texels of a shadow map's si
 static const row suns_row      = { { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 }, PLAN, 0 };
 static const row vpls_row      = { { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0, 4096, 1 }, PLAN, 0 };
 
+static const row bands_row     = { { "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, 1 }, GATHER | BLUR, DESC(bands) };
+static const row few_bands_row = { { "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1 }, GATHER, DESC(bands) };
+static const row store_row     = { { "store", "coefficients as halves, halves packed into integers, or floats", "half packed float", 0, 0, 2, 1 }, PLAN, 0 };
+static const row indirect_row  = { { "indirect", "one bounce: no, in one gather with the occlusion, in one of its own", "none joint apart", 1, 0, 2, 1 }, PLAN, 0 };
+static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
+static const row dering_row    = { { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row exact_row     = { { "exact", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0, 1, 1 }, GATHER, DESC(exact) };
+static const row window_row    = { { "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1 }, PLAN, 0 };
+static const row lights_row    = { { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0 };
+static const row cone_row      = { { "cone", "the environment over the cone of free directions, or its irradiance along their mean", "normal cone", 1, 0, 1, 1 }, PLAN, 0 };
+
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
-#define SSDO { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
+#define SSDO { &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
     &reuse_row, &two_sided_row, &nearest_row, &gain_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, \
     &blur_row, &filter_row, &compare_row }
+#define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
+    &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
+#define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
-      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
+      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
         &filter_row, &compare_row } },
     { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
@@ -75,7 +91,11 @@ static const plan plans[] = {
       { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &half_thick_row, &hard_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED, SSDO },
     { "ssdo-fast", "the same, half size, fewer directions", SSGI_GL_SSDO, 0, SSGI_GL_FAST, SSDO },
-    { "ssdo-best", "the same, more directions", SSGI_GL_SSDO, 0, SSGI_GL_BEST, SSDO }
+    { "ssdo-best", "the same, more directions", SSGI_GL_SSDO, 0, SSGI_GL_BEST, SSDO },
+    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, S3HO },
+    { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
+    { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
+    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -87,7 +107,7 @@ int kit_method_at(kit_method *method, int i)
     memset(&m, 0, sizeof m);
     m.name = plans[i].name;
     m.about = plans[i].about;
-    m.lit = plans[i].pass == SSGI_GL_SSDO;
+    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
     desc.search = plans[i].search;
@@ -205,7 +225,7 @@ typedef struct making {
     const plan        *plan;
     const kit_method  *method;
     const kit_world   *world;
-    ssgi_gl_desc       gather, lights, blur;
+    ssgi_gl_desc       gather, lights, blur, shade;
     int                blurred;
     GLuint             rows[1 + KIT_MAX_VIEWS];    /* lights, as the picture's camera and the extra ones have them; 0 = none */
     kit_error         *err;
@@ -217,22 +237,35 @@ static GLuint keep(kit_run *run, GLuint texture)
     return texture;
 }
 
+/* The format of an output, from its row: vectors as many floats or integers a texel as their bands need. */
+static GLenum target_format(const making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
+{
+    const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
+    if (!strcmp(out->type, "float")) return GL_R32F;
+    if (!strcmp(out->type, "vec2")) return GL_RG32F;
+    if (!strcmp(out->type, "uvec4")) return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
+    if (strncmp(out->name, "o_ssgi_sh", 9)) return GL_RGBA32F;
+    if (desc->bands == 1 || (desc->bands == 3 && !strcmp(out->name, "o_ssgi_sh2"))) return stored ? GL_R32F : GL_R16F;
+    return stored ? GL_RGBA32F : GL_RGBA16F;
+}
+
 /* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
 static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice)
 {
-    static const GLenum attachment[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
+    static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
     kit_run *run = m->run;
     kit_pass *p = &run->pass[run->passes];
-    const int half = desc->half && desc->pass != SSGI_GL_BLUR, lit = desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS || (desc->pass == SSGI_GL_BLUR && desc->colour);
-    const GLenum format = lit ? GL_RGBA32F : desc->pass == SSGI_GL_BLUR ? GL_R32F : GL_RG32F;
-    const int outputs = desc->pass == SSGI_GL_SSDO && desc->environment && desc->bounce ? 2 : 1;
+    const int half = desc->half && desc->pass != SSGI_GL_BLUR;
     const uint64_t key = ssgi_gl_key(desc);
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    int outputs = 0;
     if (run->passes == KIT_MAX_PASSES) { kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES); return NULL; }
     memset(p, 0, sizeof *p);
     p->desc = *desc;
     p->gbuffer = g;
     p->frame = frame;
     p->source = source;
+    p->vectors = -1;
     p->width = half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
     p->height = half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
     for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
@@ -242,14 +275,15 @@ static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer
     ++run->passes;
     glGenFramebuffers(1, &p->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-    if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
-    for (int i = 0; i < outputs && !array; ++i) {
-        p->target[i] = keep(run, kit_texture(p->width, p->height, format, NULL));
-        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[i], GL_TEXTURE_2D, p->target[i], 0);
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) {
+        if (io[i].kind != SSGI_GL_OUTPUT) continue;
+        if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
+        else glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs] = keep(run, kit_texture(p->width, p->height, target_format(m, desc, &io[i]), NULL)), 0);
+        ++outputs;
     }
     glDrawBuffers(outputs, attachment);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
-    for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
+    if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS) for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
     run->fetches += ssgi_gl_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
@@ -299,6 +333,7 @@ static int add_direct(making *m, const kit_gbuffer *g, int v, int receiver, GLui
 
 static int add_senders(making *m, const kit_gbuffer *g, int v, int receiver, GLuint light)
 {
+    const int albedo = m->gather.pass == SSGI_GL_S3HO;
     ssgi_gl_desc d = m->lights;
     d.pass = SSGI_GL_SENDERS;
     d.receiver = receiver;
@@ -310,7 +345,7 @@ static int add_senders(making *m, const kit_gbuffer *g, int v, int receiver, GLu
         d.orthographic = 0;
         d.world_normals = 1;                /* that camera's view space to the picture's */
     }
-    d.radiance = light && g->direct ? SSGI_GL_RADIANCE_BOTH : light ? SSGI_GL_RADIANCE_LIGHT : SSGI_GL_RADIANCE_DIRECT;
+    d.radiance = albedo ? SSGI_GL_RADIANCE_ALBEDO : light && g->direct ? SSGI_GL_RADIANCE_BOTH : light ? SSGI_GL_RADIANCE_LIGHT : SSGI_GL_RADIANCE_DIRECT;
     return add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders, v < 0 ? receiver : v * m->gather.view_layers + receiver) ? 0 : -1;
 }
 
@@ -426,7 +461,7 @@ static int add_views(making *m, const float picture[16], const sphere *about)
         frame.fade = run->frame.fade;
         frame.steepest = run->frame.steepest;
         frame.lights = run->frame.lights;
-        ssgi_sh_quadric(frame.environment, run->harmonics, to);
+        ssgi_gl_harmonics_set(&frame, run->harmonics, m->gather.bands, to, NULL);
         rotation_of(frame.rotation, to, NULL);
         run->extra[2 * v] = frame;
         rotation_of(frame.rotation, picture, to);
@@ -591,37 +626,45 @@ static GLuint rows_of(const lamp *lamps, int first, int last, const float pictur
 
 /* ---- >>open ----------------------------------------------------------------------------------------------------- */
 
-/* size * size texels of three floats, with room for four more a texel behind them */
-static GLuint rgba(float *map, int size)
+/* size * size texels of three floats, as four */
+static float *rgba(float *four, const float *map, int size)
 {
-    float *four = map + 3 * size * size;
     for (int i = 0; i < size * size; ++i) {
         memcpy(four + 4 * i, map + 3 * i, 3 * sizeof *map);
         four[4 * i + 3] = 1;
     }
-    return kit_texture(size, size, GL_RGBA32F, four);
+    return four;
 }
 
-/* The environment as the passes read it. */
+/* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and, behind it, light over cones). */
 static int add_environment(making *m)
 {
-    enum { SIZE = 64, OPEN = 32 };
+    enum { SIZE = 64, OPEN = 32, CONES = 8 };
     const kit_image *env = &m->world->lighting->env;
     const size_t pixels = (size_t)env->width * (size_t)env->height;
+    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->shade.shading, mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
+    const int slices = m->shade.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
     kit_run *run = m->run;
     const char *why = "out of memory";
-    float *map = malloc(7 * SIZE * SIZE * sizeof *map);
+    float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four), *open = malloc(4 * CONES * OPEN * OPEN * sizeof *open);
     int failed;
     run->equirect = malloc(3 * pixels * sizeof *run->equirect);
-    failed = !map || !run->equirect;
+    failed = !map || !four || !open || !run->equirect;
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
-    if (!failed && m->gather.environment == SSGI_GL_ENVIRONMENT_SH) failed = ssgi_sh_project_equirect(run->harmonics, 3, run->equirect, env->width, env->height, &why) != SSGI_OK;
-    if (!failed && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP)
+    if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
+        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why) != SSGI_OK
+                 || (kit_method_value(m->method, "dering") > 0 && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
+    if (!failed && mapped)
         failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, (float)(2 * PI / m->gather.samples), &why) != SSGI_OK
-                 || !(run->environment = keep(run, rgba(map, SIZE)))
-                 || ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK
-                 || !(run->irradiance = keep(run, rgba(map, OPEN)));
+                 || !(run->environment = keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, rgba(four, map, SIZE))));
+    for (int k = 0; k < slices && !failed && open_too; ++k) {
+        failed = ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why) != SSGI_OK;
+        rgba(open + 4 * k * OPEN * OPEN, map, OPEN);
+    }
+    if (!failed && open_too) failed = !(run->irradiance = keep(run, kit_texture_array(OPEN, OPEN, slices, GL_RGBA32F, open)));
     free(map);
+    free(four);
+    free(open);
     return failed ? kit_fail(m->err, "--env: %s", why) : 0;
 }
 
@@ -641,7 +684,73 @@ static void settings(making *m, float radius)
     m->blur.filter_radius = m->blurred;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
     m->lights.thin = !(kit_method_value(m->method, "solid") > 0);
+    if (m->gather.pass == SSGI_GL_S3HO) {
+        const int bent = !m->gather.bands;
+        if (bent) {
+            m->gather.bands = 2;
+            m->shade.shading = kit_method_value(m->method, "cone") > 0 ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
+        }
+        m->gather.packed = (int)kit_method_value(m->method, "store") == 1;
+        m->shade.bands = m->blur.bands = m->gather.bands;
+        m->shade.half = m->gather.half && kit_method_value(m->method, "filtered") > 0;
+        m->shade.exact = m->gather.exact;
+        m->shade.normal = m->gather.normal;
+        if (!(kit_method_value(m->method, "lights") > 0)) m->lights.shadow = SSGI_GL_SHADOW_NONE;
+    }
     if (kit_method_value(m->method, "normal") > 0) m->gather.normal = m->lights.normal = m->blur.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+}
+
+/* s3ho: a vector a pixel, or one a channel, met with the light; *light: what comes out. When nothing else wants the vectors, the gather meets it itself. aside: see kit_pass. */
+static int add_vectors(making *m, int transfer, int aside, GLuint *light)
+{
+    kit_run *run = m->run;
+    const int vectors = !(kit_method_value(m->method, "filtered") > 0), first = run->passes;
+    ssgi_gl_desc gather = m->gather, blur = m->blur, shade = m->shade;
+    const double fetches = run->fetches;
+    kit_pass *p;
+    gather.transfer = blur.transfer = shade.transfer = transfer;
+    gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;      /* parts are told apart after the same rounding */
+    gather.shaded = !vectors && !shade.shading && !shade.lamps;
+    blur.colour = SSGI_GL_VECTORS;
+    p = add_pass(m, &gather, run->gbuffer, 0, 0, 0, 0);
+    if (p && vectors && m->blurred && (p = add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
+    if (p && !gather.shaded && (p = add_pass(m, &shade, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
+    if (!p) return -1;
+    p->lights = m->rows[0];
+    *light = p->target[0];
+    if (!vectors && add_blur(m, light)) return -1;
+    if (aside) run->fetches = fetches;
+    for (int i = first; i < run->passes; ++i) run->pass[i].aside = aside;
+    return 0;
+}
+
+/* s3ho: suns as lobes of the environment's harmonics; the lamps that are left, which depend on where a pixel is, to the front; and what all of those harmonics lack. */
+static int add_harmonics(making *m, lamp *lamps, int *count)
+{
+    enum { OPEN = 32 };
+    const kit_image *env = &m->world->lighting->env;
+    const int window = (int)kit_method_value(m->method, "window"), bands = m->gather.bands;
+    kit_run *run = m->run;
+    const char *why = "out of memory";
+    ssgi_sun suns[KIT_MAX_LIGHTS];
+    float *map = calloc(3 * OPEN * OPEN, sizeof *map), *four = malloc(4 * OPEN * OPEN * sizeof *four);
+    int left = 0, n = 0, failed = !map || !four;
+    for (int i = 0; i < *count && !failed; ++i) {
+        const ssgi_gl_light *l = &lamps[i].light;
+        if (l->kind > 0 || m->shade.shading) { lamps[left++] = lamps[i]; continue; }
+        memcpy(suns[n].direction, l->at, sizeof suns[n].direction);
+        memcpy(suns[n].irradiance, l->colour, sizeof suns[n].irradiance);
+        failed = ssgi_sh_light(run->harmonics, bands, l->at, 0, suns[n++].irradiance, window, &why) != SSGI_OK;
+    }
+    *count = left;
+    memset(run->frame.window, 0, sizeof run->frame.window);
+    ssgi_sh_window(run->frame.window, bands, window);
+    if (m->gather.exact && !m->shade.shading && !failed)
+        failed = (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
+                 || ssgi_sh_lacking(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK || !(run->irradiance = keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
+    free(map);
+    free(four);
+    return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
 static int open_lit(making *m, const float picture[16])
@@ -650,7 +759,8 @@ static int open_lit(making *m, const float picture[16])
     static const kit_lighting dark;
     kit_run *run = m->run;
     kit_gbuffer *g = run->gbuffer;
-    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), bounce = m->gather.bounce;
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), s3ho = m->gather.pass == SSGI_GL_S3HO;
+    const int indirect = (int)kit_method_value(m->method, "indirect"), bounce = s3ho ? indirect : m->gather.bounce, harmonics = s3ho && !(kit_method_value(m->method, "lights") > 0);
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { m->world->scene, lighting };
     int count = 0, direct = 0, failed;
@@ -658,14 +768,21 @@ static int open_lit(making *m, const float picture[16])
     lamp *lamps;
     GLuint light = 0, received = 0;
     m->world = &world;
-    m->blur.colour = 1;
+    m->blur.colour = SSGI_GL_COLOUR;
+    if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
     m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")] : SSGI_GL_ENVIRONMENT_NONE;
     if (lighting->env.data && add_environment(m)) return -1;
     rotation_of(run->frame.rotation, picture, NULL);
-    ssgi_sh_quadric(run->frame.environment, run->harmonics, picture);
     if (seen(g, &all, &middle, m->err)) return -1;
     lamps = lamps_new(m, &all, &count, &direct);
     if (!lamps) return -1;
+    if (s3ho) {
+        int lobes = harmonics ? direct : 0;
+        if (add_harmonics(m, lamps, &lobes)) { free(lamps); return -1; }
+        if (harmonics) count = direct = lobes;
+        m->shade.lamps = lobes > 0;
+    }
+    ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
     failed = (m->gather.views && add_views(m, picture, &middle)) || add_atlas(m, lamps, count);
     for (int v = -1; v < run->views && direct && !failed; ++v) {
@@ -687,10 +804,22 @@ static int open_lit(making *m, const float picture[16])
     }
     for (int v = 0; v < run->views && bounce && !failed; ++v)           /* hidden senders: lit in their own camera's picture */
         for (int j = 0; j < m->gather.view_layers && !failed; ++j)
-            failed = add_direct(m, &run->view[v], v, j, &light) || (light && add_senders(m, &run->view[v], v, j, light));
+            failed = (!s3ho && add_direct(m, &run->view[v], v, j, &light)) || ((s3ho || light) && add_senders(m, &run->view[v], v, j, light));
     for (int j = m->gather.layers - 1; j > 0 && bounce && !failed; --j)
-        failed = add_direct(m, g, -1, j, &light) || (light && add_senders(m, g, -1, j, light));
-    if (!failed && bounce && m->gather.environment && kit_method_value(m->method, "reuse") > 0) {
+        failed = (!s3ho && add_direct(m, g, -1, j, &light)) || ((s3ho || light) && add_senders(m, g, -1, j, light));
+    if (!failed && s3ho) {
+        ssgi_gl_desc d = m->lights;
+        kit_pass *p;
+        failed = (bounce && add_senders(m, g, -1, 0, 0)) || add_vectors(m, SSGI_GL_TRANSFER_FREE, indirect == 1, &light);
+        if (!failed && bounce) failed = add_vectors(m, indirect == 1 ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, &received);
+        if (indirect == 1) run->joint = light;
+        if (!failed && !harmonics && m->rows[0]) {
+            d.accumulate = 1;
+            p = add_pass(m, &d, g, 0, light, 0, 0);
+            failed = !p;
+            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
+        }
+    } else if (!failed && bounce && m->gather.environment && kit_method_value(m->method, "reuse") > 0) {
         kit_pass *p, *senders;
         failed = add_senders(m, g, -1, 0, 1);        /* its source is set below */
         senders = &run->pass[run->passes - 1];
@@ -764,6 +893,8 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     m.lights = m.blur = m.gather;
     m.lights.pass = SSGI_GL_LIGHTS;
     m.blur.pass = SSGI_GL_BLUR;
+    m.shade = m.blur;
+    m.shade.pass = SSGI_GL_SHADE;
     settings(&m, radius);
     if (m.gather.half && !m.blurred) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
     if (m.gather.layers > g->layers && !m.world->scene) return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
@@ -818,6 +949,9 @@ void kit_run_update(kit_run *run)
 
 static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
 {
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    for (int i = 0, n = p->vectors < 0 ? 0 : ssgi_gl_reflect(&run->pass[p->vectors].desc, io, SSGI_GL_MAX_IO); i < n; ++i)
+        if (io[i].kind == SSGI_GL_OUTPUT && !strcmp(io[i].name + 1, name + 1)) return run->pass[p->vectors].target[io[i].slot];
     const struct { const char *name; GLuint texture; } table[] = {
         { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
         { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
@@ -846,9 +980,9 @@ void kit_run_draw(kit_run *run, int timed)
         if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
         glUseProgram(p->program);
-        if (timed) kit_timer_begin();
+        if (timed && !p->aside) kit_timer_begin();
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        if (timed) p->ms = kit_timer_end();
+        if (timed && !p->aside) p->ms = kit_timer_end();
     }
     glActiveTexture(GL_TEXTURE0);
 }
@@ -866,18 +1000,21 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     const kit_pass *last = &run->pass[run->passes ? run->passes - 1 : 0];
     const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height, components = run->lit ? 4 : 1;
     const size_t pixels = (size_t)width * (size_t)height;
-    const GLuint source[2] = { run->light, run->bounce };
+    const GLuint source[3] = { run->light, run->bounce, run->bounce ? run->joint : 0 };
     kit_image image, frame;
     float *texels = malloc(pixels * (size_t)components * sizeof *texels);
     int failed = 0;
     if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) { free(texels); return -1; }
-    for (int s = 0; s < (run->lit ? 2 : 1) && !failed; ++s) {
+    for (int s = 0; s < (run->lit ? 3 : 1) && !failed; ++s) {
         if (!source[s]) continue;
         failed = kit_texture_read(source[s], width, height, components, texels) != 0;
         for (size_t i = 0; i < pixels && !failed; ++i) {
             const size_t from = pixels - (i / (size_t)width + 1) * (size_t)width + i % (size_t)width;
             if (!run->lit) image.data[i] = texels[from];
-            for (size_t c = 0; c < 3 && run->lit; ++c) image.data[(3 + 3 * (size_t)s + c) * pixels + i] = texels[4 * from + c];
+            for (size_t c = 0; c < 3 && run->lit; ++c) {
+                float *to = &image.data[(s ? 6 + c : 3 + c) * pixels + i];
+                *to = s < 2 ? texels[4 * from + c] : *to - texels[4 * from + c];
+            }
         }
     }
     free(texels);

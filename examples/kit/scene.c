@@ -588,6 +588,29 @@ static void build_pebbles(build *b)
     }
 }
 
+static void build_boxes(build *b)
+{
+    const double gap = 0.0005;
+    colour(b, 0.82, 0.82, 0.82);
+    box(b, -9, -0.2, -9, 9, 0, 5);
+    for (int i = -1; i <= 1; i++) {
+        place(b, 1.4 * i, gap, i ? 0.2 : -0.2, 0);
+        box(b, -0.5, 0, -0.5, 0.5, i ? 0.8 : 1.1, 0.5);
+    }
+}
+
+static void build_blocks(build *b)
+{
+    const double gap = 0.0005;
+    colour(b, 0.82, 0.82, 0.82);
+    box(b, -12, -0.2, -12, 12, 0, 7);
+    for (int i = 0; i < 12; i++) {
+        const double wide = between(b, 0.26, 0.38), deep = between(b, 0.26, 0.38), high = between(b, 0.5, 2.2);
+        place(b, 1.05 * (i % 4 - 1.5) + between(b, -0.1, 0.1), gap, 1.05 * (i / 4 - 1) + between(b, -0.1, 0.1), 0);
+        box(b, -wide, 0, -deep, wide, high, deep);
+    }
+}
+
 /* ---- >>scenes ----------------------------------------------------------------------------------------------- */
 
 static const struct builtin {
@@ -602,6 +625,8 @@ static const struct builtin {
     { "columns",   "white columns, coloured ones hidden behind them, a box beside the picture", build_columns, {0, 1.7f, 6.2f}, {0, 0.95f, 0}, 33, 0.1f, 1 },
     { "plates",    "thin plates, bars and hoops floating over a floor", build_plates, {1.3f, 3.3f, 4.0f}, {0, 0.45f, 0.05f}, 36, 0.1f, 0.8f },
     { "pebbles",   "some hundred small boxes, studs and balls, two tables on thin legs", build_pebbles, {0.35f, 0.65f, 1.5f}, {0.05f, 0.08f, 0}, 36, 0.05f, 0.08f },
+    { "boxes",     "three white boxes near each other on a floor", build_boxes, {0.25f, 3.3f, 3.6f}, {0, 0.3f, 0}, 34, 0.1f, 0.6f },
+    { "blocks",    "a dozen of white tower blocks, from above", build_blocks, {2.4f, 6.0f, 4.6f}, {0.1f, 0.5f, 0.1f}, 31, 0.1f, 0.5f },
     { "plane",     "one big square", build_plane, {0, 1.5f, 2}, {0, 0, 0}, 45, 0.1f, 0.5f },
     { "corner",    "floor (y = 0) and wall (x = 0) at a right angle", build_corner, {3.2f, 1.9f, 2.6f}, {0.4f, 0.5f, 0}, 40, 0.1f, 0.5f },
     { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {0.9f, 2.4f, 2.6f}, {0, -0.3f, 0}, 34, 0.1f, 0.5f },
