@@ -842,7 +842,12 @@ static int open_lit(making *m, const float picture[16])
             ssgi_gl_desc d = m->gather;
             kit_pass *p;
             d.environment = SSGI_GL_ENVIRONMENT_NONE;
-            if (vpls) d.falloff = SSGI_GL_FALLOFF_SQUARE;   /* what the clamp of the virtual point lights leaves out */
+            if (vpls) {                     /* what the clamp of the virtual point lights leaves out: just that falloff, of single points */
+                d.falloff = SSGI_GL_FALLOFF_SQUARE;
+                d.fade = d.range = 0;
+                d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
+                d.steps = 1;
+            }
             failed = add_senders(m, g, -1, 0, light);
             p = failed ? NULL : add_pass(m, &d, g, 0, 0, 0, 0);
             failed = !p;
