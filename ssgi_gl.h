@@ -247,7 +247,7 @@ typedef struct ssgi_gl_frame {
     float   steepest;       /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of shadow maps follows */
     int32_t lights;         /* rows of t_ssgi_lights */
     float   lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP); identity by default */
+    float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.exact, bent normals); identity by default */
     float   harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space: ssgi_gl_harmonics_set; black by default */
     float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;

@@ -475,6 +475,46 @@ static void suns_are_lamps(void)
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
+/* With desc.exact an open plane gets what it should of suns and point lights, in any bands, filtered before or after, whatever the window. */
+static void open_is_exact(void)
+{
+    static const char *const lights[] = { "sun:0,1,0,2,1,3", "sun:1,0.3,0.2,2,1,3", "sun:0.3,-1,0.1,2,1,3", "point:0.4,0.7,0.2,1,2,0.5" };
+    double worst[2] = { 0, 0 };
+    for (int k = 0; k < 16; ++k) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_lighting l;
+        kit_image out;
+        char set[128];
+        const int bands = 1 + k / 4, lamp = k % 4 == 3;
+        snprintf(set, sizeof set, "indirect=none,exact=1,bands=%d,window=%s,store=float,filtered=%s", bands, k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
+        if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H) || !lit(&out, &g, "s3ho", set, scene.radius, &scene, &l)) return;
+        for (int y = 5; y < H; y += 9)
+            for (int x = 3; x < W; x += 13)
+                for (size_t c = 0; c < 3; ++c) {
+                    float origin[3], along[3];
+                    double t, cosine = (double)l.light[0].at[1], want, got;
+                    kit_camera_ray(&g.camera, x, y, origin, along);
+                    t = -(double)origin[1] / (double)along[1];
+                    if (!(t > 0)) continue;
+                    const double at[2] = { (double)origin[0] + t * (double)along[0], (double)origin[2] + t * (double)along[2] };
+                    if (fmax(fabs(at[0]), fabs(at[1])) > 0.9) continue;
+                    if (lamp) {
+                        const double d[3] = { (double)l.light[0].at[0] - at[0], (double)l.light[0].at[1], (double)l.light[0].at[2] - at[1] }, dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+                        cosine = d[1] / sqrt(dd) / dd;
+                    }
+                    want = fmax(cosine, 0) * (double)l.light[0].colour[c] / pi;
+                    got = (double)out.data[((3 + c) * (size_t)H + (size_t)y) * (size_t)W + (size_t)x];
+                    worst[lamp] = fmax(worst[lamp], fabs(got - want) / ((double)l.light[0].colour[c] / pi * (lamp ? fmax(cosine, 0.01) : 1)));
+                }
+        kit_image_free(&out);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    CHECK(worst[0] < 0.004 && worst[1] < 1e-4, "suns are off by %.2e of what they send, lamps by %.2e", worst[0], worst[1]);
+    t_note("suns, through a map of 32 x 32, are off by %.1e of what they send, lamps by %.1e", worst[0], worst[1]);
+}
+
 /* ---- storage, the filter ------------------------------------------------------------------------------------------------- */
 
 /* Packed to nearest even; how a context rounds what goes to RGBA16F is its own affair, and so is it in dialects that pack themselves. */
@@ -872,6 +912,7 @@ void test_vectors(void)
     RUN("ssdo's harmonics are s3ho's", ssdo_agrees);
     RUN("what faces a sun, a point light, a sphere gets its irradiance; what turns away its window's", lamps_light_what_faces_them);
     RUN("a sun is the same as a lamp and as harmonics", suns_are_lamps);
+    RUN("what is open gets exactly what comes in, however few the bands", open_is_exact);
     RUN("vectors stored as halves are rounded, no more", storage_rounds);
     RUN("filtered and lit is lit and filtered", order_does_not_matter);
     RUN("the filter averages tiles of noise away", filter_averages_tiles);
