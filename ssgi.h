@@ -152,7 +152,8 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 
 /* ==== >>sh ===================================================================================================== */
 
-/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886. */
+/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886.
+   GLSL twins of basis, zonal, rotate and product: ssgi_gl_sh in ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */

@@ -159,7 +159,7 @@ typedef struct ssgi_gl_desc {
     int packed;             /* s3ho, shade, blur of vectors   [limit: 0..1]  0: targets of four floats, RGBA16F, up to four; 1: halves in RGBA32UI, eight a target, up to two a vector */
     int transfer;           /* the same   SSGI_GL_TRANSFER_FREE ..; three vectors must be packed */
     int shaded;             /* s3ho   [limit: 0..1]  1: keeps no vectors: meets frame.harmonics at once and writes light; shade is not drawn */
-    int exact;              /* s3ho when shaded, ssdo with SH, shade by HARMONICS   [limit: 0..1]  1: what the bands lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking) and dimmed by ambient visibility */
+    int exact;              /* s3ho when shaded, ssdo with SH, shade by HARMONICS   [limit: 0..1]  1: what the bands lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking) and dimmed by ambient visibility; not where transfer is REFLECTED */
     int shading;            /* shade   SSGI_GL_SHADING_HARMONICS .. */
     int lamps;              /* shade   [limit: 0..1]  1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors; a POINT is a sphere of radius `least` */
     int albedo;             /* shade   [limit: 0..1]  1: writes outgoing radiance; 0: irradiance over pi */
@@ -2351,7 +2351,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
     const int points = d->pass == SSGI_GL_SSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO, stored = ssgi_gl__stored(d);
     const int sized = blur || hsao || points || shade, hidden = d->receiver && (d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_LIGHTS || d->pass == SSGI_GL_SENDERS);
     const int dotted = (d->pass == SSGI_GL_S3HO && d->shaded) || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_SH) || (shade && d->shading == SSGI_GL_SHADING_HARMONICS);
-    const int exact = d->exact && dotted, lamps = shade && d->lamps && d->shading != SSGI_GL_SHADING_BENT;
+    const int exact = d->exact && dotted && (d->pass == SSGI_GL_SSDO || d->transfer != SSGI_GL_TRANSFER_REFLECTED), lamps = shade && d->lamps && d->shading != SSGI_GL_SHADING_BENT;
     const int normals = blur ? d->filter == SSGI_GL_BILATERAL : !shade || exact, depth = !blur || d->half || stored || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
     ssgi_gl__set s = { { 0, 0, 0, 0 } };
     uint64_t f = (d->orthographic ? SSGI_GL__ORTHOGRAPHIC : SSGI_GL__PERSPECTIVE) | (hidden ? SSGI_GL__HIDDEN : SSGI_GL__FIRST) | (sized && d->half ? SSGI_GL__HALF : SSGI_GL__FULL);

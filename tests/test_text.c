@@ -519,7 +519,7 @@ static void off(void)
         int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE;
         int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
         int grey = blur && d->colour == SSGI_GL_GREY, colour = blur && d->colour == SSGI_GL_COLOUR, vectors = blur && !grey && !colour;
-        int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact;
+        int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact && (sh || d->transfer != SSGI_GL_TRANSFER_REFLECTED);
         int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = blur ? box : !shade || exact;
         int from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH, depth = !blur || d->half || from_depth || vectors, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
         int fill = d->shadow == SSGI_GL_SHADOW_FILL, maps = lights && (d->shadow == SSGI_GL_SHADOW_MAP || fill), segments = lights && (d->shadow == SSGI_GL_SHADOW_SEGMENT || fill);
