@@ -225,7 +225,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
     const row *sorted[256];
     box taken[MOST_BOXES];
     scale s = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
-    int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT;
+    int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT, line = 80;
     double step, last = -100;
     for (int i = 0; i < count && points < 256; ++i) {
         if (isnan(rows[i].relative)) continue;
@@ -276,12 +276,14 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
                 taken[boxes++] = (box){ x0 + (x - x0) * t - 3, y0 + (y - y0) * t - 3, 6, 6 };
             }
         }
+        const int room = 38 + (int)(7.0 * (double)strlen(sorted[i]->label));
+        if (legend > LEFT && legend + room > RIGHT) { legend = LEFT; line += 18; }
         fputs("\"/>\n<path ", f);
-        marker(f, series, legend + 7, 82);
-        fprintf(f, "/><text x=\"%d\" y=\"86.5\" fill=\"#222\">", legend + 21);
+        marker(f, series, legend + 7, line);
+        fprintf(f, "/><text x=\"%d\" y=\"%.1f\" fill=\"#222\">", legend + 21, line + 4.5);
         escaped(f, sorted[i]->label);
         fputs("</text>\n", f);
-        legend += 46 + (int)(7.6 * (double)strlen(sorted[i]->label));
+        legend += room;
     }
     if (!isnan(floor_)) {                /* its words: above or below, where along the line they cover least */
         box best = { 0, 0, 0, 0 };
