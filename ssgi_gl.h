@@ -387,7 +387,7 @@ extern "C" {
 #define SSGI_GL__GREY            SSGI_GL__OWN(0, 3)
 #define SSGI_GL__COLOUR          SSGI_GL__OWN(0, 4)
 /* word 1, light */
-#define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* an environment, and which */
+#define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* ssdo, s3ho: an environment lights; by look-ups */
 #define SSGI_GL__E_MAP           SSGI_GL__OWN(1, 2)
 #define SSGI_GL__SOLID_ANGLE     SSGI_GL__OWN(1, 4) /* bounce */
 #define SSGI_GL__AREA            SSGI_GL__OWN(1, 5) /* PATCH or DISC */
@@ -424,6 +424,9 @@ extern "C" {
 #define SSGI_GL__EXACT_LAMPS     SSGI_GL__OWN(3, 4)
 #define SSGI_GL__EXACT_SHADE     SSGI_GL__OWN(3, 5)
 #define SSGI_GL__BENT_LIT        SSGI_GL__OWN(3, 6) /* shade: BENT_NORMAL or BENT_CONE */
+#define SSGI_GL__STORES          SSGI_GL__OWN(3, 7) /* vectors are written */
+#define SSGI_GL__COSINE          SSGI_GL__OWN(3, 8) /* the clamped cosine's harmonics are asked for */
+#define SSGI_GL__LIGHT_ROWS      SSGI_GL__OWN(3, 9) /* t_ssgi_lights is walked: lights, lamps of shade */
 
 typedef struct ssgi_gl__set { uint64_t word[4]; } ssgi_gl__set;
 
@@ -468,12 +471,10 @@ static const ssgi_gl__row ssgi_gl__fade_row    = SSGI_GL__P(SSGI_GL__SMOOTH, "fa
 static const ssgi_gl__row ssgi_gl__nearest     = SSGI_GL__P(SSGI_GL__PATCH, "nearest", "float", nearest, "radii");
 static const ssgi_gl__row ssgi_gl__gain        = SSGI_GL__P(SSGI_GL__AREA, "gain", "float", gain, "");
 static const ssgi_gl__row ssgi_gl__steepest    = SSGI_GL__P(SSGI_GL__MAPS_READ, "steepest", "float", steepest, "tan");
-static const ssgi_gl__row ssgi_gl__lights_row  = SSGI_GL__P(0, "lights", "int", lights, "rows of t_ssgi_lights");
+static const ssgi_gl__row ssgi_gl__lights_row  = SSGI_GL__P(SSGI_GL__LIGHT_ROWS, "lights", "int", lights, "rows of t_ssgi_lights");
 static const ssgi_gl__row ssgi_gl__lambda_row  = SSGI_GL__P(SSGI_GL__LAMBDA, "lambda", "float", lambda, "per radius");
 static const ssgi_gl__row ssgi_gl__harmonics_row = SSGI_GL__P(SSGI_GL__HARMONICS, "harmonics", "vec4[12]", harmonics, "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c");
 static const ssgi_gl__row ssgi_gl__window_row  = SSGI_GL__P(SSGI_GL__LAMPS, "window", "vec4", window, "a band");
-static const ssgi_gl__row ssgi_gl__lamps_row   = SSGI_GL__P(SSGI_GL__LAMPS, "lights", "int", lights, "rows of t_ssgi_lights");
-static const ssgi_gl__row ssgi_gl__lamps_tex   = SSGI_GL__T(SSGI_GL__LAMPS, "lights", "RGBA32F, 8 wide: a row a ssgi_gl_light");
 static const ssgi_gl__row ssgi_gl__view_to     = SSGI_GL__V(SSGI_GL__VIEWS, "to", "mat4[4]", to, "view space to pixels (times depth) and depth");
 static const ssgi_gl__row ssgi_gl__view_from   = SSGI_GL__V(SSGI_GL__VIEWS | SSGI_GL__LOOK, "from", "mat4[4]", from, "and back");
 static const ssgi_gl__row ssgi_gl__view_decode = SSGI_GL__V(SSGI_GL__VIEWS, "decode", "vec4[4]", decode, "window depth to view depth; w: orthographic");
@@ -488,7 +489,7 @@ static const ssgi_gl__row ssgi_gl__view_senders = SSGI_GL__A(SSGI_GL__SENDERS | 
 static const ssgi_gl__row ssgi_gl__kernel_tex  = SSGI_GL__T(SSGI_GL__K_TEXTURE, "kernel", "RGBA32F or RGBA16F, a row a set: ssgi_kernel, SSGI_COSINE");
 static const ssgi_gl__row ssgi_gl__map_tex     = SSGI_GL__T(SSGI_GL__E_MAP, "environment", "RGB32F, RGB16F ..: ssgi_environment_map, a sample's solid angle");
 static const ssgi_gl__row ssgi_gl__open_tex    = SSGI_GL__A(SSGI_GL__I_MAP, "irradiance", "sampler", "RGB32F, RGB16F ..: slice 0 ssgi_environment_map, solid angle 0, with exact harmonics less those (ssgi_sh_lacking); for cones slice k of n is ssgi_environment_cone, cosine k/n");
-static const ssgi_gl__row ssgi_gl__lights_tex  = SSGI_GL__T(0, "lights", "RGBA32F, 8 wide: a row a ssgi_gl_light");
+static const ssgi_gl__row ssgi_gl__lights_tex  = SSGI_GL__T(SSGI_GL__LIGHT_ROWS, "lights", "RGBA32F, 8 wide: a row a ssgi_gl_light");
 static const ssgi_gl__row ssgi_gl__shadow_tex  = SSGI_GL__T(SSGI_GL__MAPS_READ, "shadow", "depth: hardware depth, compare mode off; the shadow maps as tiles");
 static const ssgi_gl__row ssgi_gl__added_tex   = SSGI_GL__T(SSGI_GL__ADD, "light", "what an earlier pass wrote: RGBA32F or RGBA16F");
 static const ssgi_gl__row ssgi_gl__albedo_tex  = SSGI_GL__T(SSGI_GL__ALBEDO | SSGI_GL__FIRST, "albedo", "RGBA8, RGBA16F ..: linear albedo");
@@ -505,7 +506,6 @@ static const ssgi_gl__row ssgi_gl__light_out   = SSGI_GL__O(SSGI_GL__E_LIT, "lig
 static const ssgi_gl__row ssgi_gl__bounce_out  = SSGI_GL__O(SSGI_GL__SENDERS, "bounce", "vec4", "RGBA32F or RGBA16F: irradiance over pi from the bounce, view depth");
 static const ssgi_gl__row ssgi_gl__lights_out  = SSGI_GL__O(0, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth");
 static const ssgi_gl__row ssgi_gl__sender_out  = SSGI_GL__O(0, "sender", "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent and 14, octahedral view-space normal as 6 6");
-static const ssgi_gl__row ssgi_gl__dotted_out  = SSGI_GL__O(SSGI_GL__HARMONICS, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth for the filter");
 static const ssgi_gl__row ssgi_gl__bent_out    = SSGI_GL__O(SSGI_GL__BENT_OUT, "bent", "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of the cone's half-angle");
 static const ssgi_gl__row ssgi_gl__shaded_out  = SSGI_GL__O(SSGI_GL__SHADED, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, or radiance, view depth for the filter");
 /* What s3ho writes and shade and blur read: a texture and an output of one name each. */
@@ -1119,9 +1119,8 @@ static const ssgi_gl__chunk ssgi_gl__sh_dot_end = { __LINE__ + 1, SSGI_GL__LOBES
     "    return s;\n"
     "}\n" };
 
-#define SSGI_GL__COSINE_TEXT "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0); // zonal harmonics of the clamped cosine\n"
-static const ssgi_gl__chunk ssgi_gl__sh_cosine = { __LINE__, SSGI_GL__VECTORS, SSGI_GL__COSINE_TEXT };
-static const ssgi_gl__chunk ssgi_gl__lamps_cosine = { __LINE__, SSGI_GL__EXACT_LAMPS, SSGI_GL__COSINE_TEXT };
+static const ssgi_gl__chunk ssgi_gl__sh_cosine = { __LINE__ + 1, SSGI_GL__COSINE,
+    "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0); // zonal harmonics of the clamped cosine\n" };
 static const ssgi_gl__chunk ssgi_gl__sh_zonal = { __LINE__ + 1, SSGI_GL__LOBES | SSGI_GL__VECTORS,
     "// a lobe about n from its zonal harmonics, a lane a band\n"
     "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n)\n"
@@ -1299,24 +1298,21 @@ static const ssgi_gl__chunk ssgi_gl__pack_more_end = { __LINE__ + 1, SSGI_GL__PA
     "    return u;\n"
     "}\n" };
 
-#define SSGI_GL__STORE_HEAD "void ssgi_store(ssgi_vectors v)\n{\n"
+static const ssgi_gl__chunk ssgi_gl__store = { __LINE__ + 1, SSGI_GL__STORES,
+    "void ssgi_store(ssgi_vectors v)\n"
+    "{\n" };
 static const ssgi_gl__chunk ssgi_gl__store_words = { __LINE__ + 1, SSGI_GL__WORDS,
-    SSGI_GL__STORE_HEAD
     "    o_ssgi_sh0 = v.c[0].a;\n" };
 static const ssgi_gl__chunk ssgi_gl__store_words3 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V3,
     "    o_ssgi_sh1 = v.c[0].b;\n"
     "    o_ssgi_sh2 = v.c[0].c;\n" };
 static const ssgi_gl__chunk ssgi_gl__store_words4 = { __LINE__ + 1, SSGI_GL__WORDS | SSGI_GL__V4,
     "    o_ssgi_sh3 = v.c[0].d;\n" };
-static const ssgi_gl__chunk ssgi_gl__store_words_end = { __LINE__ + 1, SSGI_GL__WORDS,
-    "}\n" };
 static const ssgi_gl__chunk ssgi_gl__store_mono = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO,
-    SSGI_GL__STORE_HEAD
     "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n" };
 static const ssgi_gl__chunk ssgi_gl__store_mono3 = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__MONO | SSGI_GL__V3,
     "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]);\n" };
 static const ssgi_gl__chunk ssgi_gl__store_rgb = { __LINE__ + 1, SSGI_GL__PACKED | SSGI_GL__RGB,
-    SSGI_GL__STORE_HEAD
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
     "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n" };
@@ -1324,7 +1320,7 @@ static const ssgi_gl__chunk ssgi_gl__store_rgb3 = { __LINE__ + 1, SSGI_GL__PACKE
     "    o_ssgi_red1 = ssgi_pack_more(v.c[0]);\n"
     "    o_ssgi_green1 = ssgi_pack_more(v.c[1]);\n"
     "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]);\n" };
-static const ssgi_gl__chunk ssgi_gl__store_packed_end = { __LINE__ + 1, SSGI_GL__PACKED,
+static const ssgi_gl__chunk ssgi_gl__store_end = { __LINE__ + 1, SSGI_GL__STORES,
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__lacking = { __LINE__ + 1, SSGI_GL__EXACT,
@@ -1726,9 +1722,7 @@ static const ssgi_gl__chunk ssgi_gl__main_s3ho = { __LINE__ + 1, 0,
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "        ssgi_gather(P, ssgi_normal(p, P), xi, v);\n"
     "    }\n" };
-static const ssgi_gl__chunk ssgi_gl__main_words = { __LINE__ + 1, SSGI_GL__WORDS,
-    "    ssgi_store(v);\n" };
-static const ssgi_gl__chunk ssgi_gl__main_packed = { __LINE__ + 1, SSGI_GL__PACKED,
+static const ssgi_gl__chunk ssgi_gl__main_store = { __LINE__ + 1, SSGI_GL__STORES,
     "    ssgi_store(v);\n" };
 static const ssgi_gl__chunk ssgi_gl__main_dot = { __LINE__ + 1, SSGI_GL__HARMONICS,
     "    o_ssgi_light = vec4(max(ssgi_irradiance(v), 0.0), z);\n" };
@@ -1804,17 +1798,14 @@ static const ssgi_gl__chunk ssgi_gl__lights_begin = { __LINE__ + 1, 0,
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), sum = vec3(0.0);\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_lift = { __LINE__ + 1, SSGI_GL__SEGMENTS,
     "    vec3 start = ssgi_lift(P, n);\n" };
-/* Both passes that walk the rows of t_ssgi_lights. */
-#define SSGI_GL__EACH_LIGHT \
-    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n" \
-    "        vec4 at = texelFetch(t_ssgi_lights, ivec2(0, i), 0), colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n" \
-    "        vec3 l = at.w > 0.5 ? at.xyz - P : at.xyz;\n" \
-    "        float dd = max(dot(l, l), 1e-30), d = sqrt(dd), g = 1.0;\n" \
-    "        l /= d;\n" \
-    "        if (at.w > 0.5) g /= max(dd, colour.w * colour.w);\n" \
-    "        if (at.w > 2.5) g *= max(-dot(facing.xyz, l), 0.0);\n"
-static const ssgi_gl__chunk ssgi_gl__lights_loop = { __LINE__ + 1, 0, SSGI_GL__EACH_LIGHT };
-static const ssgi_gl__chunk ssgi_gl__shade_loop = { __LINE__ + 1, SSGI_GL__LAMPS, SSGI_GL__EACH_LIGHT };
+static const ssgi_gl__chunk ssgi_gl__lights_loop = { __LINE__ + 1, SSGI_GL__LIGHT_ROWS,
+    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
+    "        vec4 at = texelFetch(t_ssgi_lights, ivec2(0, i), 0), colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
+    "        vec3 l = at.w > 0.5 ? at.xyz - P : at.xyz;\n"
+    "        float dd = max(dot(l, l), 1e-30), d = sqrt(dd), g = 1.0;\n"
+    "        l /= d;\n"
+    "        if (at.w > 0.5) g /= max(dd, colour.w * colour.w);\n"
+    "        if (at.w > 2.5) g *= max(-dot(facing.xyz, l), 0.0);\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_cosine = { __LINE__ + 1, 0,
     "        float cosine = dot(n, l);\n"
     "        g *= cosine;\n"
@@ -2073,8 +2064,8 @@ static const ssgi_gl__chunk ssgi_gl__blur_colour = { __LINE__ + 1, SSGI_GL__COLO
                         &ssgi_gl__load, &ssgi_gl__load_words, &ssgi_gl__load_words2, &ssgi_gl__load_words3, &ssgi_gl__load_words4, &ssgi_gl__load_mono, &ssgi_gl__load_mono3, &ssgi_gl__load_mono_end, \
                         &ssgi_gl__load_rgb, &ssgi_gl__load_rgb3, &ssgi_gl__load_rgb_end, &ssgi_gl__load_end
 #define SSGI_GL__STORE  &ssgi_gl__half_native, &ssgi_gl__half_made, &ssgi_gl__pack_sh, &ssgi_gl__pack_sh2, &ssgi_gl__pack_sh3, &ssgi_gl__pack_sh_end, &ssgi_gl__pack_more, &ssgi_gl__pack_more4, \
-                        &ssgi_gl__pack_more_end, &ssgi_gl__store_words, &ssgi_gl__store_words3, &ssgi_gl__store_words4, &ssgi_gl__store_words_end, &ssgi_gl__store_mono, &ssgi_gl__store_mono3, &ssgi_gl__store_rgb, \
-                        &ssgi_gl__store_rgb3, &ssgi_gl__store_packed_end
+                        &ssgi_gl__pack_more_end, &ssgi_gl__store, &ssgi_gl__store_words, &ssgi_gl__store_words3, &ssgi_gl__store_words4, &ssgi_gl__store_mono, &ssgi_gl__store_mono3, &ssgi_gl__store_rgb, \
+                        &ssgi_gl__store_rgb3, &ssgi_gl__store_end
 #define SSGI_GL__DOT    &ssgi_gl__free_part, &ssgi_gl__lacking, &ssgi_gl__incoming, &ssgi_gl__incoming3, &ssgi_gl__incoming4, &ssgi_gl__incoming_end, &ssgi_gl__incoming_exact, &ssgi_gl__incoming_out
 #define SSGI_GL__OF_VECTORS(x) &ssgi_gl__##x##_sh0, &ssgi_gl__##x##_sh1, &ssgi_gl__##x##_sh2, &ssgi_gl__##x##_sh3, &ssgi_gl__##x##_packed0, &ssgi_gl__##x##_packed1, &ssgi_gl__##x##_red0, \
                         &ssgi_gl__##x##_red1, &ssgi_gl__##x##_green0, &ssgi_gl__##x##_green1, &ssgi_gl__##x##_blue0, &ssgi_gl__##x##_blue1
@@ -2117,18 +2108,18 @@ static const ssgi_gl__chunk *const ssgi_gl__s3ho_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__TEST, SSGI_GL__LENGTH, &ssgi_gl__sh_cosine, SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__SH_TURN, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__STORE, SSGI_GL__DOT, &ssgi_gl__octahedron,
     &ssgi_gl__open, &ssgi_gl__points_s3ho,
     &ssgi_gl__points_from, &ssgi_gl__points_normal, &ssgi_gl__points_free, SSGI_GL__LOOP, &ssgi_gl__sum_free, &ssgi_gl__sum_reflected, &ssgi_gl__sum_both_sides, &ssgi_gl__sum_reflected_end, &ssgi_gl__points_end,
-    &ssgi_gl__points_turned, &ssgi_gl__points_exact, &ssgi_gl__points_close, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_s3ho, &ssgi_gl__main_words, &ssgi_gl__main_packed, &ssgi_gl__main_dot, &ssgi_gl__lights_end, NULL };
+    &ssgi_gl__points_turned, &ssgi_gl__points_exact, &ssgi_gl__points_close, &ssgi_gl__main_full, &ssgi_gl__main_half, &ssgi_gl__main_s3ho, &ssgi_gl__main_store, &ssgi_gl__main_dot, &ssgi_gl__lights_end, NULL };
 static const ssgi_gl__row *const ssgi_gl__s3ho_rows[] = {
     &ssgi_gl__c_samples, &ssgi_gl__c_several, SSGI_GL__DEEP_C, &ssgi_gl__project, SSGI_GL__READS, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__thickness, &ssgi_gl__phase, &ssgi_gl__fade_row,
     &ssgi_gl__lambda_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__senders_tex, &ssgi_gl__view_senders, &ssgi_gl__kernel_tex, &ssgi_gl__open_tex,
-    SSGI_GL__OF_VECTORS(o), &ssgi_gl__dotted_out, NULL };
+    SSGI_GL__OF_VECTORS(o), &ssgi_gl__light_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__shade_chunks[] = {
-    SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__lamps_cosine, SSGI_GL__SH, SSGI_GL__SH_DOT, SSGI_GL__VECTOR_TYPE, SSGI_GL__LOAD, SSGI_GL__DOT, &ssgi_gl__bent, &ssgi_gl__lights_head, &ssgi_gl__shade_half, &ssgi_gl__main_depth, &ssgi_gl__shade_bent, &ssgi_gl__shade_head, &ssgi_gl__shade_normal_read, &ssgi_gl__points_exact, &ssgi_gl__shade_harmonics, &ssgi_gl__shade_cones,
-    &ssgi_gl__shade_normal, &ssgi_gl__shade_cone, &ssgi_gl__shade_point, &ssgi_gl__shade_loop, &ssgi_gl__shade_lamp, &ssgi_gl__shade_lamp2, &ssgi_gl__shade_lamp3, &ssgi_gl__shade_lamp_end, &ssgi_gl__shade_lamp_exact, &ssgi_gl__shade_lamp_add, &ssgi_gl__shade_tail,
+    SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__sh_cosine, SSGI_GL__SH, SSGI_GL__SH_DOT, SSGI_GL__VECTOR_TYPE, SSGI_GL__LOAD, SSGI_GL__DOT, &ssgi_gl__bent, &ssgi_gl__lights_head, &ssgi_gl__shade_half, &ssgi_gl__main_depth, &ssgi_gl__shade_bent, &ssgi_gl__shade_head, &ssgi_gl__shade_normal_read, &ssgi_gl__points_exact, &ssgi_gl__shade_harmonics, &ssgi_gl__shade_cones,
+    &ssgi_gl__shade_normal, &ssgi_gl__shade_cone, &ssgi_gl__shade_point, &ssgi_gl__lights_loop, &ssgi_gl__shade_lamp, &ssgi_gl__shade_lamp2, &ssgi_gl__shade_lamp3, &ssgi_gl__shade_lamp_end, &ssgi_gl__shade_lamp_exact, &ssgi_gl__shade_lamp_add, &ssgi_gl__shade_tail,
     &ssgi_gl__shade_albedo, &ssgi_gl__lights_end, NULL };
 static const ssgi_gl__row *const ssgi_gl__shade_rows[] = {
-    SSGI_GL__READS, &ssgi_gl__lamps_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, &ssgi_gl__window_row, SSGI_GL__MAPS, &ssgi_gl__lamps_tex, &ssgi_gl__open_tex, &ssgi_gl__albedo_tex,
+    SSGI_GL__READS, &ssgi_gl__lights_row, &ssgi_gl__rotation, &ssgi_gl__harmonics_row, &ssgi_gl__window_row, SSGI_GL__MAPS, &ssgi_gl__lights_tex, &ssgi_gl__open_tex, &ssgi_gl__albedo_tex,
     SSGI_GL__OF_VECTORS(t), &ssgi_gl__shaded_out, &ssgi_gl__bent_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__lights_chunks[] = {
@@ -2381,6 +2372,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         if (d->transfer) ssgi_gl__add(&s, SSGI_GL__SENDERS | SSGI_GL__SOLID_ANGLE | SSGI_GL__SENDER_KEPT | SSGI_GL__NORMALS_SENT | (d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED));
         break;
     case SSGI_GL_LIGHTS:
+        ssgi_gl__add(&s, SSGI_GL__LIGHT_ROWS);
         ssgi_gl__add(&s, shadow_kind[d->shadow]);
         if (d->accumulate) ssgi_gl__add(&s, SSGI_GL__ADD);
         break;
@@ -2393,6 +2385,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         ssgi_gl__add(&s, bent_kind[d->shading]);
         if (d->shading == SSGI_GL_SHADING_BENT_NORMAL || d->shading == SSGI_GL_SHADING_BENT_CONE) ssgi_gl__add(&s, SSGI_GL__BENT_LIT);
         if (lamps) ssgi_gl__add(&s, SSGI_GL__LAMPS);
+        if (lamps) ssgi_gl__add(&s, SSGI_GL__LIGHT_ROWS);
         if (d->shading != SSGI_GL_SHADING_BENT) {
             ssgi_gl__add(&s, SSGI_GL__SHADED);
             if (d->albedo) ssgi_gl__add(&s, SSGI_GL__ALBEDO);
@@ -2408,6 +2401,9 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         ssgi_gl__add(&s, SSGI_GL__VECTORS | (!stored ? SSGI_GL__HARMONICS : d->packed ? SSGI_GL__PACKED : SSGI_GL__WORDS) | (d->transfer && d->pass != SSGI_GL_SSDO ? SSGI_GL__RGB : SSGI_GL__MONO)
                      | (bands > 1 ? SSGI_GL__V2 : 0) | (bands > 2 ? SSGI_GL__V3 : 0) | (bands > 3 ? SSGI_GL__V4 : 0));
         if (d->pass == SSGI_GL_SSDO || (d->pass == SSGI_GL_S3HO && d->transfer != SSGI_GL_TRANSFER_REFLECTED)) ssgi_gl__add(&s, SSGI_GL__FREE);
+        if (!stored) ssgi_gl__add(&s, SSGI_GL__E_LIT);
+        if (stored && !shade) ssgi_gl__add(&s, SSGI_GL__STORES);
+        if (points || (exact && lamps)) ssgi_gl__add(&s, SSGI_GL__COSINE);
         if (lamps || !(shade || (blur && !d->half))) f |= SSGI_GL__LOBES;
         if (stored && d->packed) ssgi_gl__add(&s, (ssgi_gl__dialects[d->dialect].halves ? SSGI_GL__HALF_NATIVE : SSGI_GL__HALF_MADE) | (shade ? 0 : SSGI_GL__PACKS) | (d->pass == SSGI_GL_S3HO ? 0 : SSGI_GL__UNPACKS));
     }
@@ -2730,6 +2726,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     ssgi_gl__set features = { { 0, 0, 0, 0 } };
     ssgi_gl__text t;
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
+    ssgi_gl__add(&features, SSGI_GL__COSINE);
     ssgi_gl__add(&features, SSGI_GL__VECTORS | SSGI_GL__LOBES | SSGI_GL__FREE | (bands > 1 ? SSGI_GL__V2 : 0) | (bands > 2 ? SSGI_GL__V3 : 0) | (bands > 3 ? SSGI_GL__V4 : 0));
     memset(&t, 0, sizeof t);
     t.out = out;

@@ -30,7 +30,7 @@ static const choice choices[] = {
     CHOICE("layers", layers, 2), CHOICE("receiver", receiver, 1), CHOICE("views", views, 2), CHOICE("viewlayers", view_layers, 2), CHOICE("sh", environment, SSGI_GL_ENVIRONMENT_SH),
     CHOICE("solidangle", bounce, SSGI_GL_BOUNCE_SOLID_ANGLE), CHOICE("patch", bounce, SSGI_GL_BOUNCE_PATCH), CHOICE("disc", bounce, SSGI_GL_BOUNCE_DISC), CHOICE("twosided", two_sided, 1),
     CHOICE("1band", bands, 1), CHOICE("2bands", bands, 2), CHOICE("3bands", bands, 3), CHOICE("4bands", bands, 4), CHOICE("packed", packed, 1), CHOICE("transfer", transfer, SSGI_GL_TRANSFER_BOTH),
-    CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
+    CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("exact", exact, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
     CHOICE("bent", shading, SSGI_GL_SHADING_BENT), CHOICE("lamps", lamps, 1), CHOICE("albedo", albedo, 1),
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
     CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO), CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
