@@ -9,7 +9,7 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lm -lpthread -ldl
-KIT       = util image mesh scene light truth gl gbuffer shadow method
+KIT       = util image mesh scene light truth gl gbuffer shadow field method
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h
 
@@ -30,7 +30,7 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 build/render: examples/render.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/report: examples/report.c examples/page.c examples/lit.c $(KIT_O)
+build/report: examples/report.c examples/page.c examples/lit.c examples/fields.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/glsl-text: examples/glsl.c $(KIT_O)
@@ -52,7 +52,7 @@ chart: build/report
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 
-TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_build
+TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 

@@ -34,15 +34,18 @@
       >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
       >>environment  latitude-longitude pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
+      >>cap        spherical caps under the cosine: closed form, table
       >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
+      >>field      ambient occlusion fields: bake, fit, look up, save and load
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
                 dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion
                 [RAM01] Ramamoorthi, Hanrahan 2001, An efficient representation for irradiance environment maps   [DEB05] Debevec 2005, A median cut
                 algorithm for light probe sampling   [KEL97] Keller 1997, Instant radiosity   [SLO08] Sloan 2008, Stupid spherical harmonics tricks
                 [S3HO12] Herholz, Schairer, Schilling, Strasser 2012, Screen space spherical harmonic occlusion
-                [SSBN11] Klehm, Ritschel, Eisemann, Seidel 2011, Bent normals and cones in screen-space   */
+                [SSBN11] Klehm, Ritschel, Eisemann, Seidel 2011, Bent normals and cones in screen-space
+                [AOF05] Kontkanen, Laine 2005, Ambient occlusion fields   */
 #ifndef SSGI_H
 #define SSGI_H
 
@@ -66,7 +69,8 @@ extern "C" {
 typedef enum ssgi_result {
     SSGI_OK = 0,
     SSGI_BAD_ARGUMENT,      /* the sentence names it */
-    SSGI_TOO_SMALL          /* the memory given does not suffice; the size query tells how much does */
+    SSGI_TOO_SMALL,         /* the memory given does not suffice; the size query tells how much does */
+    SSGI_CANCELLED          /* your progress callback said so */
 } ssgi_result;
 
 /* ==== >>view =================================================================================================== */
@@ -270,6 +274,22 @@ typedef struct ssgi_vpl {
    A map without flux is SSGI_BAD_ARGUMENT. */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why);
 
+/* ==== >>cap ==================================================================================================== */
+
+/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
+     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
+     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
+   In [0,1], monotone in both. Absolute error 1e-15 and, f, 3e-7. GLSL twin: ssgi_cap. */
+SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
+SSGI_DEF float  ssgi_cap_occlusionf(float solid_angle, float cosine);
+
+/* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024]. Upload it size x size, R16F, R32F or R16, LINEAR,
+   CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
+SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
+
+/* Bilinear look-up in a table [limit: a size that ssgi_cap_table takes]: texture coordinates hit texel centres, ((x/(4 pi)) (size-1) + 0.5) / size. */
+SSGI_DEF float ssgi_cap_look_up(const float *table, int size, float solid_angle, float cosine);
+
 /* ==== >>bias =================================================================================================== */
 
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two axes. */
@@ -343,6 +363,99 @@ SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], 
 
 /* 1 if there is any hit in tmin < t < tmax, else 0. Stops at the first found. */
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax);
+
+/* ==== >>field ================================================================================================== */
+
+/* Ambient occlusion fields [AOF05]: what a rigid caster takes from the ambient light of things around it, baked once, looked up at any point outside of it for a cost that
+   knows nothing of its triangles. Space is seen from the caster's centre: for each direction of a cube map, how the cap that the caster fills changes along the ray from
+   its convex hull to the field's reach.
+
+      ssgi_field_desc d = { 0 };                                   every choice at its default
+      uint32_t *texels = malloc(ssgi_field_size(16, 16));          16 x 16 texels a face, 16 bits a component
+      size_t    size = ssgi_field_bake_size(&d, triangles);
+      void     *work = malloc(size);
+      if (ssgi_field_bake(&field, texels, work, size, &d, position, 3 * sizeof(float), NULL, triangles, &why) != SSGI_OK) puts(why);
+      free(work);                                                  field needs its texels only
+      occlusion = ssgi_field_occlusion(&field, NULL, point, normal);                                                             */
+
+/* What a field keeps of the caster, besides where it is. */
+enum { SSGI_FIELD_VECTOR = 0,       /* the length of its vector irradiance, and how densely the caster fills its cap (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's
+                                       horizon, and 1/length of a ball is exactly quadratic */
+       SSGI_FIELD_SOLID_ANGLE };    /* its solid angle, as published: the cap is as large as the caster */
+
+/* How a field is baked. Zero is the default everywhere. */
+typedef struct ssgi_field_desc {
+    int   resolution;       /* [limit: 0, 2..128] [default: 16; with error 64]  texels along a side of the cube map's faces; with error the most that may be taken */
+    int   radii;            /* [limit: 0, 4..64] [default: 12; with error 24]  distances sampled along each direction; likewise */
+    int   rays;             /* [limit: 0, 16..65536] [default: 128]  a sample */
+    int   measure;          /* SSGI_FIELD_VECTOR .. */
+    int   bits;             /* [limit: 0, 8, 16] [default: 16]  a component */
+    float reach;            /* [units: radii of the caster's bounding sphere] [limit: 0, 1.5..64] [default: 8]  how far the field goes from the centre */
+    float error;            /* [units: occlusion] [limit: 0..1]  above 0: the smallest resolution of 4, 8, 16 .. and the fewest radii of 6, 12, 24 .. are taken with which 95 % of receivers that took no part in the bake are within it */
+    int  (*hit)(void *user, const float origin[3], const float direction[3]);   /* your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the convex hull in any case */
+    void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);   /* your threads: calls job(context, i) for every i in [0, count), in any order, and returns when all are done; NULL: one after the other */
+    int  (*progress)(void *user, float done);   /* called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED */
+    void *user;             /* handed to the three; hit must be reentrant if parallel has threads */
+} ssgi_field_desc;
+
+/* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
+typedef struct ssgi_field {
+    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest bits
+                               first: three logarithms of the distance function, the hull's distance, the characteristic centre's x y z, the share of the cap that is covered. Upload as RGBA32UI or RG32UI */
+    int   resolution, bits, measure, radii;
+    float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
+    float reach;            /* [units: the mesh's] the field's end, from the centre */
+    float inside;           /* A_0: the occlusion that points inside of the hull go to; measured: the mean at those that are not walled in */
+    float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
+    float median, p95, most;/* error of occlusion, as stored, of receivers that took no part in the bake: directions between texels, radii between those sampled, any normal; without ramp */
+} ssgi_field;
+
+/* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
+typedef struct ssgi_field_limits {
+    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion goes down to 0 from ramp to reach, from the centre */
+    float inside, power;    /* [limit: 0..1; > 0] in the hull occlusion is mix(inside, that at the hull, (r/hull)^power) */
+} ssgi_field_limits;
+
+/* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960 resolution^2 of the largest resolution. 0 for bad arguments. */
+SSGI_DEF size_t ssgi_field_size(int resolution, int bits);
+SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
+
+/* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position, stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles
+   are left out. Directions are sampled at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any number of threads.
+   SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells.
+   resolution 16 with 128 rays is 9.4 million rays. */
+SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
+                                     const float *position, size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
+
+/* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
+SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
+
+/* Occlusion at a point by the caster, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the caster's coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several casters 1 - (1 - a)(1 - b) ..
+   Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
+SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3]);
+
+/* The cap itself: its solid angle, its axis, unit, and the share of it that is covered (1 with SOLID_ANGLE); at the hull for points in it. Occlusion is fill * ssgi_cap_occlusion. Returns how far the point is from the centre, in hulls. */
+SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill);
+
+/* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or RGBA8
+   cube maps, LINEAR, seamless. Either may be NULL. */
+SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
+
+/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size, writes only when capacity suffices. */
+SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
+/* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
+SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
+SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why);
+
+/* What a bake is made of, for those who sample in their own way (rasterising, say).
+   sample: out[0] solid angle, out[1..3] vector irradiance (the integral of visibility times direction) of what `hit` (NULL: trace) meets from a point, by `rays` stratified rays into the cone that is within acos(cosine) of axis (unit).
+   fit: 1/q to values [limit: 0..most] at radii, ascending [limit: count 3..64], q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
+   Returns the sum of squared errors.
+   fit_centre: the point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0 0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. */
+SSGI_DEF void   ssgi_field_sample(double out[4], const ssgi_trace *trace, int (*hit)(void *user, const float origin[3], const float direction[3]), void *user,
+                                  const float point[3], const float axis[3], float cosine, int rays, uint32_t seed);
+SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *values, int count, double most);
+SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count);
 
 #ifdef __cplusplus
 }
@@ -746,12 +859,30 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 /* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
 static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
+static void ssgi__cube_direction(double out[3], int face, double s, double t)      /* GL table 8.19, s and t in [-1,1] */
+{
+    static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
+    static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
+    int i;
+    for (i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
+    out[face / 2] = face & 1 ? -1.0 : 1.0;
+    ssgi__normalise(out);
+}
+
+static int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
+{
+    const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
+    if (x >= y && x >= z) { at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x; at[1] = -w[1] / x; return w[0] < 0.0f; }
+    if (y >= z) { at[0] = w[0] / y; at[1] = (w[1] < 0.0f ? -w[2] : w[2]) / y; return 2 + (w[1] < 0.0f); }
+    at[0] = (w[2] < 0.0f ? -w[0] : w[0]) / z;
+    at[1] = -w[1] / z;
+    return 4 + (w[2] < 0.0f);
+}
+
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why)
 {
-    static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };   /* of s and t, GL table 8.19 */
-    static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
     ssgi__sh_sum sum;
-    int x, y, face, i;
+    int x, y, face;
     if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
     if (!faces) return ssgi__bad(why, "faces: must not be NULL");
     for (face = 0; face < 6; ++face)
@@ -763,9 +894,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
             const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h) - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
             for (face = 0; face < 6; ++face) {
                 double direction[3];
-                for (i = 0; i < 3; ++i) direction[i] = s * across[face][i] + t * down[face][i];
-                direction[face / 2] = face & 1 ? -1.0 : 1.0;
-                ssgi__normalise(direction);
+                ssgi__cube_direction(direction, face, s, t);
                 ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
             }
         }
@@ -1292,6 +1421,57 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     return SSGI_OK;
 }
 
+/* ==== >>cap (implementation) =================================================================================== */
+
+/* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it lies above the horizon. One text for both precisions. */
+#define SSGI__CAP(name, real, root, arc) \
+    SSGI_DEF real name(real solid_angle, real cosine) \
+    { \
+        const real pi = (real)3.14159265358979323846; \
+        real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine, s, x, w, a; \
+        const int most = h > 1;                     /* more than half of the sphere: what is left over is a cap, too */ \
+        if (most) { h = h < 2 ? 2 - h : 0; c = -c; } \
+        s = h * (2 - h);                            /* squared sine of its radius; not (1 - k)(1 + k), which cancels */ \
+        if (!(s > 0)) a = 0; \
+        else if (c * c >= s) a = c > 0 ? s * c : 0; \
+        else { \
+            x = (1 - h) / root(s); \
+            w = root(1 - c * c / s); \
+            a = ((c * arc(w, -x * c) - x * w) * s + arc(w, x)) / pi; \
+            a = a > 0 ? a < 1 ? a : 1 : 0; \
+        } \
+        return most ? 1 - a : a; \
+    }
+SSGI__CAP(ssgi_cap_occlusion, double, sqrt, atan2)
+SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
+
+SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
+{
+    int x, y;
+    if (!out) return ssgi__bad(why, "out: must not be NULL");
+    if (size < 2 || size > 1024) return ssgi__bad(why, "size: must be 2..1024");
+    for (y = 0; y < size; ++y)
+        for (x = 0; x < size; ++x) out[y * size + x] = (float)ssgi_cap_occlusion(4.0 * 3.14159265358979323846 * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
+    return SSGI_OK;
+}
+
+SSGI_DEF float ssgi_cap_look_up(const float *table, int size, float solid_angle, float cosine)
+{
+    const float last = (float)(size - 1);
+    float x = solid_angle * (0.0795774715f * last), y = (0.5f * cosine + 0.5f) * last, top, bottom;
+    int i, k;
+    x = x > 0.0f ? x < last ? x : last : 0.0f;
+    y = y > 0.0f ? y < last ? y : last : 0.0f;
+    i = (int)x < size - 2 ? (int)x : size - 2;
+    k = (int)y < size - 2 ? (int)y : size - 2;
+    x -= (float)i;
+    y -= (float)k;
+    table += k * size + i;
+    top = table[0] + x * (table[1] - table[0]);
+    bottom = table[size] + x * (table[size + 1] - table[size]);
+    return top + y * (bottom - top);
+}
+
 /* ==== >>bias (implementation) ================================================================================== */
 
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
@@ -1780,6 +1960,1023 @@ SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], 
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax)
 {
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
+}
+
+/* ==== >>field (implementation) ================================================================================= */
+
+#define SSGI__FIELD_PI       3.14159265358979323846
+#define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
+#define SSGI__FIELD_BINS     4096    /* of errors */
+#define SSGI__FIELD_HELD     512     /* positions that take no part in a bake, with four normals each */
+
+/* ---- samples */
+
+static uint32_t ssgi__field_hash(uint32_t x)            /* PCG's [O'Neill 2014] */
+{
+    x = x * 747796405u + 2891336453u;
+    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
+    return (x >> 22) ^ x;
+}
+
+static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__field_hash(seed) / 4294967296.0; }
+
+/* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
+static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
+{
+    float at[2], z, radius, angle;
+    int k;
+    ssgi_r2((uint32_t)i, at);
+    z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
+    radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
+    angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
+    for (k = 0; k < 3; ++k) direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
+}
+
+static void ssgi__field_axes(float axes[3][3], const double axis[3])
+{
+    double side[3] = { 0.0, 0.0, 0.0 }, up[3];
+    int i, least = 0;
+    for (i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    side[least] = 1.0;
+    ssgi__cross(up, axis, side);
+    ssgi__normalise(up);
+    ssgi__cross(side, up, axis);
+    for (i = 0; i < 3; ++i) {
+        axes[0][i] = (float)side[i];
+        axes[1][i] = (float)up[i];
+        axes[2][i] = (float)axis[i];
+    }
+}
+
+/* out as ssgi_field_sample; occlusion: NULL, or of four receivers there with these normals */
+static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace, int (*hit)(void *, const float *, const float *), void *user,
+                               const float point[3], const double axis[3], float cosine, int rays, uint32_t seed)
+{
+    const double share = 2.0 * SSGI__FIELD_PI * (1.0 - (double)cosine) / rays;
+    const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
+    float axes[3][3], d[3];
+    int i, k;
+    for (i = 0; i < 4; ++i) out[i] = 0.0;
+    for (i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
+    ssgi__field_axes(axes, axis);
+    for (i = 0; i < rays; ++i) {
+        ssgi__field_ray(d, axes, cosine, i, shift);
+        if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
+        out[0] += share;
+        for (k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
+        for (k = 0; occlusion && k < 4; ++k) {
+            const double facing = normal[k][0] * (double)d[0] + normal[k][1] * (double)d[1] + normal[k][2] * (double)d[2];
+            if (facing > 0.0) occlusion[k] += share / SSGI__FIELD_PI * facing;
+        }
+    }
+}
+
+SSGI_DEF void ssgi_field_sample(double out[4], const ssgi_trace *trace, int (*hit)(void *user, const float origin[3], const float direction[3]), void *user,
+                                const float point[3], const float axis[3], float cosine, int rays, uint32_t seed)
+{
+    double along[3];
+    int i;
+    for (i = 0; i < 3; ++i) along[i] = (double)axis[i];
+    ssgi__normalise(along);
+    ssgi__field_sample(out, NULL, NULL, trace, hit, user, point, along, cosine, rays, seed);
+}
+
+/* ---- fits */
+
+/* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
+static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
+{
+    int i, k, j;
+    for (i = 0; i < 3; ++i) {
+        int pivot = i;
+        for (k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
+        if (!(fabs(a[pivot][i]) > 1e-280)) return 0;
+        for (j = 0; j < 3; ++j) { const double swap = a[i][j]; a[i][j] = a[pivot][j]; a[pivot][j] = swap; }
+        { const double swap = b[i]; b[i] = b[pivot]; b[pivot] = swap; }
+        for (k = i + 1; k < 3; ++k) {
+            const double f = a[k][i] / a[i][i];
+            for (j = i; j < 3; ++j) a[k][j] -= f * a[i][j];
+            b[k] -= f * b[i];
+        }
+    }
+    for (i = 2; i >= 0; --i) {
+        x[i] = b[i];
+        for (j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
+        x[i] /= a[i][i];
+    }
+    return 1;
+}
+
+/* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal equations: a += J J^T, b -= J residual); an error that is not below
+   the last one, NaN included, is a step too far. */
+typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
+typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
+
+static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
+{
+    double damping = 1e-3, error = f(data, u, NULL, NULL);
+    int step, i, k;
+    for (step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
+        double a[3][3], b[3], m[3][3], v[3], x[3], next = error;
+        memset(a, 0, sizeof a);
+        memset(b, 0, sizeof b);
+        f(data, u, a, b);
+        for (; damping < 1e12; damping *= 8.0) {
+            for (i = 0; i < 3; ++i) {
+                for (k = 0; k < 3; ++k) m[i][k] = a[i][k];
+                m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
+                v[i] = b[i];
+            }
+            if (!ssgi__field_solve(x, m, v)) continue;
+            for (i = 0; i < 3; ++i) x[i] += u[i];
+            next = f(data, x, NULL, NULL);
+            if (next < error) break;
+        }
+        if (!(damping < 1e12)) break;
+        memcpy(u, x, sizeof x);
+        damping *= 0.1;
+        if (error - next < 1e-12 * error && damping < 1e-2) { error = next; break; }
+        error = next;
+    }
+    return error;
+}
+
+/* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all of [0,1], for any u. */
+static void ssgi__field_bernstein(double q[3], const double u[3], double most)
+{
+    q[0] = 1.0 / most + exp(u[0]);
+    q[2] = 1.0 / most + exp(u[2]);
+    q[1] = 1.0 / most - exp(0.5 * (u[0] + u[2])) + exp(u[1]);
+}
+
+static double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
+{
+    const double first = data->radii[0], length = data->radii[data->count - 1] - first;
+    double q[3], sum = 0.0;
+    int i, k, j;
+    for (i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
+    ssgi__field_bernstein(q, u, data->most);
+    for (i = 0; i < data->count; ++i) {
+        const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t), c2 = t * t;
+        const double value = 1.0 / (c0 * q[0] + c1 * q[1] + c2 * q[2]), residual = data->values[i] - value, slope = value * value;
+        sum += residual * residual;
+        if (a) {
+            const double half = -0.5 * exp(0.5 * (u[0] + u[2]));
+            const double d[3] = { slope * (c0 * exp(u[0]) + c1 * half), slope * c1 * exp(u[1]), slope * (c2 * exp(u[2]) + c1 * half) };
+            for (k = 0; k < 3; ++k) {
+                for (j = 0; j < 3; ++j) a[k][j] += d[k] * d[j];
+                b[k] -= d[k] * residual;
+            }
+        }
+    }
+    return sum;
+}
+
+SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *values, int count, double most)
+{
+    const double m = 1.0 / most, least = 1e-9 * m;
+    ssgi__field_data data;
+    double best = 1e300, brightest = 0.0, u[3];
+    int start, i, k, j;
+    data.radii = radii;
+    data.values = values;
+    data.w = NULL;
+    data.count = count;
+    data.chord = 0;
+    data.most = most;
+    for (i = 0; i < count; ++i) if (values[i] > brightest) brightest = values[i];
+    for (start = 0; start < 2; ++start) {
+        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
+        memset(a, 0, sizeof a);
+        memset(b, 0, sizeof b);
+        if (start == 0) {                       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
+            for (i = 0; i < count; ++i) {
+                const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]), y = values[i] > 0.0 ? values[i] : 0.0;
+                const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
+                for (k = 0; k < 3; ++k) {
+                    for (j = 0; j < 3; ++j) a[k][j] += c[k] * c[j];
+                    b[k] += c[k] * y;
+                }
+            }
+            if (!ssgi__field_solve(p, a, b)) continue;
+        } else {                                /* through the ends */
+            p[0] = values[0] > 1e-9 * most ? 1.0 / values[0] : 1e9 * m;
+            p[2] = values[count - 1] > 1e-9 * most ? 1.0 / values[count - 1] : 1e9 * m;
+            p[1] = sqrt(p[0] * p[2]);
+        }
+        p[0] = p[0] - m > least ? p[0] : m + 1e-6 * m;
+        p[2] = p[2] - m > least ? p[2] : m + 1e-6 * m;
+        u[0] = log(p[0] - m);
+        u[2] = log(p[2] - m);
+        p[1] += exp(0.5 * (u[0] + u[2])) - m;
+        u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
+        for (i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
+        error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-24 * brightest * brightest);
+        if (error < best) {
+            best = error;
+            ssgi__field_bernstein(q, u, most);
+        }
+    }
+    return best;
+}
+
+/* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at the first radius, where directions would flip, too far. */
+static double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
+{
+    double sum = 0.0;
+    int i, k, j, n;
+    if (!(ssgi__dot(c, data->w) < 0.999999 * data->radii[0])) return 1e300;
+    for (i = 0; i < data->count; ++i) {
+        const double *y = data->values + 3 * i;
+        double v[3], length, cosine, residual;
+        if (!(ssgi__dot(y, y) > 0.25)) continue;
+        for (k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
+        length = ssgi__normalise(v);
+        cosine = ssgi__dot(v, y);
+        residual = 1.0 - cosine;
+        sum += data->chord ? 2.0 * residual : residual * residual;
+        for (n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
+            double d[3], r = data->chord ? v[n] - y[n] : residual;
+            for (k = 0; k < 3; ++k) d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
+            for (k = 0; k < 3; ++k) {
+                for (j = 0; j < 3; ++j) a[k][j] += d[k] * d[j];
+                b[k] -= d[k] * r;
+            }
+        }
+    }
+    return sum;
+}
+
+/* The error itself is flat near its least: the chord leads there, the error polishes. */
+SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count)
+{
+    ssgi__field_data data;
+    double at[3] = { 0.0, 0.0, 0.0 }, error, best;
+    int polish, i;
+    data.radii = radii;
+    data.values = directions;
+    data.w = w;
+    data.count = count;
+    data.chord = 0;
+    data.most = 0.0;
+    for (i = 0; i < 3; ++i) c[i] = 0.0;
+    best = ssgi__field_centre_error(&data, c, NULL, NULL);
+    if (!(best > 1e-14)) return best;           /* all point at the centre already: any place on the line would do */
+    for (polish = 0; polish < 2; ++polish) {
+        data.chord = !polish;
+        ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
+        data.chord = 0;
+        error = ssgi__field_centre_error(&data, at, NULL, NULL);
+        if (error < best) {
+            best = error;
+            memcpy(c, at, sizeof at);
+        }
+    }
+    return best;
+}
+
+/* ---- the caster: where it is, and its convex hull */
+
+typedef struct ssgi__field_caster {
+    ssgi_trace trace;
+    double centre[3], radius;
+    double few[SSGI__FIELD_FEW][3], loose;      /* corners of the hull about the centre, and how far it may lie beyond them */
+} ssgi__field_caster;
+
+/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not entered. */
+static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
+{
+    const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
+    const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
+    struct { uint32_t child; double most; } stack[SSGI__TRACE_STACK];
+    double best = -1e300, p[3];
+    int top = 0, i, k, c;
+    stack[top].child = 0;
+    stack[top++].most = 1e300;
+    while (top) {
+        const uint32_t child = stack[--top].child;
+        if (stack[top].most <= best) continue;
+        if (child & SSGI__TRACE_LEAF) {
+            const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
+            for (k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
+                for (c = 0; c < 3; ++c) {
+                    double s;
+                    for (i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
+                    s = ssgi__dot(n, p);
+                    if (s > best) { best = s; memcpy(out, p, sizeof p); }
+                }
+        } else {
+            const ssgi__trace_node *node = nodes + child;
+            const int base = top;
+            for (k = 0; k < 4; ++k) {
+                double most = 0.0;
+                int j;
+                if (node->bound[0][0][k] > node->bound[1][0][k]) continue;      /* empty */
+                for (i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
+                if (most <= best) continue;
+                for (j = top++; j > base && stack[j - 1].most > most; --j) stack[j] = stack[j - 1];
+                stack[j].child = node->child[k];
+                stack[j].most = most;
+            }
+        }
+    }
+    return best;
+}
+
+/* A triangle of hull corners through which the ray from the centre along w goes: it leaves the hull on the plane normal . x = distance. */
+typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
+
+static void ssgi__field_portal_plane(ssgi__field_portal *p)
+{
+    double a[3], b[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        a[k] = p->corner[1][k] - p->corner[0][k];
+        b[k] = p->corner[2][k] - p->corner[0][k];
+    }
+    ssgi__cross(p->normal, a, b);
+    ssgi__normalise(p->normal);
+    p->distance = ssgi__dot(p->normal, p->corner[0]);
+}
+
+/* How far beyond the hull samples begin, so that none begins in the matter. */
+static double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
+
+/* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that even flat casters have one: the farthest corner along the portal's normal
+   splits it, until there is none beyond its plane. */
+static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
+{
+    int step, i, k;
+    double facing;
+    memset(p, 0, sizeof *p);
+    for (i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
+    if ((w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0))
+        for (k = 0; k < 3; ++k) { const double swap = p->corner[0][k]; p->corner[0][k] = p->corner[1][k]; p->corner[1][k] = swap; }
+    for (step = 0; step < 200; ++step) {
+        double farthest[3], inside = -1e300;
+        ssgi__field_portal split[3];
+        int best = 0;
+        ssgi__field_portal_plane(p);
+        if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
+        for (i = 0; i < 3; ++i) {               /* of the three parts that which the ray is farthest within */
+            double least = 1e300;
+            split[i] = *p;
+            memcpy(split[i].corner[i], farthest, sizeof farthest);
+            for (k = 0; k < 3; ++k) {
+                double side[3], s;
+                ssgi__cross(side, split[i].corner[k], split[i].corner[(k + 1) % 3]);
+                s = ssgi__dot(side, w);
+                if (s < least) least = s;
+            }
+            if (least > inside) { inside = least; best = i; }
+        }
+        *p = split[best];
+    }
+    facing = ssgi__dot(p->normal, w);
+    return facing > 1e-9 ? p->distance / facing : m->radius;
+}
+
+static void ssgi__field_spiral(double w[3], int i, int n)       /* even over the sphere */
+{
+    const double z = 1.0 - (2.0 * i + 1.0) / n, r = sqrt(1.0 - z * z), angle = 2.39996322972865332 * i;
+    w[0] = r * cos(angle);
+    w[1] = r * sin(angle);
+    w[2] = z;
+}
+
+/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is no extent. */
+static int ssgi__field_measure(ssgi__field_caster *m)
+{
+    const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
+    double w[3], p[3], centre[3] = { 0.0, 0.0, 0.0 };
+    uint32_t i;
+    int n, k, c;
+    if (!m->trace.node_count) return 0;
+    for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+        ssgi__field_spiral(w, n, SSGI__FIELD_FEW);
+        ssgi__field_farthest(m, w, m->few[n]);
+        for (k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
+    }
+    for (k = 0; k < 3; ++k) m->centre[k] = (double)(float)centre[k];
+    for (n = 0; n < SSGI__FIELD_FEW; ++n)
+        for (k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
+    for (i = 0; i < m->trace.block_count; ++i)
+        for (n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
+            for (c = 0; c < 3; ++c) {
+                double square = 0.0;
+                for (k = 0; k < 3; ++k) square += ((double)blocks[i].corner[c][k][n] - m->centre[k]) * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
+                if (square > m->radius) m->radius = square;
+            }
+    m->radius = sqrt(m->radius);
+    if (!(m->radius > 1e-12)) return 0;
+    for (i = 0; i < 4 * SSGI__FIELD_FEW; ++i) {
+        double most = -1e300, beyond;
+        ssgi__field_spiral(w, (int)i, 4 * SSGI__FIELD_FEW);
+        for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+            const double s = ssgi__dot(w, m->few[n]);
+            if (s > most) most = s;
+        }
+        beyond = ssgi__field_farthest(m, w, p) - most;
+        if (beyond > m->loose) m->loose = beyond;
+    }
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* between those directions a little more */
+    return 1;
+}
+
+/* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners, wider by what they lack; or the half space below the hull's plane. */
+static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3], const double normal[3])
+{
+    double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
+    int i, k;
+    for (k = 0; k < 3; ++k) axis[k] = 0.0;
+    for (i = 0; i < SSGI__FIELD_FEW; ++i) {
+        for (k = 0; k < 3; ++k) d[i][k] = m->few[i][k] - point[k];
+        length[i] = ssgi__normalise(d[i]);
+        for (k = 0; k < 3; ++k) axis[k] += d[i][k];
+    }
+    if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
+    for (i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
+        const double c = ssgi__dot(d[i], axis), sine = m->loose / length[i];
+        if (!(sine < 1.0)) { least = -1.0; break; }
+        if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least) least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
+    }
+    if (least > 0.0) return (float)(least * (1.0 - 1e-6));
+    for (k = 0; k < 3; ++k) axis[k] = -normal[k];
+    return 0.0f;
+}
+
+/* ---- baking */
+
+typedef struct ssgi__field_bake {
+    const ssgi_field_desc *desc;
+    ssgi__field_caster caster;
+    ssgi_field *field;
+    float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
+    float *error;                   /* of what is held out; in fine, which is done with then */
+    int radii, rays, first;
+} ssgi__field_bake;
+
+/* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
+static size_t ssgi__cube_texel(int face, int x, int y, int size)
+{
+    if (x < 0 || y < 0 || x >= size || y >= size) {
+        double d[3];
+        float w[3], at[2];
+        int k, place[2];
+        ssgi__cube_direction(d, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
+        for (k = 0; k < 3; ++k) w[k] = (float)d[k];
+        face = ssgi__cube_place(at, w);
+        for (k = 0; k < 2; ++k) {
+            place[k] = (int)((0.5f * at[k] + 0.5f) * (float)size);
+            place[k] = place[k] < 0 ? 0 : place[k] >= size ? size - 1 : place[k];
+        }
+        x = place[0];
+        y = place[1];
+    }
+    return (size_t)(face * size + y) * (size_t)size + (size_t)x;
+}
+
+static double ssgi__field_most(int measure) { return measure == SSGI_FIELD_VECTOR ? SSGI__FIELD_PI : 4.0 * SSGI__FIELD_PI; }
+
+static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
+
+/* One texel of the fine map: samples along its direction, and what they fit. */
+static void ssgi__field_texel(void *context, int job)
+{
+    ssgi__field_bake *b = (ssgi__field_bake *)context;
+    const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size), y = texel / size % size, x = texel % size;
+    const int vector = b->field->measure == SSGI_FIELD_VECTOR;
+    const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
+    float *out = b->fine + 8 * (size_t)texel;
+    double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
+    ssgi__field_portal portal;
+    int i, k;
+    ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
+    hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
+    for (i = 0; i < b->radii; ++i) {
+        double at[3], axis[3], sum[4];
+        float point[3], cosine;
+        radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
+        for (k = 0; k < 3; ++k) {
+            at[k] = radii[i] * w[k];
+            point[k] = (float)(at[k] + b->caster.centre[k]);
+        }
+        cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
+        ssgi__field_sample(sum, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, b->rays, (uint32_t)(texel * 64 + i));
+        length = ssgi__normalise(sum + 1);
+        values[i] = vector ? length : sum[0];
+        if (values[i] > most) values[i] = most;
+        if (sum[0] > 0.0) {                     /* the cap of this vector irradiance whose covered share brings this solid angle */
+            const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0, share = length / (SSGI__FIELD_PI * (1.0 - edge * edge));
+            fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
+            seen += sum[0];
+        }
+        for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
+    }
+    ssgi_field_fit(q, radii, values, b->radii, most);
+    ssgi_field_fit_centre(c, w, radii, directions, b->radii);
+    length = sqrt(ssgi__dot(c, c));
+    out[0] = ssgi__log2(q[0]);
+    out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));      /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    out[2] = ssgi__log2(q[2]);
+    out[3] = (float)hull;
+    for (k = 0; k < 3; ++k) out[4 + k] = (float)(length > b->caster.radius ? c[k] * b->caster.radius / length : c[k]);
+    out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
+    for (k = 0; k < 3; ++k) out[k] = out[k] > 20.0f ? 20.0f : out[k];
+}
+
+/* Reduction by a Gaussian as wide as a fine texel. */
+static void ssgi__field_reduce(const ssgi__field_bake *b)
+{
+    static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
+    const int size = b->field->resolution;
+    int face, x, y, i, k, n;
+    for (face = 0; face < 6; ++face)
+        for (y = 0; y < size; ++y)
+            for (x = 0; x < size; ++x) {
+                float *out = b->coarse + 8 * ssgi__cube_texel(face, x, y, size);
+                for (n = 0; n < 8; ++n) out[n] = 0.0f;
+                for (i = 0; i < 4; ++i)
+                    for (k = 0; k < 4; ++k) {
+                        const float *in = b->fine + 8 * ssgi__cube_texel(face, 2 * x - 1 + k, 2 * y - 1 + i, 2 * size);
+                        for (n = 0; n < 8; ++n) out[n] += weight[i] * weight[k] * in[n];
+                    }
+            }
+}
+
+static int ssgi__field_words(int bits) { return bits == 8 ? 2 : 4; }
+
+/* Ranges, integers, borders. */
+static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
+{
+    ssgi_field *f = b->field;
+    const int size = f->resolution, words = ssgi__field_words(f->bits);
+    const float most = f->bits == 8 ? 255.0f : 65535.0f;
+    float high[8];
+    int i, n, face, x, y;
+    for (n = 0; n < 8; ++n) {
+        f->low[n] = high[n] = b->coarse[n];
+        for (i = 1; i < 6 * size * size; ++i) {
+            const float v = b->coarse[8 * i + n];
+            if (v < f->low[n]) f->low[n] = v;
+            if (v > high[n]) high[n] = v;
+        }
+        f->span[n] = high[n] - f->low[n];
+    }
+    for (face = 0; face < 6; ++face)
+        for (y = -1; y <= size; ++y)
+            for (x = -1; x <= size; ++x) {
+                uint32_t *out = texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
+                const int xi = x < 0 ? 0 : x < size ? x : size - 1, yi = y < 0 ? 0 : y < size ? y : size - 1;
+                const int corner = x != xi && y != yi;          /* three texels meet there, the border holds their mean [GL 8.14] */
+                memset(out, 0, (size_t)words * sizeof *out);
+                for (n = 0; n < 8; ++n) {
+                    float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
+                    if (corner) v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n] + b->coarse[8 * ssgi__cube_texel(face, xi, yi, size) + (size_t)n]) / 3.0f;
+                    v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
+                    out[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
+                }
+            }
+    f->texels = texels;
+}
+
+/* What walled-in points are not counted in: the mean occlusion of points in the hull. */
+static float ssgi__field_inside(const ssgi__field_bake *b)
+{
+    double sum = 0.0, weight = 0.0;
+    int i, k;
+    for (i = 0; i < 256; ++i) {
+        const double up[3] = { 0.0, 0.0, 1.0 };
+        double w[3], out[4], r;
+        float point[3];
+        ssgi__field_portal portal;
+        ssgi__field_spiral(w, i, 256);
+        r = ssgi__field_turn((uint32_t)i);
+        for (k = 0; k < 3; ++k) point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
+        ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128, (uint32_t)i);
+        if (out[0] > 0.95 * 4.0 * SSGI__FIELD_PI) continue;
+        sum += out[0] / (4.0 * SSGI__FIELD_PI) * (1.0 - r);
+        weight += 1.0 - r;
+    }
+    return weight > 0.0 ? (float)(sum / weight) : 1.0f;
+}
+
+static void ssgi__field_held(void *context, int i)
+{
+    ssgi__field_bake *b = (ssgi__field_bake *)context;
+    const ssgi_field_limits limits = { 2.0f * b->field->reach, 2.0f * b->field->reach, b->field->inside, 1.0f };
+    double w[3], at[3], axis[3], sum[4], occlusion[4], normal[4][3], hull, r;
+    float point[3], cosine;
+    ssgi__field_portal portal;
+    int k, n;
+    ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
+    hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
+    r = hull * pow((double)b->field->reach / hull, 0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
+    for (k = 0; k < 3; ++k) {
+        at[k] = r * w[k];
+        point[k] = (float)(at[k] + b->caster.centre[k]);
+    }
+    for (n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
+        const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0, angle = 6.28318530717958648 * ssgi__field_turn((uint32_t)(8 * i + n + 4));
+        normal[n][0] = sqrt(1.0 - z * z) * cos(angle);
+        normal[n][1] = sqrt(1.0 - z * z) * sin(angle);
+        normal[n][2] = z;
+        if (ssgi__dot(normal[n], w) > 0.5) for (k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
+    }
+    cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
+    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024, (uint32_t)i ^ 0x55555555u);
+    for (n = 0; n < 4; ++n) {
+        const float facing[3] = { (float)normal[n][0], (float)normal[n][1], (float)normal[n][2] };
+        b->error[4 * i + n] = fabsf(ssgi_field_occlusion(b->field, &limits, point, facing) - (float)occlusion[n]);
+    }
+}
+
+static void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
+{
+    int i;
+    if (desc->parallel) desc->parallel(desc->user, count, job, context);
+    else for (i = 0; i < count; ++i) job(context, i);
+}
+
+/* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
+static void ssgi__field_errors(ssgi__field_bake *b)
+{
+    const int all = 4 * SSGI__FIELD_HELD;
+    unsigned short bin[SSGI__FIELD_BINS];
+    int i, below = 0;
+    memset(bin, 0, sizeof bin);
+    ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
+    b->field->median = b->field->p95 = b->field->most = 0.0f;
+    for (i = 0; i < all; ++i) {
+        if (b->error[i] > b->field->most) b->field->most = b->error[i];
+        ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
+    }
+    for (i = 0; i < SSGI__FIELD_BINS; ++i) {
+        if (below < all / 2 && below + bin[i] >= all / 2) b->field->median = (float)(i + 1) / SSGI__FIELD_BINS;
+        if (below < all * 19 / 20 && below + bin[i] >= all * 19 / 20) b->field->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
+        below += bin[i];
+    }
+    if (b->field->p95 > b->field->most) b->field->p95 = b->field->most;
+    if (b->field->median > b->field->p95) b->field->median = b->field->p95;
+}
+
+SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
+{
+    if (resolution < 2 || resolution > 128 || (bits != 8 && bits != 16)) return 0;
+    return (size_t)(6 * (resolution + 2) * (resolution + 2) * ssgi__field_words(bits)) * sizeof(uint32_t);
+}
+
+static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
+{
+    ssgi_field_desc d = *desc;
+    if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
+    if (!d.radii) d.radii = d.error > 0.0f ? 24 : 12;
+    if (!d.rays) d.rays = 128;
+    if (!d.bits) d.bits = 16;
+    if (!(d.reach > 0.0f)) d.reach = 8.0f;
+    return d;
+}
+
+static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
+{
+    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
+    if (desc->resolution && (desc->resolution < 2 || desc->resolution > 128)) return ssgi__bad(why, "desc.resolution: must be 0 or 2..128");
+    if (desc->radii && (desc->radii < 4 || desc->radii > 64)) return ssgi__bad(why, "desc.radii: must be 0 or 4..64");
+    if (desc->rays && (desc->rays < 16 || desc->rays > 65536)) return ssgi__bad(why, "desc.rays: must be 0 or 16..65536");
+    if (desc->measure != SSGI_FIELD_VECTOR && desc->measure != SSGI_FIELD_SOLID_ANGLE) return ssgi__bad(why, "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
+    if (desc->bits && desc->bits != 8 && desc->bits != 16) return ssgi__bad(why, "desc.bits: must be 0, 8 or 16");
+    if (!ssgi__finite(desc->reach) || (desc->reach != 0.0f && !(desc->reach >= 1.5f && desc->reach <= 64.0f))) return ssgi__bad(why, "desc.reach: must be 0 or 1.5..64");
+    if (!ssgi__finite(desc->error) || !(desc->error >= 0.0f && desc->error <= 1.0f)) return ssgi__bad(why, "desc.error: must be 0..1");
+    return SSGI_OK;
+}
+
+static size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
+{
+    const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
+    return (fine > held ? fine : held) + fine / 4;
+}
+
+SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles)
+{
+    size_t rest;
+    if (ssgi__field_check(desc, NULL) != SSGI_OK || !ssgi_trace_size(triangles)) return 0;
+    rest = 64 + ssgi__field_floats(ssgi__field_resolve(desc).resolution) * sizeof(float);
+    return rest > (size_t)-1 - ssgi_trace_size(triangles) ? 0 : rest + ssgi_trace_size(triangles);
+}
+
+/* One resolution, one number of radii; done, share: what of the whole it is. */
+static ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share, const char **why)
+{
+    const int all = 24 * b->field->resolution * b->field->resolution, block = (all + 23) / 24;
+    for (b->first = 0; b->first < all; b->first += block) {
+        if (b->desc->progress && b->desc->progress(b->desc->user, (float)(done + share * b->first / all))) {
+            if (why) *why = "desc.progress: gave the bake up";
+            return SSGI_CANCELLED;
+        }
+        ssgi__field_run(b->desc, all - b->first < block ? all - b->first : block, ssgi__field_texel, b);
+    }
+    ssgi__field_reduce(b);
+    ssgi__field_quantise(b, texels);
+    ssgi__field_errors(b);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
+                                     const float *position, size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
+{
+    ssgi__field_bake b;
+    ssgi_field_desc d;
+    ssgi_field f;
+    ssgi_result result;
+    char *base;
+    double total = 0.0, done = 0.0;
+    float last = 2.0f;
+    int k;
+    if (!field) return ssgi__bad(why, "field: must not be NULL");
+    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
+    if (!work) return ssgi__bad(why, "work: must not be NULL");
+    result = ssgi__field_check(desc, why);
+    if (result != SSGI_OK) return result;
+    if (!position) return ssgi__bad(why, "position: must not be NULL");
+    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float)) return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
+    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    if (work_size < ssgi_field_bake_size(desc, triangles)) {
+        ssgi__bad(why, "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
+        return SSGI_TOO_SMALL;
+    }
+    d = ssgi__field_resolve(desc);
+    memset(&b, 0, sizeof b);
+    memset(&f, 0, sizeof f);
+    b.desc = &d;
+    b.field = &f;
+    b.rays = d.rays;
+    base = (char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64;
+    b.fine = b.error = (float *)(void *)base;
+    b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
+    result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles), position, stride_bytes, index, triangles, why);
+    if (result != SSGI_OK) return result;
+    if (!ssgi__field_measure(&b.caster)) return ssgi__bad(why, "position: no triangle has an area");
+    f.bits = d.bits;
+    f.measure = d.measure;
+    f.radius = (float)b.caster.radius;
+    f.reach = d.reach * f.radius;
+    for (k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
+    f.inside = ssgi__field_inside(&b);
+    if (d.error > 0.0f) {                   /* from small to large; when twice the resolution brings nothing, what is left is the model's */
+        for (f.resolution = d.resolution < 4 ? d.resolution : 4; f.resolution <= d.resolution; f.resolution *= 2)
+            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) total += (double)(f.resolution * f.resolution * f.radii);
+        for (f.resolution = d.resolution < 4 ? d.resolution : 4; ; f.resolution *= 2) {
+            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) {
+                const double share = (double)(f.resolution * f.resolution * f.radii) / total;
+                b.radii = f.radii;
+                result = ssgi__field_once(&b, texels, done, share, why);
+                if (result != SSGI_OK) return result;
+                done += share;
+                if (f.p95 <= d.error) break;
+            }
+            if (f.p95 <= d.error || 2 * f.resolution > d.resolution || f.p95 > 0.98f * last) break;
+            last = f.p95;
+        }
+        if (f.radii > d.radii) f.radii = b.radii;
+    } else {
+        f.resolution = d.resolution;
+        f.radii = b.radii = d.radii;
+        result = ssgi__field_once(&b, texels, 0.0, 1.0, why);
+        if (result != SSGI_OK) return result;
+    }
+    if (d.progress) d.progress(d.user, 1.0f);
+    *field = f;
+    return SSGI_OK;
+}
+
+/* ---- looking up */
+
+SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
+{
+    ssgi_field_limits l;
+    l.ramp = 0.75f * field->reach;
+    l.reach = field->reach;
+    l.inside = field->inside;
+    l.power = 1.0f;
+    return l;
+}
+
+/* The components along w, bilinear between texels. */
+static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
+{
+    const int words = ssgi__field_words(f->bits), row = f->resolution + 2;
+    const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
+    float at[2];
+    const int face = ssgi__cube_place(at, w);
+    int i, k, n, cell[2];
+    for (k = 0; k < 2; ++k) {
+        at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
+        cell[k] = at[k] > 0.0f ? (int)at[k] : 0;
+        cell[k] = cell[k] < f->resolution ? cell[k] : f->resolution;
+        at[k] -= (float)cell[k];
+    }
+    for (n = 0; n < 8; ++n) out[n] = 0.0f;
+    for (i = 0; i < 2; ++i)
+        for (k = 0; k < 2; ++k) {
+            const uint32_t *texel = f->texels + (size_t)words * (size_t)((face * row + cell[1] + i) * row + cell[0] + k);
+            const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
+            for (n = 0; n < 8; ++n) out[n] += weight * (float)(texel[n * f->bits / 32] >> n * f->bits % 32 & (f->bits == 8 ? 0xffu : 0xffffu));
+        }
+    for (n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
+}
+
+SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill)
+{
+    const float most = (float)ssgi__field_most(field->measure);
+    double w[3], v[3];
+    float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
+    int k;
+    for (k = 0; k < 3; ++k) w[k] = (double)point[k] - (double)field->centre[k];
+    r = (float)ssgi__normalise(w);
+    if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
+    for (k = 0; k < 3; ++k) direction[k] = (float)w[k];
+    ssgi__field_fetch(c, field, direction);
+    hull = c[3];
+    t = r > hull ? r < field->reach ? (r - hull) / (field->reach - hull) : 1.0f : 0.0f;
+    q0 = exp2f(c[0]);
+    q2 = exp2f(c[2]);
+    q1 = exp2f(c[1]) - sqrtf(q0 * q2);
+    q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
+    value = q * most > 1.0f ? 1.0f / q : most;
+    *fill = 1.0f;
+    if (field->measure == SSGI_FIELD_VECTOR) {
+        float s = value / most;
+        *fill = c[7] > s ? c[7] : s;
+        s /= *fill;
+        value = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
+    }
+    *solid_angle = value;
+    for (k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
+    if (!(ssgi__normalise(v) > 0.0)) for (k = 0; k < 3; ++k) v[k] = -w[k];
+    for (k = 0; k < 3; ++k) axis[k] = (float)v[k];
+    return r / hull;
+}
+
+SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3])
+{
+    const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
+    float solid_angle, fill, axis[3], d[3], hulls, r, a;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
+        d[k] = point[k] - field->centre[k];
+    }
+    r = sqrtf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (!(r < l.reach)) return 0.0f;
+    hulls = ssgi_field_cap(field, point, &solid_angle, axis, &fill);
+    a = fill * ssgi_cap_occlusionf(solid_angle, axis[0] * normal[0] + axis[1] * normal[1] + axis[2] * normal[2]);
+    if (hulls < 1.0f) a = l.inside + (a - l.inside) * powf(hulls, l.power);
+    if (r > l.ramp) {
+        const float t = (r - l.ramp) / (l.reach - l.ramp);
+        a *= 1.0f - t * t * (3.0f - 2.0f * t);
+    }
+    return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
+}
+
+SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
+{
+    const int words = ssgi__field_words(field->bits), size = field->resolution;
+    int x, y, n;
+    if (face < 0 || face > 5) return;
+    for (y = 0; y < size; ++y)
+        for (x = 0; x < size; ++x) {
+            const uint32_t *texel = field->texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
+            for (n = 0; n < 8; ++n) {
+                const uint32_t v = texel[n * field->bits / 32] >> n * field->bits % 32;
+                void *out = n < 4 ? distance : centre;
+                const int i = 4 * (y * size + x) + n % 4;
+                if (!out) continue;
+                if (field->bits == 8) ((uint8_t *)out)[i] = (uint8_t)(v & 0xffu);
+                else ((uint16_t *)out)[i] = (uint16_t)(v & 0xffffu);
+            }
+        }
+}
+
+/* ---- files: 32-bit words, lowest byte first */
+
+enum { SSGI__FIELD_HEAD = 32 };             /* words before the texels; after them two of checksum */
+
+static void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
+{
+    int k;
+    for (k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
+}
+
+static uint32_t ssgi__field_get(const unsigned char *in, size_t i)
+{
+    return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16 | (uint32_t)in[4 * i + 3] << 24;
+}
+
+static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
+{
+    uint64_t h = 14695981039346656037u;
+    for (; size; --size) h = (h ^ *data++) * 1099511628211u;
+    return h;
+}
+
+/* The floats of a field in the order of the file. */
+static void ssgi__field_numbers(float *out[25], ssgi_field *f)
+{
+    float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach, &f->inside, &f->median, &f->p95, &f->most };
+    int i;
+    for (i = 0; i < 9; ++i) out[i] = ends[i];
+    for (i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
+}
+
+SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
+{
+    const size_t words = ssgi_field_size(field->resolution, field->bits) / 4, size = 4 * (SSGI__FIELD_HEAD + words + 2);
+    unsigned char *bytes = (unsigned char *)out;
+    ssgi_field f = *field;
+    float *number[25];
+    uint64_t h;
+    size_t i;
+    if (!words || capacity < size || !out) return words ? size : 0;
+    memset(out, 0, 4 * SSGI__FIELD_HEAD);
+    ssgi__field_put(bytes, 0, 0x69677373u);         /* "ssgi" */
+    ssgi__field_put(bytes, 1, 0x31464f41u);         /* "AOF1" */
+    ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
+    ssgi__field_put(bytes, 3, (uint32_t)f.bits);
+    ssgi__field_put(bytes, 4, (uint32_t)f.measure);
+    ssgi__field_put(bytes, 5, (uint32_t)f.radii);
+    ssgi__field_numbers(number, &f);
+    for (i = 0; i < 25; ++i) {
+        uint32_t word;
+        memcpy(&word, number[i], sizeof word);
+        ssgi__field_put(bytes, 6 + i, word);
+    }
+    for (i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
+    h = ssgi__field_checksum(bytes, size - 8);
+    ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
+    ssgi__field_put(bytes, size / 4 - 1, (uint32_t)(h >> 32));
+    return size;
+}
+
+static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
+{
+    const unsigned char *bytes = (const unsigned char *)file;
+    float *number[25];
+    size_t i, words;
+    uint64_t h;
+    if (!file) return ssgi__bad(why, "file: must not be NULL");
+    if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u) return ssgi__bad(why, "file: is not an ambient occlusion field");
+    if (ssgi__field_get(bytes, 1) != 0x31464f41u) return ssgi__bad(why, "file: is of another version");
+    if (size < 4 * SSGI__FIELD_HEAD) return ssgi__bad(why, "file: is cut short");
+    memset(f, 0, sizeof *f);
+    words = ssgi__field_get(bytes, 2) <= 128u && ssgi__field_get(bytes, 3) <= 16u ? ssgi_field_size((int)ssgi__field_get(bytes, 2), (int)ssgi__field_get(bytes, 3)) / 4 : 0;
+    if (!words || ssgi__field_get(bytes, 4) > 1u || ssgi__field_get(bytes, 5) > 64u) return ssgi__bad(why, "file: is corrupt");
+    f->resolution = (int)ssgi__field_get(bytes, 2);
+    f->bits = (int)ssgi__field_get(bytes, 3);
+    f->measure = (int)ssgi__field_get(bytes, 4);
+    f->radii = (int)ssgi__field_get(bytes, 5);
+    if (size < 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is cut short");
+    if (size > 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is longer than its field");
+    h = ssgi__field_checksum(bytes, size - 8);
+    if (ssgi__field_get(bytes, size / 4 - 2) != (uint32_t)h || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32)) return ssgi__bad(why, "file: is corrupt");
+    ssgi__field_numbers(number, f);
+    for (i = 0; i < 25; ++i) {
+        const uint32_t word = ssgi__field_get(bytes, 6 + i);
+        memcpy(number[i], &word, sizeof word);
+        if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f))) return ssgi__bad(why, "file: is corrupt");
+    }
+    for (i = 0; i < 3; ++i) if (!(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f)) return ssgi__bad(why, "file: is corrupt");
+    if (!(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f && f->inside >= 0.0f && f->inside <= 1.0f)) return ssgi__bad(why, "file: is corrupt");
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why)
+{
+    ssgi_field f;
+    ssgi_result result;
+    if (!bytes) return ssgi__bad(why, "bytes: must not be NULL");
+    result = ssgi__field_head(&f, file, file_size, why);
+    if (result == SSGI_OK) *bytes = ssgi_field_size(f.resolution, f.bits);
+    return result;
+}
+
+SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why)
+{
+    ssgi_field f;
+    ssgi_result result;
+    size_t i, words;
+    if (!field) return ssgi__bad(why, "field: must not be NULL");
+    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
+    result = ssgi__field_head(&f, file, file_size, why);
+    if (result != SSGI_OK) return result;
+    words = ssgi_field_size(f.resolution, f.bits) / 4;
+    if (size < 4 * words) {
+        ssgi__bad(why, "size: must be at least what ssgi_field_peek tells");
+        return SSGI_TOO_SMALL;
+    }
+    for (i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
+    f.texels = texels;
+    *field = f;
+    return SSGI_OK;
 }
 
 #ifdef __cplusplus

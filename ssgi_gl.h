@@ -31,6 +31,7 @@
                 lights   fetch -> light             suns, point lights, virtual point lights; shadow maps, or segments in screen space [SSDO09 4, 5]
                 senders  fetch -> light             packs what surfaces send, their normal and depth: one fetch a sample for the bounce
                 shade    light                      the vectors of s3ho meet light: harmonics, lamps, bent normals and cones [S3HO12, SSBN11]
+                field    fetch -> field             ambient occlusion by rigid casters whose fields were baked (ssgi_field_bake), blended over each other [AOF05]
                 blur     fetch -> filter            smooths what the others wrote, within surfaces
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
@@ -47,12 +48,17 @@
       shade    dots them with frame.harmonics (ssgi_gl_harmonics_set) and adds lamps: irradiance over pi, or radiance. bands = 2 serves bent normals and cones
       With shaded = 1 s3ho does that itself and keeps nothing.
 
+   OCCLUSION BETWEEN MOVING OBJECTS
+      field    a ssgi_gl_caster each, as rows of t_ssgi_casters; clear the target to 1, blend by GL_DST_COLOR, GL_ZERO (or GL_ZERO, GL_SRC_COLOR), and draw all at once:
+               glDrawArraysInstanced(GL_TRIANGLES, 0, 6, casters): a rectangle each, around the sphere that it reaches; culling off. No noise, no filter
+      In your own forward shader: ssgi_gl_field, the same functions as text
+
    ROOMS        search for ">>"
       >>desc       what you choose               >>io      what a pass reads and writes       >>frame    what changes per frame
       >>emit       text out                      >>rows    the table of inputs and outputs
-      >>fetch  >>visibility  >>harmonics  >>gather  >>light  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
+      >>fetch  >>visibility  >>harmonics  >>gather  >>light  >>field  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
 
-   NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
+   NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, v_ssgi_* between stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
 #define SSGI_GL_H
 
@@ -64,7 +70,7 @@ extern "C" {
 
 /* ==== >>desc =================================================================================================== */
 
-enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
+enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_FIELD, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_DIALECTS };   /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_STAGES };                                              /* stage of ssgi_gl_emit */
 
@@ -122,6 +128,16 @@ enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12
        SSGI_GL_SHADING_BENT_NORMAL,  /* ambient visibility times the environment's irradiance along the mean free direction */
        SSGI_GL_SHADING_BENT_CONE,    /* the same, from a cone as wide as free directions are spread [SSBN11] */
        SSGI_GL_SHADING_BENT };       /* no light: that direction, view space, unit, and the cosine of the cone's half-angle */
+/* desc.storage: how fields are kept */
+enum { SSGI_GL_STORAGE_ATLAS = 0,    /* ssgi_field.texels as slices of one integer array: many fields at once, filtered in the shader, in every dialect: 4 fetches */
+       SSGI_GL_STORAGE_CUBE };       /* one field as two cube maps (ssgi_field_cube), LINEAR, GL_TEXTURE_CUBE_MAP_SEAMLESS enabled (GLES always is); 16 bits need RGBA16, which GLES lacks: 2 fetches */
+/* desc.cap: how a cap becomes occlusion */
+enum { SSGI_GL_CAP_CLOSED = 0,       /* closed form: two arcs */
+       SSGI_GL_CAP_TABLE };          /* your texture of ssgi_cap_table: 1 fetch */
+/* desc.objects: which object a pixel shows, so that no caster shades itself */
+enum { SSGI_GL_OBJECTS_NONE = 0,     /* casters shade whatever is there */
+       SSGI_GL_OBJECTS_TEXTURE,      /* your texture of numbers, 0 = none; a pixel whose number is ssgi_gl_caster.object is left alone */
+       SSGI_GL_OBJECTS_CUSTOM };     /* your GLSL in desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.colour: what blur filters */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_VECTORS };   /* ambient visibility; light, three channels; what s3ho wrote */
 /* desc.filter */
@@ -144,7 +160,7 @@ typedef struct ssgi_gl_desc {
     int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s. ssao, ssdo, s3ho [default: 1]  points along a direction, the first blocked one counts */
     int normal_rays;        /* hsao, march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;               /* hsao   [limit: 0..1]  1: no attenuation, all within the radius occludes fully */
-    int thin;               /* all but senders, shade, blur   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
+    int thin;               /* all but senders, shade, field, blur   [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by frame.thickness */
     int falloff;            /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
     int kernel;             /* ssao, ssdo, s3ho   [limit: 0..1]  0: one set in the text, turned by the noise; 1: M sets in a texture, the noise picks one */
     int fade;               /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
@@ -167,7 +183,12 @@ typedef struct ssgi_gl_desc {
     int shadow;             /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;         /* lights   [limit: 0..1]  1: adds to t_ssgi_light, what an earlier pass wrote */
     int radiance;           /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int half;               /* all but lights, senders   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
+    int storage;            /* field  SSGI_GL_STORAGE_ATLAS .. */
+    int measure;            /* field  SSGI_FIELD_VECTOR ..: as the fields were baked */
+    int eight_bits;         /* field, ATLAS   [limit: 0..1]  1: the fields have 8 bits a component */
+    int cap;                /* field  SSGI_GL_CAP_CLOSED .. */
+    int objects;            /* field  SSGI_GL_OBJECTS_NONE .. */
+    int half;               /* all but lights, senders, field   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
     int colour;             /* blur   SSGI_GL_GREY .. */
     int filter;             /* blur   SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;      /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels: 1 is 3x3; of half-size pixels when half is 1 */
@@ -202,7 +223,12 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. 3 ms a call for 4 bands, whose product has 194 terms. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The most texel fetches that a pixel of this pass makes, 0 for a bad desc; what desc.fetch does counts as one; lights: with one light. */
+/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's storage, measure, eight_bits and cap; the samplers t_ssgi_casters, t_ssgi_fields (or the two cube maps),
+   t_ssgi_cap are declared in it. float ssgi_field_visibility(int casters, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows 0 .. casters - 1 but those of that object (0: none), in the space
+   that ssgi_gl_caster_set was given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
+
+/* The most texel fetches that a pixel of this pass makes, 0 for a bad desc; what desc.fetch does counts as one; lights: with one light; field: with one caster. */
 SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -287,6 +313,22 @@ typedef struct ssgi_gl_light {
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y, const float picture_world_to_view[16],
                                        const float light_world_to_view[16], const char **why);
 
+/* A caster: one row of the texture t_ssgi_casters, 10 texels of RGBA32F, byte for byte. ssgi_gl_caster_set fills it. */
+typedef struct ssgi_gl_caster {
+    float at[3], reach;     /* the sphere that it reaches, view space */
+    float to_field[3][4];   /* view space to the caster's coordinates about the field's centre: rows */
+    float ramp, end, inside, power;     /* ssgi_field_limits */
+    float low[8], span[8];
+    float resolution, slice, fitted, object;   /* slice: of t_ssgi_fields. fitted: ssgi_field.reach. object: a whole number, what desc.objects compares; 0 = none */
+} ssgi_gl_caster;
+
+/* Sets a caster where it stands now.
+     limits        NULL: ssgi_field_limits_of     slice   [limit: 0..2047] of t_ssgi_fields; smaller fields than the array's slices stand in their lower corner
+     mesh_to_view  [limit: rotation, translation and uniform scale] from the coordinates that the field was baked in to those of the pass: world to view times object to world
+     object        [limit: 0..16777215]
+   Outputs are untouched when something is wrong. */
+SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field, const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
+
 #ifdef __cplusplus
 }
 #endif
@@ -295,6 +337,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 #if defined(SSGI_GL_IMPLEMENTATION) && !defined(SSGI_GL_IMPLEMENTED)
 #define SSGI_GL_IMPLEMENTED
 
+#include <math.h>
 #include <string.h>
 
 #ifdef __cplusplus
@@ -386,6 +429,18 @@ extern "C" {
 #define SSGI_GL__F_NORMALS       SSGI_GL__OWN(0, 2) /* compares normals */
 #define SSGI_GL__GREY            SSGI_GL__OWN(0, 3)
 #define SSGI_GL__COLOUR          SSGI_GL__OWN(0, 4)
+/* word 0 in field */
+#define SSGI_GL__ATLAS           SSGI_GL__OWN(0, 0) /* storage */
+#define SSGI_GL__CUBES           SSGI_GL__OWN(0, 1)
+#define SSGI_GL__VECTOR_KEPT     SSGI_GL__OWN(0, 2) /* measure */
+#define SSGI_GL__ANGLE_KEPT      SSGI_GL__OWN(0, 3)
+#define SSGI_GL__BITS16          SSGI_GL__OWN(0, 4)
+#define SSGI_GL__BITS8           SSGI_GL__OWN(0, 6)
+#define SSGI_GL__CAP_CLOSED      SSGI_GL__OWN(0, 7)
+#define SSGI_GL__CAP_TABLE       SSGI_GL__OWN(0, 8)
+#define SSGI_GL__OBJECTS         SSGI_GL__OWN(0, 9) /* pixels tell their object: through a texture of ours, your way */
+#define SSGI_GL__O_TEXTURE       SSGI_GL__OWN(0, 10)
+#define SSGI_GL__O_CUSTOM        SSGI_GL__OWN(0, 11)
 /* word 1, light */
 #define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* ssdo, s3ho: an environment lights; by look-ups */
 #define SSGI_GL__E_MAP           SSGI_GL__OWN(1, 2)
@@ -499,6 +554,15 @@ static const ssgi_gl__row ssgi_gl__direct_tex  = SSGI_GL__T(SSGI_GL__S_DIRECT, "
 static const ssgi_gl__row ssgi_gl__noise_tex   = SSGI_GL__T(SSGI_GL__NOISE_TEXTURE, "noise", "RGBA16F, any size: ssgi_jitter_tile");
 static const ssgi_gl__row ssgi_gl__ao_tex      = SSGI_GL__T(SSGI_GL__GREY, "ao", "what ssao or hsao wrote: RG32F or RG16F");
 static const ssgi_gl__row ssgi_gl__light_tex   = SSGI_GL__T(SSGI_GL__COLOUR, "light", "what ssdo, shade or lights wrote: RGBA32F or RGBA16F");
+static const ssgi_gl__row ssgi_gl__frame_size  = SSGI_GL__P(0, "size", "ivec2", size, "pixels");
+static const ssgi_gl__row ssgi_gl__casters_tex = SSGI_GL__T(0, "casters", "RGBA32F, 10 wide: a row a ssgi_gl_caster");
+static const ssgi_gl__row ssgi_gl__fields_tex  = SSGI_GL__A(SSGI_GL__ATLAS | SSGI_GL__BITS16, "fields", "usampler", "RGBA32UI: ssgi_field.texels, a slice a field");
+static const ssgi_gl__row ssgi_gl__fields8_tex = SSGI_GL__A(SSGI_GL__ATLAS | SSGI_GL__BITS8, "fields", "usampler", "RG32UI: ssgi_field.texels, a slice a field");
+static const ssgi_gl__row ssgi_gl__cube_tex    = { SSGI_GL__CUBES, { "t_ssgi_field", SSGI_GL_TEXTURE, "samplerCube", 0, 0, "RGBA16 or RGBA8, LINEAR, seamless: ssgi_field_cube, distance" } };
+static const ssgi_gl__row ssgi_gl__centre_tex  = { SSGI_GL__CUBES, { "t_ssgi_field_centre", SSGI_GL_TEXTURE, "samplerCube", 0, 0, "the same: ssgi_field_cube, centre" } };
+static const ssgi_gl__row ssgi_gl__cap_tex     = SSGI_GL__T(SSGI_GL__CAP_TABLE, "cap", "R16F or R32F, LINEAR, CLAMP_TO_EDGE: ssgi_cap_table");
+static const ssgi_gl__row ssgi_gl__objects_tex = { SSGI_GL__O_TEXTURE, { "t_ssgi_objects", SSGI_GL_TEXTURE, "usampler2D", 0, 0, "R8UI, R16UI or R32UI: number of the object that a pixel shows, 0 = none" } };
+static const ssgi_gl__row ssgi_gl__factor_out  = SSGI_GL__O(0, "ao", "float", "R8, R16F ..: what ambient visibility there is is multiplied by");
 static const ssgi_gl__row ssgi_gl__ao_out      = SSGI_GL__O(0, "ao", "vec2", "RG32F or RG16F: ambient visibility, view depth for the filter; R8 or R16F if nothing filters");
 static const ssgi_gl__row ssgi_gl__blurred_out = SSGI_GL__O(SSGI_GL__GREY, "ao", "float", "R8 or R16F: ambient visibility");
 static const ssgi_gl__row ssgi_gl__colour_out  = SSGI_GL__O(SSGI_GL__COLOUR, "light", "vec4", "RGBA32F or RGBA16F: the same three channels, view depth");
@@ -1902,6 +1966,179 @@ static const ssgi_gl__chunk ssgi_gl__shade_tail = { __LINE__ + 1, SSGI_GL__SHADE
 static const ssgi_gl__chunk ssgi_gl__shade_albedo = { __LINE__ + 1, SSGI_GL__ALBEDO,
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n" };
 
+/* ==== >>field: casters whose occlusion was baked ================================================================= */
+
+static const ssgi_gl__chunk ssgi_gl__caster_head = { __LINE__ + 1, 0,
+    "flat out vec4 v_ssgi_caster[9]; // ssgi_gl_caster from to_field on\n"
+    "void main()\n"
+    "{\n"
+    "    vec4 at = texelFetch(t_ssgi_casters, ivec2(0, gl_InstanceID), 0); // the sphere that it reaches\n"
+    "    for (int i = 0; i < 9; ++i) v_ssgi_caster[i] = texelFetch(t_ssgi_casters, ivec2(i + 1, gl_InstanceID), 0);\n"
+    "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
+    "    vec2 pixel;\n" };
+static const ssgi_gl__chunk ssgi_gl__caster_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
+    "    float gap = -at.z - at.w;\n"
+    "    vec2 e = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;\n"
+    "    // tangents from the eye, in the planes of x and of y; around the eye all is covered, behind it nothing\n"
+    "    pixel = (-at.xy * at.z + e * at.w * sqrt(max(at.xy * at.xy + at.z * at.z - at.w * at.w, 0.0))) / (at.z * at.z - at.w * at.w) * u_ssgi_project.xy + u_ssgi_project.zw;\n"
+    "    if (!(gap > 0.0)) pixel = -at.z + at.w > 0.0 ? (e * 0.5 + 0.5) * vec2(u_ssgi_size) : vec2(0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__caster_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
+    "    vec2 e = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;\n"
+    "    pixel = (at.xy + e * at.w) * u_ssgi_project.xy + u_ssgi_project.zw;\n" };
+static const ssgi_gl__chunk ssgi_gl__caster_end = { __LINE__ + 1, 0,
+    "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__field_texel16 = { __LINE__ + 1, SSGI_GL__ATLAS | SSGI_GL__BITS16,
+    "const float SSGI_FIELD_UNIT = 1.0 / 65535.0;\n"
+    "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b)\n"
+    "{\n"
+    "    uvec4 v = texelFetch(t_ssgi_fields, p, 0);\n"
+    "    a += weight * vec4(v.x & 65535u, v.x >> 16, v.y & 65535u, v.y >> 16);\n"
+    "    b += weight * vec4(v.z & 65535u, v.z >> 16, v.w & 65535u, v.w >> 16);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_texel8 = { __LINE__ + 1, SSGI_GL__ATLAS | SSGI_GL__BITS8,
+    "const float SSGI_FIELD_UNIT = 1.0 / 255.0;\n"
+    "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b)\n"
+    "{\n"
+    "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
+    "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
+    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_atlas = { __LINE__ + 1, SSGI_GL__ATLAS,
+    "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
+    "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b)\n"
+    "{\n"
+    "    vec3 m = abs(w);\n"
+    "    float face = 4.0, back = w.z;\n"
+    "    vec2 s = vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z;\n"
+    "    if (m.x >= m.y && m.x >= m.z) {\n"
+    "        face = 0.0;\n"
+    "        back = w.x;\n"
+    "        s = vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x;\n"
+    "    } else if (m.y >= m.z) {\n"
+    "        face = 2.0;\n"
+    "        back = w.y;\n"
+    "        s = vec2(w.x, w.y < 0.0 ? -w.z : w.z) / m.y;\n"
+    "    }\n"
+    "    if (back < 0.0) face += 1.0;\n"
+    "    s = (s * 0.5 + 0.5) * at.x + 0.5;\n"
+    "    vec2 f = clamp(floor(s), 0.0, at.x);\n"
+    "    ivec3 p = ivec3(f.x, f.y + face * (at.x + 2.0), at.y);\n"
+    "    f = s - f;\n"
+    "    a = vec4(0.0);\n"
+    "    b = vec4(0.0);\n"
+    "    ssgi_field_texel(p, (1.0 - f.x) * (1.0 - f.y), a, b);\n"
+    "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
+    "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
+    "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
+    "    a *= SSGI_FIELD_UNIT;\n"
+    "    b *= SSGI_FIELD_UNIT;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_cubes = { __LINE__ + 1, SSGI_GL__CUBES,
+    "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b)\n"
+    "{\n"
+    "    a = textureLod(t_ssgi_field, w, 0.0);\n"
+    "    b = textureLod(t_ssgi_field_centre, w, 0.0);\n"
+    "}\n" };
+
+/* k: the cosine of the cap's radius, S its squared sine */
+static const ssgi_gl__chunk ssgi_gl__cap_closed = { __LINE__ + 1, SSGI_GL__CAP_CLOSED,
+    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most half of the sphere; c: cosine between its axis and the normal\n"
+    "float ssgi_cap(float k, float S, float c)\n"
+    "{\n"
+    "    if (c * c >= S) return S * max(c, 0.0);\n"
+    "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
+    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__cap_whole = { __LINE__ + 1, SSGI_GL__CAP_CLOSED | SSGI_GL__ANGLE_KEPT,
+    "// h: solid angle / 2 pi, in [0,2]; what a large cap leaves over is a cap, too\n"
+    "float ssgi_cap_any(float h, float c)\n"
+    "{\n"
+    "    float a = ssgi_cap(abs(1.0 - h), h * (2.0 - h), h > 1.0 ? -c : c);\n"
+    "    return h > 1.0 ? 1.0 - a : a;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__cap_table = { __LINE__ + 1, SSGI_GL__CAP_TABLE,
+    "// the same from a table: h: solid angle / 2 pi; coordinates hit texel centres\n"
+    "float ssgi_cap_any(float h, float c)\n"
+    "{\n"
+    "    float n = float(textureSize(t_ssgi_cap, 0).x);\n"
+    "    return textureLod(t_ssgi_cap, (vec2(h, c + 1.0) * (0.5 * n - 0.5) + 0.5) / n, 0.0).x;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__field_at = { __LINE__ + 1, 0,
+    "// where a point is about the caster: direction from the centre, distance; caster: ssgi_gl_caster from to_field on\n"
+    "vec4 ssgi_field_at(vec4 caster[9], vec3 P)\n"
+    "{\n"
+    "    vec3 w = vec3(dot(caster[0], vec4(P, 1.0)), dot(caster[1], vec4(P, 1.0)), dot(caster[2], vec4(P, 1.0)));\n"
+    "    float r = length(w);\n"
+    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_head = { __LINE__ + 1, 0,
+    "// occlusion by a caster, in [0,1]; n: unit normal\n"
+    "float ssgi_field_occlusion(vec4 caster[9], vec4 at, vec3 n)\n"
+    "{\n"
+    "    vec4 a, b;\n"
+    "    ssgi_field_fetch(at.xyz, caster[8].xy, a, b);\n"
+    "    a = caster[4] + caster[6] * a;\n"
+    "    b = caster[5] + caster[7] * b;\n"
+    "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (caster[8].z - hull), 1.0);\n"
+    "    a.xyz = exp2(a.xyz);\n"
+    "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r) by its Bernstein form from the hull to the end\n"
+    "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
+    "    vec3 axis = b.xyz - r * at.xyz;\n"
+    "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
+    "    float c = dot(axis, normalize(vec3(dot(caster[0].xyz, n), dot(caster[1].xyz, n), dot(caster[2].xyz, n))));\n" };
+static const ssgi_gl__chunk ssgi_gl__field_vector = { __LINE__ + 1, SSGI_GL__VECTOR_KEPT,
+    "    // the cap of this vector irradiance, and the share of it that is covered\n"
+    "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
+    "    S /= fill;\n" };
+static const ssgi_gl__chunk ssgi_gl__field_vector_closed = { __LINE__ + 1, SSGI_GL__VECTOR_KEPT | SSGI_GL__CAP_CLOSED,
+    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n" };
+static const ssgi_gl__chunk ssgi_gl__field_vector_table = { __LINE__ + 1, SSGI_GL__VECTOR_KEPT | SSGI_GL__CAP_TABLE,
+    "    float A = fill * ssgi_cap_any(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c);\n" };
+static const ssgi_gl__chunk ssgi_gl__field_angle = { __LINE__ + 1, SSGI_GL__ANGLE_KEPT,
+    "    float A = ssgi_cap_any(0.159154943 / max(q, 0.0795774715), c);\n" };
+static const ssgi_gl__chunk ssgi_gl__field_tail = { __LINE__ + 1, 0,
+    "    if (at.w < hull) A = mix(caster[3].z, A, pow(at.w / hull, caster[3].w));\n"
+    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(caster[3].x, caster[3].y, at.w));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_all = { __LINE__ + 1, 0,
+    "// what casters 0 .. casters - 1 leave of the ambient light, but those of the object itself\n"
+    "float ssgi_field_visibility(int casters, int object, vec3 P, vec3 n)\n"
+    "{\n"
+    "    float visibility = 1.0;\n"
+    "    for (int i = 0; i < casters; ++i) {\n"
+    "        vec4 sphere = texelFetch(t_ssgi_casters, ivec2(0, i), 0), caster[9];\n"
+    "        if (!(distance(P, sphere.xyz) < sphere.w)) continue;\n"
+    "        for (int k = 0; k < 9; ++k) caster[k] = texelFetch(t_ssgi_casters, ivec2(k + 1, i), 0);\n"
+    "        if (object == 0 || object != int(caster[8].w)) visibility *= 1.0 - ssgi_field_occlusion(caster, ssgi_field_at(caster, P), n);\n"
+    "    }\n"
+    "    return visibility;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__field_in = { __LINE__ + 1, 0,
+    "flat in vec4 v_ssgi_caster[9];\n" };
+static const ssgi_gl__chunk ssgi_gl__object_texture = { __LINE__ + 1, SSGI_GL__O_TEXTURE,
+    "uint ssgi_object(ivec2 p)\n"
+    "{\n"
+    "    return texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__object_custom = { __LINE__ + 1, SSGI_GL__O_CUSTOM,
+    "uint ssgi_object(ivec2 p)\n"
+    "{\n"
+    "    return ssgi_custom_object(p + u_ssgi_origin);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__field_main = { __LINE__ + 1, 0,
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "    vec4 at = ssgi_field_at(v_ssgi_caster, P);\n"
+    "    if (!(z < SSGI_FAR && at.w < v_ssgi_caster[3].y)) discard;\n" };
+static const ssgi_gl__chunk ssgi_gl__field_own = { __LINE__ + 1, SSGI_GL__OBJECTS,
+    "    uint object = ssgi_object(p);\n"
+    "    if (object != 0u && object == uint(v_ssgi_caster[8].w)) discard; // its own surface\n" };
+static const ssgi_gl__chunk ssgi_gl__field_end = { __LINE__ + 1, 0,
+    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_caster, at, ssgi_normal(p, P));\n" };
+
 /* ==== >>filter ==================================================================================================== */
 
 static const ssgi_gl__chunk ssgi_gl__plane_perspective = { __LINE__ + 1, SSGI_GL__BILATERAL | SSGI_GL__PERSPECTIVE,
@@ -2136,6 +2373,16 @@ static const ssgi_gl__chunk *const ssgi_gl__senders_chunks[] = {
 static const ssgi_gl__row *const ssgi_gl__senders_rows[] = {
     &ssgi_gl__c_receiver, SSGI_GL__READS, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__albedo_tex, &ssgi_gl__albedos_tex, &ssgi_gl__s_light_tex, &ssgi_gl__direct_tex, &ssgi_gl__sender_out, NULL };
 
+#define SSGI_GL__FIELD_OF &ssgi_gl__field_texel16, &ssgi_gl__field_texel8, &ssgi_gl__field_atlas, &ssgi_gl__field_cubes, &ssgi_gl__cap_closed, &ssgi_gl__cap_whole, &ssgi_gl__cap_table, &ssgi_gl__field_at, \
+                        &ssgi_gl__field_head, &ssgi_gl__field_vector, &ssgi_gl__field_vector_closed, &ssgi_gl__field_vector_table, &ssgi_gl__field_angle, &ssgi_gl__field_tail
+static const ssgi_gl__chunk *const ssgi_gl__caster_chunks[] = { &ssgi_gl__caster_head, SSGI_GL__PROJECTIONS(caster), &ssgi_gl__caster_end, NULL };
+static const ssgi_gl__row *const ssgi_gl__caster_rows[] = { &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__casters_tex, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__field_chunks[] = {
+    &ssgi_gl__field_in, SSGI_GL__FETCH, &ssgi_gl__object_texture, &ssgi_gl__object_custom, SSGI_GL__FIELD_OF, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__field_main, &ssgi_gl__field_own,
+    &ssgi_gl__field_end, &ssgi_gl__lights_end, NULL };
+#define SSGI_GL__FIELD_MAPS &ssgi_gl__fields_tex, &ssgi_gl__fields8_tex, &ssgi_gl__cube_tex, &ssgi_gl__centre_tex, &ssgi_gl__cap_tex
+static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi_gl__rotation, SSGI_GL__MAPS, SSGI_GL__FIELD_MAPS, &ssgi_gl__objects_tex, &ssgi_gl__factor_out, NULL };
+
 static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__LOAD, SSGI_GL__STORE, &ssgi_gl__blur_head, &ssgi_gl__blur_full_grey, &ssgi_gl__blur_full_colour, &ssgi_gl__blur_half_grey,
     &ssgi_gl__blur_half_colour, &ssgi_gl__blur_full_vectors, &ssgi_gl__blur_half_vectors, &ssgi_gl__blur_centre, &ssgi_gl__blur_normal, &ssgi_gl__blur_loop, &ssgi_gl__blur_tap_full, &ssgi_gl__blur_tap_half, &ssgi_gl__blur_tap_grey,
@@ -2161,6 +2408,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { "lights", SSGI_GL_LIGHTS, -1,         { ssgi_gl__vertex_chunks, ssgi_gl__lights_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__lights_rows } },
     { "senders", SSGI_GL_SENDERS, -1,       { ssgi_gl__vertex_chunks, ssgi_gl__senders_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__senders_rows } },
     { "shade", SSGI_GL_SHADE, -1,           { ssgi_gl__vertex_chunks, ssgi_gl__shade_chunks },  { ssgi_gl__vertex_rows, ssgi_gl__shade_rows } },
+    { "field", SSGI_GL_FIELD, -1,           { ssgi_gl__caster_chunks, ssgi_gl__field_chunks }, { ssgi_gl__caster_rows, ssgi_gl__field_rows } },
     { "blur", SSGI_GL_BLUR, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__blur_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__blur_rows } }
 };
 enum { SSGI_GL__ROWS = (int)(sizeof ssgi_gl__passes / sizeof ssgi_gl__passes[0]) };
@@ -2222,6 +2470,11 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW_SEGMENT, _MAP, _FILL or _NONE"),
     SSGI_GL__F(accumulate, 1, "0 or 1"),
     SSGI_GL__F(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE_LIGHT, _DIRECT, _BOTH or _ALBEDO"),
+    SSGI_GL__F(storage, SSGI_GL_STORAGE_CUBE, "SSGI_GL_STORAGE_ATLAS or _CUBE"),
+    SSGI_GL__F(measure, SSGI_FIELD_SOLID_ANGLE, "SSGI_FIELD_VECTOR or _SOLID_ANGLE"),
+    SSGI_GL__F(eight_bits, 1, "0 or 1"),
+    SSGI_GL__F(cap, SSGI_GL_CAP_TABLE, "SSGI_GL_CAP_CLOSED or _TABLE"),
+    SSGI_GL__F(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS_NONE, _TEXTURE or _CUSTOM"),
     SSGI_GL__F(half, 1, "0 or 1"),
     SSGI_GL__F(colour, SSGI_GL_VECTORS, "SSGI_GL_GREY, _COLOUR or _VECTORS"),
     SSGI_GL__F(filter, SSGI_GL_GAUSSIAN, "SSGI_GL_BILATERAL or SSGI_GL_GAUSSIAN"),
@@ -2267,8 +2520,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
     if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
         return ssgi_gl__bad(why, "desc.receiver: hidden layers need their normals");
-    if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM))
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth or ssgi_custom_normal when depth or normal is CUSTOM");
+    if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM || desc->objects == SSGI_GL_OBJECTS_CUSTOM))
+        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object when depth, normal or objects is CUSTOM");
     return SSGI_OK;
 }
 
@@ -2284,6 +2537,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     ssgi_result r = ssgi_gl_check(desc, why);
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
+    if (desc->pass == SSGI_GL_FIELD) return SSGI_OK;        /* nothing in it trades cost for accuracy: the bake does */
     c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO || desc->pass == SSGI_GL_SHADE ? 3 : desc->pass == SSGI_GL_LIGHTS ? 4 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
     desc->half = c->half;
     desc->steps = c->steps;
@@ -2391,6 +2645,10 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
             if (d->albedo) ssgi_gl__add(&s, SSGI_GL__ALBEDO);
         }
         break;
+    case SSGI_GL_FIELD:
+        ssgi_gl__add(&s, (d->storage ? SSGI_GL__CUBES : SSGI_GL__ATLAS | (d->eight_bits ? SSGI_GL__BITS8 : SSGI_GL__BITS16)) | (d->measure ? SSGI_GL__ANGLE_KEPT : SSGI_GL__VECTOR_KEPT)
+                     | (d->cap ? SSGI_GL__CAP_TABLE : SSGI_GL__CAP_CLOSED) | (d->objects ? SSGI_GL__OBJECTS | (d->objects == SSGI_GL_OBJECTS_CUSTOM ? SSGI_GL__O_CUSTOM : SSGI_GL__O_TEXTURE) : 0));
+        break;
     default:
         ssgi_gl__add(&s, (d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL) | content_kind[d->colour]);
         if (!stored) ssgi_gl__add(&s, SSGI_GL__PLAIN);
@@ -2468,6 +2726,7 @@ SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
     case SSGI_GL_LIGHTS: return n + 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + (ssgi_gl__has(&s, SSGI_GL__SEGMENTS) ? d.samples * test : 0) + d.accumulate;
     case SSGI_GL_SENDERS: return n + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_LIGHT) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_DIRECT) ? 1 : 0);
     case SSGI_GL_SHADE: return n + vectors + open + (ssgi_gl__has(&s, SSGI_GL__LAMPS) ? 3 : 0) + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0);
+    case SSGI_GL_FIELD: return n + (d.storage ? 2 : 4) + d.cap + (d.objects ? 1 : 0);
     default: {
         const int side = 2 * d.filter_radius + 1, tap = d.colour == SSGI_GL_VECTORS ? vectors + 1 : 1;
         n -= d.colour == SSGI_GL_VECTORS || !d.half;        /* depth comes with the centre */
@@ -2536,18 +2795,26 @@ static void ssgi_gl__put_kernel(ssgi_gl__text *t, int samples)
     ssgi_gl__put(t, "));\n");
 }
 
-/* Only rows that exist in this variant, slots given in their order. */
-static int ssgi_gl__collect(const ssgi_gl__row *const *rows, const ssgi_gl_desc *d, const ssgi_gl__set *features, ssgi_gl_io *out, int capacity)
+/* Rows of a stage that exist in this variant, or of all, each once; slots are given in the order of all, the fragment stage's first. */
+static int ssgi_gl__collect(const ssgi_gl__pass *pass, int stage, const ssgi_gl_desc *d, const ssgi_gl__set *features, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, textures = 0, outputs = 0;
-    for (; *rows; ++rows) {
-        ssgi_gl_io io = (*rows)->io;
-        if (!ssgi_gl__has(features, (*rows)->need)) continue;
-        if (io.kind == SSGI_GL_TEXTURE) io.slot = textures++;
-        if (io.kind == SSGI_GL_OUTPUT) io.slot = outputs++;
-        if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(d, io.offset); io.offset = 0; }
-        if (n < capacity) out[n] = io;
-        ++n;
+    int n = 0, textures = 0, outputs = 0, s;
+    for (s = SSGI_GL_STAGES - 1; s >= 0; --s) {
+        const ssgi_gl__row *const *row, *const *other;
+        for (row = pass->rows[s]; *row; ++row) {
+            ssgi_gl_io io = (*row)->io;
+            if (!ssgi_gl__has(features, (*row)->need)) continue;
+            if (io.kind == SSGI_GL_TEXTURE) io.slot = textures++;       /* no stage reads another's textures */
+            if (io.kind == SSGI_GL_OUTPUT) io.slot = outputs++;
+            if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(d, io.offset); io.offset = 0; }
+            if (stage != SSGI_GL_STAGES && stage != s && (io.kind != SSGI_GL_PARAM || !pass->rows[stage][0])) continue;     /* a block has all members of both stages in either */
+            if (s == SSGI_GL_VERTEX) {
+                for (other = pass->rows[SSGI_GL_FRAGMENT]; *other && !(ssgi_gl__has(features, (*other)->need) && !strcmp((*other)->io.name, io.name)); ++other) {}
+                if (*other) continue;
+            }
+            if (n < capacity) out[n] = io;
+            ++n;
+        }
     }
     return n;
 }
@@ -2619,15 +2886,15 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d.dialect];
     const ssgi_gl__set features = ssgi_gl__features(&d);
     ssgi_gl_io io[SSGI_GL_MAX_IO];
-    int n = ssgi_gl__collect(pass->rows[stage], &d, &features, io, SSGI_GL_MAX_IO), i;
+    int n = ssgi_gl__collect(pass, stage, &d, &features, io, SSGI_GL_MAX_IO), i;
 
     ssgi_gl__put(t, d.version ? d.version : dialect->version);
     if (d.version && *d.version && d.version[strlen(d.version) - 1] != '\n') ssgi_gl__put(t, "\n");
     if (dialect->es) {
-        static const char *const types[] = { "sampler2D", "sampler2DArray", "usampler2D", "usampler2DArray" };
+        static const char *const types[] = { "sampler2D", "sampler2DArray", "usampler2D", "usampler2DArray", "samplerCube" };
         int k;
         ssgi_gl__put(t, "precision highp float;\nprecision highp int;\n");
-        for (k = 0; k < 4; ++k) {
+        for (k = 0; k < 5; ++k) {
             for (i = 0; i < n && strcmp(io[i].type, types[k]); ++i) {}
             if (i == n) continue;
             ssgi_gl__put(t, "precision highp ");
@@ -2737,6 +3004,36 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     return t.length;
 }
 
+SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
+{
+    static const ssgi_gl__row *const rows[] = { &ssgi_gl__casters_tex, SSGI_GL__FIELD_MAPS, NULL };
+    static const ssgi_gl__chunk *const chunks[] = { SSGI_GL__FIELD_OF, &ssgi_gl__field_all, NULL };
+    ssgi_gl_desc d;
+    ssgi_gl__set features;
+    ssgi_gl__text t;
+    int i;
+    if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
+    d = *desc;
+    d.pass = SSGI_GL_FIELD;
+    features = ssgi_gl__features(&d);
+    memset(&t, 0, sizeof t);
+    t.out = out;
+    t.capacity = capacity;
+    for (i = 0; rows[i]; ++i) {
+        if (!ssgi_gl__has(&features, rows[i]->need)) continue;
+        ssgi_gl__put(&t, "uniform highp ");
+        ssgi_gl__put(&t, rows[i]->io.type);
+        ssgi_gl__put(&t, " ");
+        ssgi_gl__put(&t, rows[i]->io.name);
+        ssgi_gl__put(&t, "; // ");
+        ssgi_gl__put(&t, rows[i]->io.format);
+        ssgi_gl__put(&t, "\n");
+    }
+    ssgi_gl__put_chunks(&t, chunks, &features, NULL);
+    if (capacity) out[t.length < capacity ? t.length : capacity - 1] = 0;
+    return t.length;
+}
+
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
 {
     ssgi_gl_desc d;
@@ -2744,7 +3041,7 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     d = ssgi_gl__resolve(desc);
     features = ssgi_gl__features(&d);
-    return ssgi_gl__collect(ssgi_gl__find(&d)->rows[SSGI_GL_FRAGMENT], &d, &features, rows, capacity);
+    return ssgi_gl__collect(ssgi_gl__find(&d), SSGI_GL_STAGES, &d, &features, rows, capacity);
 }
 
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
@@ -2901,6 +3198,60 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     light->tile[1] = (float)y;
     light->tile[2] = (float)view->width;
     light->tile[3] = (float)view->height;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field, const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why)
+{
+    ssgi_field_limits l;
+    ssgi_gl_caster c;
+    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 }, turn;
+    const float *m = mesh_to_view;
+    int i, k;
+    if (!caster) return ssgi_gl__bad(why, "caster: must not be NULL");
+    if (!field || !field->texels || field->resolution < 2) return ssgi_gl__bad(why, "field: must come from ssgi_field_bake or ssgi_field_load");
+    if (!m) return ssgi_gl__bad(why, "mesh_to_view: must not be NULL");
+    if (slice < 0 || slice > 2047) return ssgi_gl__bad(why, "slice: must be 0..2047");
+    if (object < 0 || object > 16777215) return ssgi_gl__bad(why, "object: must be 0..16777215");
+    l = limits ? *limits : ssgi_field_limits_of(field);
+    if (!(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f)) return ssgi_gl__bad(why, "limits.reach: must be above limits.ramp, which is 0 or more, and at most field->reach");
+    if (!(l.inside >= 0.0f && l.inside <= 1.0f)) return ssgi_gl__bad(why, "limits.inside: must be 0..1");
+    if (!(l.power > 0.0f && l.power < SSGI_FAR)) return ssgi_gl__bad(why, "limits.power: must be above 0 and finite");
+    for (i = 0; i < 16; ++i)
+        if (!(m[i] > -SSGI_FAR && m[i] < SSGI_FAR)) return ssgi_gl__bad(why, "mesh_to_view: must be finite");
+    for (i = 0; i < 3; ++i)
+        for (k = 0; k < 3; ++k) {
+            square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
+            across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
+        }
+    turn = (double)m[0] * ((double)m[5] * (double)m[10] - (double)m[6] * (double)m[9]) - (double)m[4] * ((double)m[1] * (double)m[10] - (double)m[2] * (double)m[9])
+         + (double)m[8] * ((double)m[1] * (double)m[6] - (double)m[2] * (double)m[5]);
+    for (i = 0; i < 3; ++i)
+        if (!(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0] && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0] && turn > 0.0))
+            return ssgi_gl__bad(why, "mesh_to_view: must be a rotation, a translation and a uniform scale");
+    memset(&c, 0, sizeof c);
+    for (i = 0; i < 3; ++i) {           /* the inverse: transposed over the squared scale */
+        double shift = -(double)field->centre[i];
+        c.at[i] = m[12 + i];
+        for (k = 0; k < 3; ++k) {
+            c.at[i] += m[4 * k + i] * field->centre[k];
+            c.to_field[i][k] = (float)((double)m[4 * i + k] / square[0]);
+            shift -= (double)m[4 * i + k] / square[0] * (double)m[12 + k];
+        }
+        c.to_field[i][3] = (float)shift;
+    }
+    c.reach = l.reach * sqrtf((float)square[0]);
+    c.ramp = l.ramp;
+    c.end = l.reach;
+    c.inside = l.inside;
+    c.power = l.power;
+    memcpy(c.low, field->low, sizeof c.low);
+    memcpy(c.span, field->span, sizeof c.span);
+    c.resolution = (float)field->resolution;
+    c.slice = (float)slice;
+    c.fitted = field->reach;
+    c.object = (float)object;
+    *caster = c;
     return SSGI_OK;
 }
 

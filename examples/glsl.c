@@ -3,7 +3,8 @@
       build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; in 450 two, too:
                                      FOLDER/hsao.450.half.thin.frag
 
-   One file a text: a choice that changes nothing in a pass makes no file. ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
+   One file a text: a choice that changes nothing makes no file: of a vertex stage, of the functions of fields (FOLDER/field.table.glsl: ssgi_gl_field), of a fragment stage.
+   ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
       build/glsl-text --passes       the README's table of passes, from reflection */
 #include "../ssgi_gl.h"
@@ -16,7 +17,8 @@
 static const char custom[] =
     "uniform sampler2D my_gbuffer;\n"
     "float ssgi_custom_depth(ivec2 texel, int layer) { return layer == 0 ? texelFetch(my_gbuffer, texel, 0).w : 0.0; }\n"
-    "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n";
+    "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n"
+    "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n";
 
 typedef struct choice { const char *name; size_t offset; int value; } choice;
 #define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
@@ -33,7 +35,9 @@ static const choice choices[] = {
     CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("exact", exact, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
     CHOICE("bent", shading, SSGI_GL_SHADING_BENT), CHOICE("lamps", lamps, 1), CHOICE("albedo", albedo, 1),
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
-    CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO), CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
+    CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO),
+    CHOICE("cubemaps", storage, SSGI_GL_STORAGE_CUBE), CHOICE("angle", measure, SSGI_FIELD_SOLID_ANGLE), CHOICE("8bit", eight_bits, 1), CHOICE("table", cap, SSGI_GL_CAP_TABLE),
+    CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM), CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
 enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 1 << 14 };
@@ -51,19 +55,24 @@ static int write_file(const char *path, char *text, size_t n)
     return bad ? -1 : 0;
 }
 
-static int write_text(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
+/* The texts of a desc that none before was: vertex stage, fragment stage, functions alone. */
+static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
-    static const char *const endings[] = { "vert", "frag" };
-    uint64_t key = ssgi_gl_key(d);
-    if (!key || files >= MOST) return 0;
-    for (int i = 0; i < files; ++i) if (seen[i] == key) return 0;
-    seen[files++] = key;
-    for (int stage = *first ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX; stage <= SSGI_GL_FRAGMENT; ++stage) {      /* choices do not reach the vertex stage */
-        char path[1024];
-        size_t n = ssgi_gl_emit(NULL, 0, d, stage);
-        char *text = malloc(n + 1);
-        snprintf(path, sizeof path, "%s/%s.%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second, endings[stage]);
-        if (text) ssgi_gl_emit(text, n + 1, d, stage);
+    static const char *const endings[] = { "vert", "frag", "glsl" };
+    for (int kind = 0; kind < 3; ++kind) {
+        const int alone = kind == SSGI_GL_STAGES;
+        const size_t n = !alone ? ssgi_gl_emit(NULL, 0, d, kind) : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d) : 0;
+        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(alone ? 0 : d->dialect)) * 3 + (uint64_t)kind;
+        char path[1024], *text = n && files < MOST ? malloc(n + 1) : NULL;
+        int i = 0;
+        if (!n || files >= MOST) continue;
+        if (text && alone) ssgi_gl_field(text, n + 1, d);
+        if (text && !alone) ssgi_gl_emit(text, n + 1, d, kind);
+        for (const char *c = text; c && *c; ++c) key = (key ^ (uint64_t)(unsigned char)*c) * 1099511628211u;
+        while (i < files && seen[i] != key) ++i;
+        if (text && i < files) { free(text); continue; }
+        seen[files++] = key;
+        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".", alone ? "" : ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second, endings[kind]);
         if (write_file(path, text, n)) return -1;
     }
     return 0;
@@ -78,7 +87,8 @@ static void print_passes(void)
         { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`s3ho`", { .pass = SSGI_GL_S3HO } },
         { "`s3ho`, transfer, packed", { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 } }, { "`s3ho`, shaded", { .pass = SSGI_GL_S3HO, .shaded = 1 } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
         { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`shade`", { .pass = SSGI_GL_SHADE } },
-        { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lamps = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
+        { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lamps = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`field`", { .pass = SSGI_GL_FIELD } },
+        { "`field`, cube maps, objects", { .pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .objects = SSGI_GL_OBJECTS_TEXTURE } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
         { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS } }
     };
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
@@ -117,8 +127,8 @@ int main(int argc, char **argv)
                     if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
                     memcpy((char *)&d + choices[b].offset, &choices[b].value, b ? sizeof(int) : 0);
                     memcpy((char *)&d + choices[a].offset, &choices[a].value, a ? sizeof(int) : 0);
-                    if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM) d.fetch = custom;
-                    if (write_text(argv[1], &d, choices[a].name, choices[b].name)) return 2;
+                    if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM) d.fetch = custom;
+                    if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
     for (int bands = 1; bands <= 4; ++bands) {
         const size_t n = ssgi_gl_sh(NULL, 0, bands);
@@ -127,6 +137,6 @@ int main(int argc, char **argv)
         snprintf(path, sizeof path, "%s/sh%d.glsl", argv[1], bands);
         if (write_file(path, text, n)) return 2;
     }
-    printf("%s: %d fragment texts\n", argv[1], files);
+    printf("%s: %d texts\n", argv[1], files);
     return 0;
 }

@@ -361,7 +361,7 @@ static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error 
         if (lit_about(html, &s, t, err)) return -1;
         stage_close(&s);
         for (int i = 0; i < set->count; ++i) set->row[i].scene = t->view.name;
-        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, set->row, set->count, (double)NAN, err)) return -1;
+        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err)) return -1;
         if (k < LIT_TABLES) table_html(html, set->row, set->count);
         table_csv(csv.file, set->row, set->count, !k);
     }

@@ -2,7 +2,10 @@
 
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
 
-enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, SPLITS = 5 };
+enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR, SPLITS = 5 };
+
+/* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. */
+enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN, FIGURES };
 
 /* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
 typedef struct row {
@@ -12,6 +15,7 @@ typedef struct row {
     int of;                                          /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
     double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
     double split[SPLITS];                            /* OF_SPLIT: irradiance's total error, what of it is bias and noise; hue, of all and of what is in shade */
+    double figure[FIGURES];                          /* OF_FIELDS */
 } row;
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
@@ -50,13 +54,31 @@ static const char *settings_of(const row *r) { return *r->settings ? r->settings
 
 typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
 static const column columns[] = {
-    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes",                offsetof(row, fetches),    1, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
-    { OF_AO,  "RMSE",       "rmse",          "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
-    { OF_AO,  "share",      "share",         "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
-    { OF_AO,  "bias",       "bias",          "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
-    { OF_AO,  "p95",        "p95",           "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
+    { OF_BAKE, "triangles", "triangles",     "of the caster",                                      offsetof(row, figure[TRIANGLES]),  0, 0 },
+    { OF_BAKE, "texels",    "resolution",    "along the side of a face of the cube map",           offsetof(row, figure[RESOLUTION]), 0, 0 },
+    { OF_BAKE, "radii",     "radii",         "distances sampled along each direction",             offsetof(row, figure[RADII]),      0, 0 },
+    { OF_BAKE, "rays",      "rays",          "a sample",                                           offsetof(row, figure[BAKE_RAYS]),  0, 0 },
+    { OF_BAKE, "threads",   "threads",       "of the bake",                                        offsetof(row, figure[THREADS]),    0, 0 },
+    { OF_FIELD | OF_BAKE, "kB", "kilobytes", "of all fields, 1000 bytes each",                     offsetof(row, figure[BYTES]),      1, 0 },
+    { OF_BAKE, "work, MB",  "work_megabytes", "memory of the bake, free again afterwards",         offsetof(row, figure[WORK]),       1, 0 },
+    { OF_FIELD | OF_BAKE, "bake, s", "bake_seconds", "the clock's, of all fields' bakes",          offsetof(row, figure[SECONDS]),    2, 0 },
+    { OF_FIELD | OF_BAKE, "b. median", "baked_median", "error of occlusion that the bake reports, at receivers that took no part in it: half are off by less; of several fields the worst", offsetof(row, figure[BAKED_MEDIAN]), 4, 0 },
+    { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them",                         offsetof(row, figure[BAKED_P95]),  4, 0 },
+    { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them",                        offsetof(row, figure[BAKED_MOST]), 4, 0 },
+    { OF_COST, "covered",   "covered",       "pixels within a caster's reach over all pixels, summed over the casters", offsetof(row, figure[COVERED]), 3, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes",      offsetof(row, fetches),    1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
+    { OF_FIELD, "median",   "median",        "half of the pixels are off by less",                 offsetof(row, figure[MEDIAN]), 4, 0 },
+    { OF_AO | OF_FIELD, "RMSE", "rmse",      "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
+    { OF_AO | OF_FIELD, "share", "share",          "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
+    { OF_AO | OF_FIELD, "bias", "bias",            "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
+    { OF_AO | OF_FIELD, "p95", "p95",        "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
+    { OF_FIELD, "most",     "most",          "the worst pixel",                                    offsetof(row, figure[MOST]), 3, 0 },
+    { OF_PAIR, "product",   "product",       "RMSE of 1 - (1 - a)(1 - b), a and b being the two casters' occlusions", offsetof(row, figure[BY_PRODUCT]), 4, 0 },
+    { OF_PAIR, "max",       "max_of_two",    "RMSE of the larger one",                             offsetof(row, figure[BY_MOST]), 4, 0 },
+    { OF_PAIR, "sum",       "sum_of_two",    "RMSE of the sum, at most 1",                         offsetof(row, figure[BY_SUM]),  4, 0 },
+    { OF_PAIR, "between",   "between",       "share of the pixels whose true occlusion lies from the larger one to the sum", offsetof(row, figure[BETWEEN]), 3, 0 },
     { OF_LIT, "radiance",   "radiance",      "RMSE of outgoing radiance over the truth's mean",    offsetof(row, error[0]),   4, 0 },
     { OF_LIT, "bias",       "radiance_bias", "mean difference of radiance over the truth's mean",  offsetof(row, bias[0]),    4, 1 },
     { OF_LIT, "irradiance", "irradiance",    "RMSE of irradiance over the truth's mean",           offsetof(row, error[1]),   4, 0 },
@@ -139,7 +161,7 @@ static void csv_field(FILE *f, const char *s)
 
 static void table_csv(FILE *f, const row *rows, int count, int head)
 {
-    const int of = rows->of & OF_AO ? OF_AO : OF_LIT | OF_SPLIT;         /* all that is lit makes one table */
+    const int of = rows->of & OF_AO ? OF_AO : rows->of & OF_FIELDS ? OF_FIELDS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another */
     if (head) {
         fputs("scene,label,method,settings", f);
         for (int c = -1; (c = next_column(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
@@ -157,7 +179,7 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
     }
 }
 
-/* ---- >>chart: relative time across, share of the error up; one curve a label --------------------------------------- */
+/* ---- >>chart: relative time (or memory) across, share of the error (or the error) up; one curve a label -------------- */
 
 enum { WIDE = 900, HIGH = 540, LEFT = 74, RIGHT = 876, TOP = 112, BOTTOM = 472, MOST_BOXES = 512 };
 typedef struct box { double x, y, w, h; } box;
@@ -218,8 +240,13 @@ static double step_of(double least, double span)     /* 1, 2 or 5 times a power 
     return s;
 }
 
+typedef struct words { const char *about, *across, *up, *relative, *fetches; } words;    /* what stands at a chart's top and sides; in tooltips */
+static const words ao_words    = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches" };
+static const words lit_words   = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches" };
+static const words field_words = { "left is smaller, down is closer to the truth; numbers beside the points: texels along a side of the cube map", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side" };
+
 /* rows: points with a relative time; others (floor, no AO) are skipped. floor_: share, NAN = no line. */
-static void chart_svg(FILE *f, const char *title, const row *rows, int count, double floor_)
+static void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int count, double floor_)
 {
     static const double ticks[] = { 1, 1.5, 2, 3, 5, 7 };
     const row *sorted[256];
@@ -244,7 +271,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
     escaped(f, title);
     fprintf(f, "</title>\n<rect width=\"%d\" height=\"%d\" rx=\"6\" fill=\"#fff\"/>\n<text x=\"%d\" y=\"32\" font-size=\"17\" font-weight=\"600\" fill=\"#111\">", WIDE, HIGH, LEFT);
     escaped(f, title);
-    fprintf(f, "</text>\n<text x=\"%d\" y=\"54\">left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel</text>\n", LEFT);
+    fprintf(f, "</text>\n<text x=\"%d\" y=\"54\">%s</text>\n", LEFT, w->about);
     for (double v = s.y0; v < s.y1 + step / 2; v += step)
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"%s\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%.*f</text>\n", LEFT, up(&s, v), RIGHT, v > s.y0 ? "#e4e4e4" : "#888", LEFT - 9, up(&s, v) + 4.5, step < 0.095 ? 2 : 1, v);
     for (int power = -3; power < 4; ++power)
@@ -255,8 +282,8 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
             fprintf(f, "<path d=\"M%.1f %dV%d\" stroke=\"%s\"/>", x, TOP, BOTTOM, fabs(v - 1) < 1e-9 ? "#b0b0b0" : "#eeeeee");
             if (x - last > 36) { fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", x, BOTTOM + 20, v); last = x; }
         }
-    fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">GL time relative to one unblurred 16-sample SSAO (log scale)</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 46);
-    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">error (RMSE), share of %s</text>\n", (TOP + BOTTOM) / 2, rows->of & OF_LIT ? "the truth's mean radiance" : "having no AO at all");
+    fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n", (LEFT + RIGHT) / 2, BOTTOM + 46, w->across);
+    fprintf(f, "<text transform=\"translate(24 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n", (TOP + BOTTOM) / 2, w->up);
     if (!isnan(floor_)) {
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"#333\" stroke-width=\"1.5\" stroke-dasharray=\"7 5\"/>\n", LEFT, up(&s, floor_), RIGHT);
         taken[boxes++] = (box){ LEFT, up(&s, floor_) - 1.5, RIGHT - LEFT, 3 };
@@ -309,7 +336,7 @@ static void chart_svg(FILE *f, const char *title, const row *rows, int count, do
                 escaped(f, r->label);
                 fputs(": ", f);
                 escaped(f, settings_of(r));
-                fprintf(f, "\ntime %.2f, error %.3f, %.1f fetches</title></path>\n", r->relative, r->share, r->fetches);
+                fprintf(f, "\n%s %.2f, error %.3f, %.1f %s</title></path>\n", w->relative, r->relative, r->share, r->fetches, w->fetches);
             } else {
                 int n = snprintf(text, sizeof text, r->fetches < 100 ? "%g" : "%.0f", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);
@@ -387,4 +414,11 @@ static void lit_terms(FILE *f)
         "<dt>bias error, noise, hue<dd>Each method drawn with eight phases of its noise. The bias error is what their mean picture is off, the noise what a pixel varies by (the mean over the pixels of its variance; what is left of "
         "it in the mean picture is taken off the bias error): the squares of both add up to that of the irradiance's error. All over the truth's mean. Hue: the angle between the red, green and blue of the mean picture's irradiance and the truth's, "
         "its mean over the pixels weighted by the truth's luminance; and over those that blockers keep 5 % or more of their light from.\n</dl>\n", f);
+}
+
+static void field_terms(FILE *f)
+{
+    fputs("<dl>\n<dt>occlusion between objects<dd>What rigid casters take from the ambient light of other things, at any distance; casters do not shade themselves. Its truth: rays that are blocked by all casters but the one "
+        "that the pixel shows, at any distance; the fields end at eight radii of a caster's bounding sphere. Errors are of occlusion, over the pixels that show something else than the only caster.\n"
+        "<dt>vector, solid angle<dd>What a field keeps of the caster: its vector irradiance and how full its cap is, or its solid angle as published.\n</dl>\n", f);
 }

@@ -239,6 +239,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
             printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
             print_string(kit_gl_name());
+            if (m->between) printf(", \"casters\": %d, \"field_bytes\": %zu", r->run->casters, r->run->field_bytes);
         }
         if (o->time) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);
@@ -295,7 +296,7 @@ int main(int argc, char **argv)
     for (; lighting.lights < o.lights; ++lighting.lights) if (kit_light_parse(&lighting.light[lighting.lights], o.light[lighting.lights], &err)) return fail(err.text);
     if (o.env && kit_env_read(&lighting.env, o.env, &err)) return fail(err.text);
     if (!method.lit && (o.env || o.lights)) { kit_fail(&err, "%s: method %s is not lit; ssdo is", o.env ? "--env" : "--light", method.name); return fail(err.text); }
-    if (method.lit && o.floor) return fail("--floor: is of ambient visibility; lit methods have none");
+    if ((method.lit || method.between) && o.floor) return fail("--floor: is of ambient visibility within a radius; this method has none");
     r.lit = method.lit;
     if (kit_gl_open(o.context, &err)) return fail(err.text);
 
@@ -332,6 +333,8 @@ int main(int argc, char **argv)
         const int all = kit_method_value(&method, "suns") > 0 || kit_method_value(&method, "vpls") > 0;    /* these see as far as shadow maps do */
         if (kit_truth_lit(&r.picture, &scene, &gbuffer.camera, &lighting, all ? INFINITY : (float)radius, all ? KIT_ATTENUATION_NONE : attenuation,
                           kit_method_value(&method, "bounce") > 0 || kit_method_value(&method, "vpls") > 0, o.truth, 1, &err)) return fail(err.text);
+    } else if (o.truth && method.between) {
+        if (kit_truth_objects(&r.picture, &scene, &gbuffer.camera, o.truth, 1, &err)) return fail(err.text);
     } else if (o.truth) {
         if (kit_truth_ao(&r.picture, &scene, &gbuffer.camera, (float)radius, attenuation, o.truth, 1, &err)) return fail(err.text);
     } else if (o.floor) {
@@ -364,6 +367,7 @@ int main(int argc, char **argv)
     report(&o, &method, &r, radius);
     free(r.ms);
     if (r.run) kit_run_close(&run);
+    kit_fields_free();
     kit_gbuffer_free(&gbuffer);
     kit_image_free(&r.picture);
     kit_image_free(&r.frame);

@@ -3,8 +3,8 @@
       build/report demo  [--out report] [--mesh M.obj]                 pictures, tables and demo.html, in two minutes
       build/report chart [--out report] [--quick] [--scene NAME]...    chart*.csv, chart*.svg and chart.html, in some minutes
 
-   With --mesh or --scene only ambient occlusion is shown; else light, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
-   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light. */
+   With --mesh or --scene only ambient occlusion is shown; else light and fields, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
+   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields. */
 #include "kit/kit_gl.h"
 #include <ctype.h>
 #include <errno.h>
@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include "page.c"
 
 /* ---- >>tables: what is shown ------------------------------------------------------------------------------------- */
@@ -97,6 +98,7 @@ typedef struct stage {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     const lit   *lit;
+    int          rays, between;                /* of the truth; 1 = occlusion is between objects */
     kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
     kit_run      lights;                       /* lit: suns and point lights with their shadows, without the environment, */
     kit_image    direct;                       /* and what ambient visibility leaves as it is: that, unless suns are local, too */
@@ -130,6 +132,7 @@ static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a 
 static int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
 {
     if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, KIT_ATTENUATION_LINEAR, s->lit->bounce, rays, stride, err);
+    if (s->between) return kit_truth_objects(out, &s->scene, &s->gbuffer.camera, rays, stride, err);
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
 
@@ -139,7 +142,6 @@ static int truth_of(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const size_t floats = 9 * s->scene.mesh.triangles * sizeof(float), pixels = (size_t)c->width * (size_t)c->height;
-    const int rays = s->lit ? s->lit->rays : RAYS;
     uint64_t h = hashed(14695981039346656037u, s->scene.mesh.position, floats);
     char path[256];
     kit_image probe;
@@ -152,10 +154,12 @@ static int truth_of(stage *s, kit_error *err)
         if (s->traced.env.data) h = hashed(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
         h = hashed(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
     }
-    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, !s->lit ? "" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, rays, (unsigned long long)h);
+    if (s->between) h = hashed(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
+    for (int i = 0; i < s->scene.objects && s->between; ++i) h = hashed(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
+    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->between ? "objects-" : !s->lit ? "" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         int same = s->truth.width == c->width && s->truth.height == c->height;
-        if (trace(&probe, s, rays, 61, err)) return -1;
+        if (trace(&probe, s, s->rays, 61, err)) return -1;
         for (int k = 0; k < probe.channels && same; ++k) {
             const float *was = kit_image_channel(&s->truth, probe.name[k]), *is = kit_image_channel(&probe, probe.name[k]);
             same = was != NULL;
@@ -165,7 +169,7 @@ static int truth_of(stage *s, kit_error *err)
         if (same) return 0;
         kit_image_free(&s->truth);
     }
-    if (trace(&s->truth, s, rays, 1, err)) return -1;
+    if (trace(&s->truth, s, s->rays, 1, err)) return -1;
     if (folder("build/cache", &note) || kit_exr_write(&s->truth, path, &note)) fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
     return 0;
 }
@@ -199,8 +203,8 @@ static int stage_ao(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     kit_image picture;
-    if (kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, FLOOR_STRIDE, err)) return -1;
-    give(s, "floor", "floor", &picture);
+    if (!s->between && kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, FLOOR_STRIDE, err)) return -1;
+    if (!s->between) give(s, "floor", "floor", &picture);
     if (kit_image_new(&s->unit, c->width, c->height, "Y", err) || kit_image_new(&picture, c->width, c->height, "Y", err)) return -1;
     for (size_t i = 0; i < (size_t)c->width * (size_t)c->height; ++i) s->unit.data[i] = picture.data[i] = 1;
     return give(s, "no AO", "none", &picture);
@@ -230,9 +234,9 @@ static int light_up(stage *s, kit_error *err)
     return 0;
 }
 
-static int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
+/* Loads the scene, and its light; what the scene is of may change until it is shown. */
+static int stage_load(stage *s, const view *v, kit_error *err)
 {
-    kit_camera camera;
     const char *base = strrchr(v->name, '/');
     struct stat status;
     memset(s, 0, sizeof *s);
@@ -241,11 +245,17 @@ static int stage_open(stage *s, const view *v, int width, int height, kit_error 
     if (!strcmp(v->path, BUNNY) && stat(BUNNY, &status)) return kit_fail(err, "%s: is missing; install the package %s (apt-get install %s)", BUNNY, PACKAGE, PACKAGE);
     if (kit_scene_load(&s->scene, v->path, v->ground, err)) return -1;
     s->lit = v->lit;
+    s->rays = s->lit ? s->lit->rays : RAYS;
     if (s->lit) {
         for (int i = 0; i < s->lit->boxes; ++i) if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
         if (light_up(s, err)) return -1;
     }
-    camera = s->scene.camera;
+    return 0;
+}
+
+static int stage_show(stage *s, const view *v, int width, int height, kit_error *err)
+{
+    kit_camera camera = s->scene.camera;
     if (v->fovy > 0) {
         memcpy(camera.eye, v->eye, sizeof v->eye);
         memcpy(camera.target, v->target, sizeof v->target);
@@ -256,6 +266,11 @@ static int stage_open(stage *s, const view *v, int width, int height, kit_error 
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     if (kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || truth_of(s, err)) return -1;
     return s->lit ? stage_lit(s, err) : stage_ao(s, err);
+}
+
+static int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
+{
+    return stage_load(s, v, err) || stage_show(s, v, width, height, err) ? -1 : 0;
 }
 
 static void stage_close(stage *s)
@@ -296,7 +311,7 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
     kit_score here, unit;
     int failed = mask ? 0 : kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
-    r->of = s->lit ? OF_LIT : OF_AO;
+    r->of = s->lit ? OF_LIT : s->between ? OF_FIELD : OF_AO;
     for (int k = 0; k < SPLITS; ++k) r->split[k] = (double)NAN;
     for (int g = s->lit ? 0 : 3; g < (s->lit ? 3 : 4) && !failed; ++g) {
         failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
@@ -330,33 +345,16 @@ static double draw(kit_run *run)
     return kit_run_ms(run);
 }
 
-/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm up (that picture is scored), then
-   once a round between two drawings of the reference, whose mean its time is divided by; where there is light, ambient visibility's includes the lights'
-   passes. pictures: NULL, or an empty one an entry. */
-static int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
+/* Times runs: each once a round between two drawings of the reference, whose mean its time is divided by; medians. Where there is light, ambient visibility's
+   includes the lights' passes. Closes the runs. */
+static int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err)
 {
     double *ratio = calloc((size_t)(2 * count * rounds), sizeof *ratio), *ms = ratio + count * rounds, before, after;
-    kit_run run[MOST_ENTRIES], fixed;
+    kit_run fixed;
     char what[128];
     if (!ratio) return kit_fail(err, "out of memory");
-    snprintf(what, sizeof what, "%s: methods", s->name);
     if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
     kit_run_draw(&fixed, 1);
-    kit_progress(what, 0);
-    for (int i = 0; i < count; ++i) {
-        kit_image picture;
-        memset(&rows[i], 0, sizeof rows[i]);
-        rows[i].label = entries[i].label;
-        rows[i].method = entries[i].method;
-        rows[i].settings = entries[i].settings;
-        if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
-        rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
-        kit_run_draw(&run[i], 1);
-        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err)) || score(&rows[i], s, &picture, err)) return -1;
-        if (pictures) pictures[i] = picture; else kit_image_free(&picture);
-        kit_progress(what, (i + 1.0) / (count + 1.0));
-    }
-    kit_progress(what, 1);
     snprintf(what, sizeof what, "%s: times", s->name);
     kit_progress(what, 0);
     for (int k = 0; k < rounds; ++k) {
@@ -376,6 +374,32 @@ static int measure(row *rows, stage *s, const entry *entries, int count, int rou
     }
     kit_run_close(&fixed);
     free(ratio);
+    return 0;
+}
+
+/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm up (that picture is scored), then
+   timed. pictures: NULL, or an empty one an entry. */
+static int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
+{
+    kit_run run[MOST_ENTRIES];
+    char what[128];
+    snprintf(what, sizeof what, "%s: methods", s->name);
+    kit_progress(what, 0);
+    for (int i = 0; i < count; ++i) {
+        kit_image picture;
+        memset(&rows[i], 0, sizeof rows[i]);
+        rows[i].label = entries[i].label;
+        rows[i].method = entries[i].method;
+        rows[i].settings = entries[i].settings;
+        if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
+        rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
+        kit_run_draw(&run[i], 1);
+        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err)) || score(&rows[i], s, &picture, err)) return -1;
+        if (pictures) pictures[i] = picture; else kit_image_free(&picture);
+        kit_progress(what, (i + 1.0) / (count + 1.0));
+    }
+    kit_progress(what, 1);
+    if (clock_runs(rows, s, run, count, rounds, err)) return -1;
     for (int i = 0; i < s->givens; ++i) {
         row *r = &rows[count + i];
         memset(r, 0, sizeof *r);
@@ -421,24 +445,25 @@ static void slug_of(char slug[64], const char *label)
 }
 
 /* A chart as a file of its own and inside the page. */
-static int chart_of(FILE *html, const char *out, const char *name, const char *title, const row *rows, int count, double floor_, kit_error *err)
+static int chart_of(FILE *html, const char *out, const char *name, const char *title, const words *w, const row *rows, int count, double floor_, kit_error *err)
 {
     page p;
     if (page_open(&p, err)) return -1;
-    chart_svg(p.file, title, rows, count, floor_);
+    chart_svg(p.file, title, w, rows, count, floor_);
     fflush(p.file);
     fwrite(p.text, 1, p.size, html);
     return page_close(&p, out, name, err);
 }
 
 #include "lit.c"
+#include "fields.c"
 
 static int demo(const options *o, kit_error *err)
 {
     enum { ENTRIES = COUNT(demo_entries) };
     view mesh = views[0];
     stage s;
-    row rows[ENTRIES + 2], lit_rows[LIT_DEMOS][MOST_ROWS];
+    row rows[ENTRIES + 2], lit_rows[LIT_DEMOS][MOST_ROWS], field_rows[FIELD_DEMO_ROWS];
     int lit_count[LIT_DEMOS];
     kit_image picture[ENTRIES], difference;
     page p;
@@ -472,13 +497,19 @@ static int demo(const options *o, kit_error *err)
     table_html(p.file, rows, ENTRIES + 2);
     stage_close(&s);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) if (lit_demo(p.file, o->out, &lit_demos[k], lit_rows[k], &lit_count[k], err)) return -1;
+    if (!o->mesh && field_demo(p.file, o->out, field_rows, err)) return -1;
     html_terms(p.file);
     if (!o->mesh) lit_terms(p.file);
+    if (!o->mesh) field_terms(p.file);
     if (page_close(&p, o->out, "demo.html", err)) return -1;
     table_text(stdout, rows, ENTRIES + 2);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) {
         printf("\n%s\n", lit_demos[k].title);
         table_text(stdout, lit_rows[k], lit_count[k]);
+    }
+    if (!o->mesh) {
+        printf("\n%s\n", field_demo_title);
+        table_text(stdout, field_rows, FIELD_DEMO_ROWS);
     }
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
     if (!o->mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
@@ -515,6 +546,7 @@ static int chart(const options *o, kit_error *err)
     static row rows[MOST_SCENES][MOST_ROWS];
     static char names[MOST_SCENES][64];
     static lit_row_set lit_rows[LIT_SETS];
+    static field_row_set field_sets[FIELD_SETS];
     row mean[MOST_ROWS];
     entry entries[MOST_ENTRIES];
     page html, csv;
@@ -544,14 +576,14 @@ static int chart(const options *o, kit_error *err)
     html_head(html.file, "ssgi: speed against accuracy", about);
     snprintf(title, sizeof title, scenes > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy", scenes);
     fprintf(html.file, "<h2>Mean of the scenes</h2>\n");
-    if (chart_of(html.file, o->out, "chart.svg", title, mean, count, mean[count - 2].share, err)) return -1;
+    if (chart_of(html.file, o->out, "chart.svg", title, &ao_words, mean, count, mean[count - 2].share, err)) return -1;
     fputs("<p class=\"faint\">Rest the pointer on a point for its settings.</p>\n", html.file);
     table_html(html.file, mean, count);
     fputs("<h2>Scene by scene</h2>\n<div class=\"charts\">\n", html.file);
     for (int k = 0; k < scenes; ++k) {
         snprintf(file, sizeof file, "chart-%.63s.svg", names[k]);
         snprintf(title, sizeof title, "Speed against accuracy: %.63s", names[k]);
-        if (chart_of(html.file, o->out, file, title, rows[k], count, rows[k][count - 2].share, err)) return -1;
+        if (chart_of(html.file, o->out, file, title, &ao_words, rows[k], count, rows[k][count - 2].share, err)) return -1;
     }
     fputs("</div>\n", html.file);
     for (int k = 0; k < scenes; ++k) {
@@ -561,16 +593,18 @@ static int chart(const options *o, kit_error *err)
         table_html(html.file, rows[k], count);
         fputs("</details>\n", html.file);
     }
-    if (!o->scenes && lit_chart(html.file, o, lit_rows, err)) return -1;
+    if (!o->scenes && (lit_chart(html.file, o, lit_rows, err) || field_chart(html.file, o, field_sets, err))) return -1;
     html_terms(html.file);
     if (!o->scenes) lit_terms(html.file);
-    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>");
+    if (!o->scenes) field_terms(html.file);
+    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>, <a href=\"chart-aof.csv\">chart-aof.csv</a>");
     if (page_close(&html, o->out, "chart.html", err)) return -1;
     printf("mean of:");
     for (int k = 0; k < scenes; ++k) printf("%s %s", k ? "," : "", names[k]);
     printf("\n");
     table_text(stdout, mean, count);
     if (!o->scenes) lit_chart_text(stdout, lit_rows);
+    if (!o->scenes) field_chart_text(stdout, field_sets);
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\ncharts: %s/chart.html\n", kit_gl_name(), o->out);
     return 0;
 }

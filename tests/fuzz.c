@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights and triangles. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles and fields. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -132,6 +132,63 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
+/* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and loaded. */
+static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
+{
+    static uint32_t texels[6 * 4 * 4 * 4];
+    static unsigned char kept[4 * (SSGI__FIELD_HEAD + 6 * 4 * 4 * 4 + 2)], file[sizeof kept];
+    static size_t length, calls;
+    ssgi_field_desc d = { 0 };
+    ssgi_field field;
+    const char *why = NULL;
+    double q[3], c[3], radii[8], values[8], directions[24] = { 0 };
+    d.resolution = 2;
+    d.radii = 4;
+    d.rays = 16;
+    d.bits = count & 1 ? 8 : 16;
+    d.measure = count >> 1 & 1;
+    if (!length || (count >= 27 && calls % 16000 == 15999)) {
+        static const float one[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 1 };
+        const float *from = length ? f : one;
+        const size_t triangles = length ? count / 9 : 1, room = ssgi_field_bake_size(&d, triangles);
+        void *work = malloc(room);
+        if (work && ssgi_field_bake(&field, texels, work, room, &d, from, 12, NULL, triangles, &why) == SSGI_OK) {
+            MUST(field.p95 >= 0.0f && field.p95 <= 1.0f && all_finite(field.low, 8) && all_finite(field.span, 8));
+            length = ssgi_field_save(kept, sizeof kept, &field);
+            MUST(length && ssgi_field_load(&field, texels, sizeof texels, kept, length, NULL) == SSGI_OK);
+        } else MUST(length && !strncmp(why, "position:", 9));
+        free(work);
+    }
+    ++calls;
+    memcpy(file, kept, length);
+    for (size_t i = 0; i + 3 <= size && i < 24; i += 3) file[(data[i] & 1 ? data[i + 1] % 128u : (data[i] * 256u + data[i + 1])) % (length - 8)] = data[i + 2];
+    if (size % 8) {
+        const uint64_t h = ssgi__field_checksum(file, length - 8);
+        ssgi__field_put(file, length / 4 - 2, (uint32_t)h);
+        ssgi__field_put(file, length / 4 - 1, (uint32_t)(h >> 32));
+    }
+    const size_t cut = size % 16 == 5 ? calls % length : length;
+    unsigned char *exact = (unsigned char *)malloc(cut + !cut);
+    if (exact) memcpy(exact, file, cut);
+    if (exact && ssgi_field_load(&field, texels, sizeof texels, exact, cut, &why) == SSGI_OK) {
+        for (size_t i = 0; i + 6 <= count && i < 60; i += 3) {
+            const float near_by[3] = { field.centre[0] + field.radius * (float)(data[i] - 128) / 64, field.centre[1] + field.radius * (float)(data[i + 1] - 128) / 64, field.centre[2] }, a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3);
+            const float b = ssgi_field_occlusion(&field, NULL, near_by, f + i + 3);
+            MUST(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f);
+        }
+    } else MUST(!exact || !strncmp(why, "file:", 5));
+    free(exact);
+    for (int i = 0; i < 8; ++i) {
+        radii[i] = i + 1.0;
+        values[i] = data[i] / 255.0;
+        for (int k = 0; k < 3; ++k) directions[3 * i + k] = data[i] % 5 ? (data[(i + k) % 9] - 127.5) : 0;
+        ssgi__normalise(directions + 3 * i);
+    }
+    const double w[3] = { 0, 0, 1 };
+    if (calls % 16 == 0) MUST(isfinite(ssgi_field_fit(q, radii, values, 3 + (int)(size % 6), 1.0)) && q[0] >= 1.0 && q[2] >= 1.0 && isfinite(q[1]));
+    if (calls % 16 == 1) MUST(isfinite(ssgi_field_fit_centre(c, w, radii, directions, 1 + (int)(size % 8))) && isfinite(c[0] + c[1] + c[2]));
+}
+
 static void floats(const float *f, size_t count)
 {
     static char memory[64 * 1024];
@@ -169,7 +226,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const size_t count = size / sizeof *f < sizeof f / sizeof *f ? size / sizeof *f : sizeof f / sizeof *f;
     if (size) descs(data, size);
     if (count) memcpy(f, data, count * sizeof *f);
-    if (count >= 9) floats(f, count);
+    if (count >= 9) {
+        floats(f, count);
+        fields(f, count, data, size);
+    }
     return 0;
 }
 

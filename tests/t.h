@@ -21,5 +21,7 @@ void test_text(void);
 void test_pipeline(void);
 void test_light(void);
 void test_vectors(void);
+void test_field(void);
+void test_casters(void);
 void test_build(void);
 #endif

@@ -1,6 +1,6 @@
-/* test_files.c - files in and out, scores, threads: the kit's util.c, image.c, mesh.c and light.c. */
+/* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, mesh.c, scene.c and light.c. */
 #include "t.h"
-#include "../examples/kit/kit.h"
+#include "../examples/kit/kit_gl.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -399,7 +399,7 @@ static void ssim(void)
 static int obj(kit_mesh *mesh, const char *text, kit_error *err)
 {
     put("a.obj", text, strlen(text));
-    return kit_mesh_obj(mesh, in_folder("a.obj"), err);
+    return kit_mesh_obj(mesh, NULL, NULL, in_folder("a.obj"), err);
 }
 
 static double area(const kit_mesh *m, size_t first, size_t end)
@@ -466,7 +466,7 @@ static void obj_truncated(void)
     for (size_t n = 1; n < sizeof quirks - 1; ++n) {
         memset(&m, 0, sizeof m);
         put("cut.obj", quirks, n);
-        int result = kit_mesh_obj(&m, in_folder("cut.obj"), &err);
+        int result = kit_mesh_obj(&m, NULL, NULL, in_folder("cut.obj"), &err);
         if (result) {
             check_error(result, &err, "cut.obj", "a cut OBJ");
             CHECK(!m.position && !m.triangles, "cut after %zu bytes: the mesh was touched", n);
@@ -506,12 +506,12 @@ static void obj_bad(void)
         int result = obj(&m, bad[i].text, &err);
         CHECK(result == -1 && m.triangles == 77, "\"%s\" was accepted or the mesh touched", bad[i].text);
         CHECK(strstr(err.text, folder) && strstr(err.text, bad[i].says), "\"%s\": \"%s\"", bad[i].text, err.text);
-        CHECK(kit_mesh_obj(&m, in_folder("a.obj"), NULL) == -1, "NULL for the error");
+        CHECK(kit_mesh_obj(&m, NULL, NULL, in_folder("a.obj"), NULL) == -1, "NULL for the error");
     }
     kit_mesh m;
     kit_error err = {{0}};
-    check_error(kit_mesh_obj(&m, folder, &err), &err, "directory", "a directory");
-    check_error(kit_mesh_obj(&m, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
+    check_error(kit_mesh_obj(&m, NULL, NULL, folder, &err), &err, "directory", "a directory");
+    check_error(kit_mesh_obj(&m, NULL, NULL, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
     CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"", err.text);
     kit_mesh_free(&m);
 }
@@ -537,6 +537,209 @@ static void obj_polygons(void)
     CHECK(fabs(area(&m, ring, m.triangles) - 8) < 1e-6, "the ring covers %g instead of 8", area(&m, ring, m.triangles));
     CHECK(wrong == 0, "%zu triangles are turned over", wrong);
     kit_mesh_free(&m);
+}
+
+/* ---- objects ------------------------------------------------------------------------------------------------ */
+
+static void obj_objects(void)
+{
+    static const char nine[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 5 5\nv 5 6 5\nv 1 -0 -1e-60\nv 1 1 0\nv 2 0 0\n";
+    static const struct { const char *text, *numbers, *names; } files[] = {
+        { "o a\ng x\nf 1 2 3\ng y\no b b # it\nf 4 5 6\no a\nf 7 8 9\n", "121", "a,b b" },
+        { "f 1 2 3\no unused\no b\nf 4 5 6\nf 7 8 9\n", "122", "default,b" },
+        { "o a\ng x # 1\nf 1 2 3\ng y z\nf 4 5 6\ng x\nf 7 8 9\n", "121", "x,y z" },
+        { "o a\nf 1 2 3\nf 4 5 6\nf 7 8 9\n", "121", "part 1,part 2" },            /* 2 and 7 are at one place */
+    };
+    static char text[40000];
+    kit_error err = {{0}};
+    kit_object *object;
+    kit_mesh m;
+    int objects;
+    for (size_t k = 0; k < sizeof files / sizeof *files; ++k) {
+        char names[200] = "";
+        snprintf(text, sizeof text, "%s%s", nine, files[k].text);
+        put("a.obj", text, strlen(text));
+        if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err) && m.triangles == 3, "%s", err.text)) return;
+        for (int i = 0; i < objects; ++i) snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? "," : "", object[i].name);
+        CHECK(!strcmp(names, files[k].names), "file %zu: objects %s", k, names);
+        for (size_t t = 0; t < 3; ++t) CHECK((int)m.object[t] == files[k].numbers[t] - '0', "file %zu: triangle %zu is object %u", k, t, (unsigned)m.object[t]);
+        free(object);
+        kit_mesh_free(&m);
+    }
+    size_t n = 0;                                       /* 300 parts, of which the first 45 and one more are smaller */
+    for (int k = 0; k < 300; ++k) {
+        n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv %d 1 0\nv %d 0 1\nv %d 1 1\nf -4 -3 -2\n", k, k, k, k);
+        if (k > 44 && k != 100) n += (size_t)snprintf(text + n, sizeof text - n, "f -3 -2 -1\n");
+    }
+    put("a.obj", text, n);
+    if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err), "%s", err.text)) return;
+    CHECK(objects == KIT_MAX_OBJECTS && !strcmp(object[255].name, "rest") && object[255].casts == 0 && object[255].first == 1, "%d objects, the last is %s", objects, object[255].name);
+    CHECK(m.object[0] == 1 && m.object[1] == 256 && m.object[44] == 256 && m.object[45] == 2 && m.object[46] == 2 && m.object[45 + 2 * 55] == 256 && m.object[m.triangles - 1] == 255,
+          "triangles are objects %u %u %u", (unsigned)m.object[1], (unsigned)m.object[45], (unsigned)m.object[155]);
+    free(object);
+    kit_mesh_free(&m);
+}
+
+static void add_cube(char *text, const char *name, double x, double y, double z, double size, double height)
+{
+    text += strlen(text) + (size_t)sprintf(text + strlen(text), "o %s\n", name);
+    for (int k = 0; k < 8; ++k) text += sprintf(text, "v %g %g %g\n", x + (k & 1 ? size : 0), y + (k & 2 ? height : 0), z + (k & 4 ? size : 0));
+    sprintf(text, "f -8 -4 -2 -6\nf -7 -5 -1 -3\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -6 -5 -7\nf -4 -3 -1 -2\n");
+}
+
+static void objects_cast_and_move(void)
+{
+    static const float where[16] = { 0, 0, -2, 0,  0, 2, 0, 0,  2, 0, 0, 0,  20, 1, 5, 1 };         /* a quarter turn about y, twice the size */
+    static const int casts[6] = { 0, 1, 0, 1, 1, 0 };
+    static const float grey[3] = { 0.5f, 0.5f, 0.5f };
+    char text[4000] = "";
+    kit_error err = {{0}};
+    kit_scene s;
+    add_cube(text, "room", 0, 0, 0, 10, 10);
+    add_cube(text, "cube", 1, 0, 2, 1, 1);
+    add_cube(text, "sheet", 5, 0, 0, 4, 0.003);
+    add_cube(text, "pillar", 9, 0, 4, 2, 5);                            /* sticks out of the room, which holds three of the five others */
+    add_cube(text, "book", 3, 0, 5, 1, 1);
+    put("a.obj", text, strlen(text));
+    if (!CHECK(!kit_scene_load(&s, in_folder("a.obj"), 1, &err), "%s", err.text)) return;
+    if (!CHECK(s.objects == 6 && s.shapes == 6 && !strcmp(s.object[5].name, "floor"), "%d objects, %d shapes", s.objects, s.shapes)) return;
+    for (int k = 0; k < 6; ++k) CHECK(s.object[k].casts == casts[k], "%s: casts %d", s.object[k].name, s.object[k].casts);
+
+    const size_t floats = 9 * s.mesh.triangles;
+    float *was = malloc(floats * sizeof *was);
+    memcpy(was, s.mesh.position, floats * sizeof *was);
+    CHECK(!kit_scene_place(&s, 1, where, &err), "%s", err.text);
+    int wrong = 0, others = 0;
+    for (size_t i = 0; i < 3 * s.mesh.triangles; ++i) {
+        const float *p = was + 3 * i, *q = s.mesh.position + 3 * i, *n = s.mesh.normal + 3 * i;
+        if (s.mesh.object[i / 3] != 2) others += memcmp(p, q, 3 * sizeof *p) != 0;
+        else wrong += q[0] != 2 * p[2] + 20 || q[1] != 2 * p[1] + 1 || q[2] != 5 - 2 * p[0] || fabsf(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) - 1) > 1e-6f || n[0] * (q[0] - 25) < 0;
+    }
+    const kit_object *o = &s.object[1];
+    CHECK(!wrong && !others, "%d corners are wrong, %d of others moved", wrong, others);
+    CHECK(o->lower[0] == 24 && o->upper[0] == 26 && o->lower[1] == 1 && o->upper[1] == 3 && o->lower[2] == 1 && o->upper[2] == 3, "bounds from %g to %g", (double)o->lower[0], (double)o->upper[0]);
+    for (int k = 0; k < 6; ++k) {
+        float bad[16];
+        memcpy(bad, where, sizeof bad);
+        bad[k < 4 ? 5 * k : 13] = k == 3 ? 2 : k == 5 ? INFINITY : k ? -2 : 1;   /* 0, 2: a shear, 1: mirrored, 3: no place, 5: not finite */
+        if (k == 4) bad[5] = bad[8] = 2.1f;                                         /* wider two ways */
+        CHECK(kit_scene_place(&s, 1, bad, &err) == -1 && o->lower[0] == 24 && strstr(err.text, "cube"), "place %d was accepted: \"%s\"", k, err.text);
+    }
+    CHECK(kit_scene_place(&s, 6, where, &err) == -1 && kit_scene_place(&s, -1, where, NULL) == -1, "an object that is not there was placed");
+    CHECK(!kit_scene_place(&s, 0, where, &err) && s.mesh.upper[1] == 21, "the mesh is %g high, not 21", (double)s.mesh.upper[1]);
+
+    static const float corners[2][2][3] = { { { 24.5f, 1.5f, 1.5f }, { 25, 2, 2 } }, { { -20, -1, -20 }, { 60, 60, 60 } } };     /* in the cube, which holds no more; around all but the floor */
+    for (int k = 0; k < 2; ++k) CHECK(!kit_scene_add_box(&s, corners[k][0], corners[k][1], grey, &err), "%s", err.text);
+    if (CHECK(s.objects == 8, "%d objects", s.objects))
+        CHECK(s.object[1].casts && s.object[3].casts && s.object[6].casts && !s.object[7].casts, "the cube around a box casts %d, the box %d, one around all %d",
+              s.object[1].casts, s.object[6].casts, s.object[7].casts);
+    free(was);
+    kit_scene_free(&s);
+
+    if (!CHECK(!kit_scene_load(&s, "casters", 0, &err), "%s", err.text)) return;
+    CHECK(s.objects == 25 && s.shapes == 6, "casters: %d objects of %d shapes", s.objects, s.shapes);
+    double deepest = 1, least = 1, most = 0, rest = 0;
+    for (int t = 0; t <= 20; ++t) {
+        kit_scene_move(&s, t / 20.0);
+        for (int k = 1; k < s.objects; ++k) {
+            double moved = 0;
+            o = &s.object[k];
+            deepest = fmin(deepest, (double)o->lower[1]);
+            for (int i = 0; i < 16; ++i) moved = fmax(moved, fabs((double)(o->to_world[i] - o->loaded[i])));
+            if (t == 5) least = fmin(least, moved), most = fmax(most, moved);
+            if (t % 20 == 0) rest = fmax(rest, moved);
+        }
+    }
+    CHECK(deepest > 0 && least > 0.1 && rest < 1e-5, "casters: down to %g, moved by %g to %g, after a period by %g", deepest, least, most, rest);
+    t_note("casters moved by %.2f to %.2f, after a period by %.1e", least, most, rest);
+    kit_scene_free(&s);
+}
+
+/* What the G-buffer names is what rays hit, but at edges. */
+static void object_numbers(void)
+{
+    kit_error err = {{0}};
+    kit_gbuffer g;
+    kit_scene s;
+    ssgi_trace trace;
+    uint32_t number[160 * 90];
+    int other = 0, empty = 0;
+    if (!CHECK(!kit_scene_load(&s, "casters", 0, &err), "%s", err.text)) return;
+    s.camera.width = 160;
+    s.camera.height = 90;
+    s.camera.eye[1] = 2;                                                /* sees past the ground */
+    const size_t size = ssgi_trace_size(s.mesh.triangles);
+    void *memory = malloc(size);
+    if (!memory || !CHECK(!ssgi_trace_build(&trace, memory, size, s.mesh.position, 12, NULL, s.mesh.triangles, NULL), "no trace")) return;
+    if (!CHECK(!kit_gl_open(NULL, &err) && !kit_gbuffer_from_scene(&g, &s, &s.camera, NULL, &err), "%s", err.text)) return;
+    CHECK(!kit_texture_read(g.object, 160, 90, 1, (float *)number), "the numbers cannot be read");
+    for (int i = 0; i < 160 * 90; ++i) {
+        ssgi_hit hit;
+        float from[3], to[3];
+        kit_camera_ray(&s.camera, i % 160, 89 - i / 160, from, to);
+        const uint32_t is = ssgi_trace_closest(&trace, from, to, 0, INFINITY, &hit) ? s.mesh.object[hit.triangle] : 0;
+        other += is != number[i];
+        empty += !is;
+    }
+    CHECK(other < 160 * 90 / 500 && empty > 100, "%d of %d pixels name another object; %d see none", other, 160 * 90, empty);
+    t_note("%d of %d pixels name another object than rays hit", other, 160 * 90);
+    kit_gbuffer_free(&g);
+    kit_gl_close();
+    free(memory);
+    kit_scene_free(&s);
+}
+
+/* The greatest error of a truth between objects seen from above: of the plane by the ball, 1 / (1 + rho^2)^1.5, or if the plane casts of the ball by it, (1 - n.y) / 2. */
+static double ball_and_plane(int ball, int plane, kit_image *y)
+{
+    kit_error err = {{0}};
+    kit_scene s;
+    double worst = 0;
+    if (!CHECK(!kit_scene_load(&s, "sphere", 0, &err) && s.objects == 2 && s.object[1].casts && !s.object[0].casts, "%s", err.text)) return 1;
+    const kit_camera above = { .eye = { 0, 10, 0 }, .up = { 0, 0, -1 }, .ortho_height = 0.4f, .width = 80, .height = 4 };
+    s.object[0].casts = plane;
+    s.object[1].casts = ball;
+    if (!CHECK(!kit_truth_objects(y, &s, &above, 4096, 1, &err), "%s", err.text)) return 1;
+    for (int i = 0; i < 80 * 4; ++i) {
+        float p[3];
+        kit_camera_point(&above, i % 80, i / 80, 10, p);
+        const double rho = hypot((double)p[0], (double)p[2]), is = 1 - (double)y->data[i];
+        const double should = rho > 1 ? ball * pow(1 + rho * rho, -1.5) : plane * (1 - sqrt(1 - rho * rho)) / 2;
+        if (fabs(rho - 1) > 0.03) worst = fmax(worst, fabs(is - should));
+    }
+    kit_image_free(y);
+    kit_scene_free(&s);
+    return worst;
+}
+
+static void truth_of_objects(void)
+{
+    kit_error err = {{0}};
+    kit_image y = { 0 }, bare = { 0 };
+    for (int k = 0; k < 4; ++k) {
+        const double worst = ball_and_plane(k & 1, k >> 1, &y);
+        CHECK(worst < (k ? 0.006 : 1e-6), "a ball that casts %d, a plane that casts %d: off by %g", k & 1, k >> 1, worst);
+        t_note("a ball that casts %d, a plane that casts %d: off by %.1e", k & 1, k >> 1, worst);
+    }
+    /* through the wall, which is one object with the floor, a box behind it occludes as if there were no wall */
+    static const float lower[3] = { -1.5f, 0.1f, -0.5f }, upper[3] = { -0.2f, 2, 0.5f }, grey[3] = { 0.5f, 0.5f, 0.5f };
+    static const char *const names[2] = { "corner", "plane" };
+    double darkest = 1, apart = 0;
+    for (int k = 0; k < 2; ++k) {
+        const kit_camera above = { .eye = { 1.05f, 10, 0 }, .target = { 1.05f, 0, 0 }, .up = { 0, 0, -1 }, .ortho_height = 1, .width = 32, .height = 16 };
+        kit_scene s;
+        if (!CHECK(!kit_scene_load(&s, names[k], 0, &err) && !kit_scene_add_box(&s, lower, upper, grey, &err), "%s", err.text)) return;
+        if (!CHECK(!kit_truth_objects(k ? &bare : &y, &s, &above, 256, 1, &err), "%s", err.text)) return;
+        kit_scene_free(&s);
+    }
+    for (int i = 0; i < 32 * 16; ++i) {
+        darkest = fmin(darkest, (double)bare.data[i]);
+        apart = fmax(apart, fabs((double)(bare.data[i] - y.data[i])));
+    }
+    CHECK(apart < 0.009 && darkest < 0.9, "a box behind the own object: off by %g, down to %g", apart, darkest);
+    t_note("a box behind the own object: off by %.1e, down to %.2f", apart, darkest);
+    kit_image_free(&y);
+    kit_image_free(&bare);
 }
 
 /* ---- environments -------------------------------------------------------------------------------------------- */
@@ -638,6 +841,10 @@ void test_files(void)
     RUN("an OBJ cut off anywhere is a smaller mesh or one clear error", obj_truncated);
     RUN("a bad OBJ is an error that names file, line and fault", obj_bad);
     RUN("concave polygons and bridged holes are covered once", obj_polygons);
+    RUN("objects of an OBJ are told apart by o, by g, by what hangs together; a rest does not cast", obj_objects);
+    RUN("rooms and sheets do not cast; what is placed elsewhere is there, all else as it was", objects_cast_and_move);
+    RUN("the G-buffer names the objects that rays hit", object_numbers);
+    RUN("truth between objects: a ball on a plane, casting or not, and what lies behind the own object", truth_of_objects);
     RUN("built-in environments are as bright as they say, with soft edges; a sun's disc brings the sun's light", environments);
     RUN("threads visit each index exactly once", parallel);
     files_in_folder(1);

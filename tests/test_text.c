@@ -11,6 +11,7 @@
 #include "../examples/kit/kit_gl.h"
 
 #include <ctype.h>
+#include <inttypes.h>
 #include <locale.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -26,11 +27,12 @@ static const choice choices[] = {
     CHOICE(range, 2, 0, 1), CHOICE(layers, 3, 1, 1), CHOICE(views, 2, 0, 2), CHOICE(view_layers, 2, 1, 1), CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
     CHOICE(bounce, 4, 0, 1), CHOICE(bands, 4, 1, 1), CHOICE(packed, 2, 0, 1), CHOICE(transfer, 3, 0, 1), CHOICE(shaded, 2, 0, 1), CHOICE(shading, 4, 0, 1),
     CHOICE(lamps, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(exact, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
-    CHOICE(radiance, 4, 0, 1), CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1)
+    CHOICE(radiance, 4, 0, 1), CHOICE(storage, 2, 0, 1), CHOICE(measure, 2, 0, 1), CHOICE(eight_bits, 2, 0, 1), CHOICE(cap, 2, 0, 1), CHOICE(objects, 3, 0, 1),
+    CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1)
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 10000, TIMES = 2, TEXT = 1 << 16,
+enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 10000, TIMES = 2, TEXT = 1 << 16, TOOLBOX = SSGI_GL_STAGES,
        WORDS = (int)(sizeof(ssgi_gl__set) / sizeof(uint64_t)) };
-#define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }"
+#define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }"
 
 static ssgi_gl_desc variant[MOST];
 static int variants, first_of[SSGI_GL__ROWS + 1];         /* those of the table's pass t begin at first_of[t] */
@@ -64,11 +66,13 @@ static uint64_t content(const ssgi_gl_desc *desc)
     const ssgi_gl__set features = ssgi_gl__features(&d);
     const ssgi_gl__pass *pass = ssgi_gl__find(&d);
     uint64_t hash = 1;
-    for (const ssgi_gl__row *const *r = pass->rows[SSGI_GL_FRAGMENT]; *r; ++r)
-        if (ssgi_gl__has(&features, (*r)->need))
-            hash = (hash ^ (uint64_t)(uintptr_t)*r ^ (uint64_t)((*r)->io.kind == SSGI_GL_CONSTANT ? get(&d, (*r)->io.offset) : 0) << 56) * 0x9e3779b97f4a7c15u;
-    for (const ssgi_gl__chunk *const *c = pass->chunks[SSGI_GL_FRAGMENT]; *c; ++c)
-        if (ssgi_gl__has(&features, (*c)->need)) hash = (hash ^ (uint64_t)(*c)->line) * 0x9e3779b97f4a7c15u;
+    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
+        for (const ssgi_gl__row *const *r = pass->rows[stage]; *r; ++r)
+            if (ssgi_gl__has(&features, (*r)->need))
+                hash = (hash ^ (uint64_t)(uintptr_t)*r ^ (uint64_t)((*r)->io.kind == SSGI_GL_CONSTANT ? get(&d, (*r)->io.offset) : 0) << 56) * 0x9e3779b97f4a7c15u;
+        for (const ssgi_gl__chunk *const *c = pass->chunks[stage]; *c; ++c)
+            if (ssgi_gl__has(&features, (*c)->need)) hash = (hash ^ (uint64_t)(*c)->line) * 0x9e3779b97f4a7c15u;
+    }
     return hash | 1;
 }
 
@@ -152,7 +156,7 @@ static void make_variants(void)
 
 static const char *describe(const ssgi_gl_desc *d)
 {
-    static _Thread_local char text[800];
+    static _Thread_local char text[1000];
     size_t n = (size_t)snprintf(text, sizeof text, "%s%s %s", ssgi_gl_pass_name(d->pass), d->pass == SSGI_GL_HSAO && d->search ? " march" : "", ssgi_gl_dialect_name(d->dialect));
     for (int k = 0; k < CHOICES; ++k)
         if (chosen(d, k)) n += (size_t)snprintf(text + n, sizeof text - n, ", %s %d", choices[k].name, get(d, choices[k].offset));
@@ -209,17 +213,46 @@ static void covering(void)
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
+static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];      /* the texts that are compiled */
+static int texts;
 static struct { int texts; char problem[1000]; } glslang;
 
-/* The texts compiled: every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect; then the vertex
-   stages. Returns the stage of text i. */
-static int spoken(ssgi_gl_desc *d, int i)
+/* The text of a stage; TOOLBOX: of ssgi_gl_field, whatever the pass, in a fragment shader that calls it. */
+static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
-    const int fragment = i < 2 * variants;
-    *d = variant[fragment ? i / 2 : 0];
-    d->lines = i % 16 < 2;
-    d->dialect = fragment ? (i & 1) * 3 + (int)(content(d) >> 20 & 1023) % 3 : i - 2 * variants;
-    return fragment ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX;
+    if (stage != TOOLBOX) return emit(text, d, stage);
+    size_t n = (size_t)snprintf(text, TEXT, "%s%s", ssgi_gl__dialects[d->dialect].version, d->dialect >= SSGI_GL_300ES ? "precision highp float;\nprecision highp int;\n" : "");
+    n += ssgi_gl_field(text + n, TEXT - n, d);
+    snprintf(text + n, TEXT - n, "out vec4 o;\nvoid main()\n{\n    o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, 1.0)));\n}\n");
+    return text;
+}
+
+/* Every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect; vertex stages where they differ from
+   those before; every toolbox in every dialect. */
+static void speak(void)
+{
+    static uint64_t seen[1 << 10];
+    int vertices = 0;
+    for (int i = 0; i < 2 * variants; ++i) {
+        ssgi_gl_desc d = variant[i / 2];
+        ssgi_gl__text vertex = { NULL, 0, 0, 0 };
+        int v = 0;
+        d.lines = i % 16 < 2;
+        d.dialect = (i & 1) * 3 + (int)(content(&d) >> 20 & 1023) % 3;
+        ssgi_gl__write(&vertex, &d, SSGI_GL_VERTEX);
+        while (v < vertices && seen[v] != vertex.hash) ++v;
+        for (int stage = v < vertices || !CHECK(v < 1 << 10, "too many vertex stages") ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX; stage <= SSGI_GL_FRAGMENT; ++stage, ++texts) {
+            spoken[texts].desc = d;
+            spoken[texts].stage = stage;
+        }
+        if (v == vertices) seen[vertices++] = vertex.hash;
+    }
+    for (int i = 0; i < 16 * SSGI_GL_DIALECTS; ++i, ++texts) {
+        const int k = i / SSGI_GL_DIALECTS;
+        const ssgi_gl_desc d = { .dialect = i % SSGI_GL_DIALECTS, .storage = k & 1, .measure = k >> 1 & 1, .eight_bits = k >> 2 & 1, .cap = k >> 3 };
+        spoken[texts].desc = d;
+        spoken[texts].stage = TOOLBOX;
+    }
 }
 
 /* Many files a call. */
@@ -227,21 +260,18 @@ static void *glslang_run(void *folder)
 {
     enum { BATCH = 128 };
     static char text[TEXT];
-    ssgi_gl_desc d;
     char path[200], line[400], file[400] = "0";
-    int total = 2 * variants + SSGI_GL_DIALECTS, passed = 1;
-    for (int first = 0; first < total && passed; first += BATCH) {
-        for (int i = first; i < first + BATCH && i < total; ++i, ++glslang.texts) {
-            const int stage = spoken(&d, i);
-            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, stage == SSGI_GL_FRAGMENT ? "frag" : "vert");
-            kit_file_write(path, text, ssgi_gl_emit(text, TEXT, &d, stage), NULL);
+    int passed = 1;
+    for (int first = 0; first < texts && passed; first += BATCH) {
+        for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
+            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, spoken[i].stage == SSGI_GL_VERTEX ? "vert" : "frag");
+            kit_file_write(path, text, strlen(source_of(text, &spoken[i].desc, spoken[i].stage)), NULL);
         }
         snprintf(path, sizeof path, "cd '%s' && glslangValidator $(ls) 2>&1 && rm *.* && echo passed", (char *)folder);
         FILE *pipe = popen(path, "r");
         for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
             if (isdigit((unsigned char)line[0])) memcpy(file, line, sizeof file);
-            spoken(&d, atoi(file));
-            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&d), line + 5);
+            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(file)].desc), line + 5);
         }
         if (pipe) pclose(pipe);
         if (!passed && !glslang.problem[0]) strcpy(glslang.problem, "no answer");
@@ -249,18 +279,34 @@ static void *glslang_run(void *folder)
     return NULL;
 }
 
+/* Is the vertex stage more than a triangle? */
+static int has_vertices(const ssgi_gl_desc *d) { return ssgi_gl__find(d)->rows[SSGI_GL_VERTEX][0] != NULL; }
+
+/* A program of a fragment stage and d's vertex stage. */
+static GLuint linked(const ssgi_gl_desc *d, const char *fragment)
+{
+    static char vertex[TEXT];
+    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
+    const char *const source[] = { emit(vertex, d, SSGI_GL_VERTEX), fragment };
+    kit_error err = { "" };
+    GLuint program = kit_program(source, stage, 2, &err);
+    CHECK(program, "%s: %s", describe(d), err.text);
+    return program;
+}
+
 static int compiles(const ssgi_gl_desc *d, int stage)
 {
     static char text[TEXT], log[600];
-    const char *source = emit(text, d, stage);
-    GLuint shader = glCreateShader(stage == SSGI_GL_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+    const char *source = source_of(text, d, stage);
+    GLuint shader = glCreateShader(stage == SSGI_GL_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER), program = 1;
     GLint ok = 0;
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glDeleteShader(shader);
-    return CHECK(ok, "%s: %s", describe(d), log);
+    if (ok && stage == SSGI_GL_FRAGMENT && has_vertices(d)) glDeleteProgram(program = linked(d, text));
+    return CHECK(ok, "%s: %s", describe(d), log) && program;
 }
 
 static int desktop;                        /* an OSMesa context is open: from here to the end */
@@ -275,18 +321,16 @@ static void compilers(void)
         double began = kit_seconds();
         kit_error err = { "" };
         GLint version[2] = { 0, 0 };
-        int texts = 0;
+        int tried = 0;
         if (es && !kit_gl_open("egl-es", NULL)) { glGetIntegerv(GL_MAJOR_VERSION, &version[0]); glGetIntegerv(GL_MINOR_VERSION, &version[1]); }
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);    /* takes ES texts too: ARB_ES3_2_compatibility */
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
-        for (int i = 0, bad = 0; i < 2 * variants + SSGI_GL_DIALECTS && bad < 3; ++i) {
-            ssgi_gl_desc d;
-            const int stage = spoken(&d, i);
-            if ((d.dialect >= SSGI_GL_300ES) != es) continue;
-            bad += !compiles(&d, stage);
-            ++texts;
+        for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
+            if ((spoken[i].desc.dialect >= SSGI_GL_300ES) != es) continue;
+            bad += !compiles(&spoken[i].desc, spoken[i].stage);
+            ++tried;
         }
-        t_note("%d texts in %.0f s: %s", texts, kit_seconds() - began, kit_gl_name());
+        t_note("%d texts in %.0f s: %s", tried, kit_seconds() - began, kit_gl_name());
     }
     if (!has) return;
     pthread_join(thread, NULL);
@@ -298,16 +342,18 @@ static void compilers(void)
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
-/* Text number k: both stages of some descs, then the functions of harmonics alone. */
+/* Text number k: both stages of some descs, then the functions of harmonics and of fields alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
     static const ssgi_gl_desc descs[] = { { .samples = 3 },
         { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_320ES, .samples = 2, .environment = SSGI_GL_ENVIRONMENT_SH, .bounce = SSGI_GL_BOUNCE_PATCH, .views = 1 },
         { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
         { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
-        { .pass = SSGI_GL_SHADE, .lamps = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH } };
-    const int texts = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
-    return k < texts ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES) : ssgi_gl_sh(out, capacity, k - texts + 1);
+        { .pass = SSGI_GL_SHADE, .lamps = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
+        { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE, .cap = SSGI_GL_CAP_TABLE, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 } };
+    const int stages = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
+    if (k == stages) return ssgi_gl_field(out, capacity, &descs[k / SSGI_GL_STAGES - 1]);
+    return k < stages ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES) : ssgi_gl_sh(out, capacity, k - stages);
 }
 
 static void law(void)
@@ -327,9 +373,10 @@ static void law(void)
             memcpy(part, clean, used);
         }
     }
-    CHECK(k == 14, "%d texts", k);                         /* the last had 4 bands: 5 gives none */
+    CHECK(k == 17, "%d texts", k);                         /* the last had 4 bands: 5 gives none */
     CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0) && !ssgi_gl_emit(part, TEXT, &fine, -1) && !ssgi_gl_emit(part, TEXT, &fine, SSGI_GL_STAGES)
-          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(NULL, 1, 4) && !memcmp(part, clean, TEXT),
+          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(NULL, 1, 4)
+          && !ssgi_gl_field(part, TEXT, &bad) && !ssgi_gl_field(part, TEXT, NULL) && !ssgi_gl_field(NULL, 1, &fine) && !memcmp(part, clean, TEXT),
           "a bad desc, stage or number of bands gave text");
 }
 
@@ -368,11 +415,13 @@ static size_t std140(const char *type, size_t *align)
     return array ? (one + 15) / 16 * 16 * (size_t)atoi(array + 1) : one;
 }
 
-/* Reads the declarations back from the text, line by line, and compares them with the rows in their order. */
-static int compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
+/* Reads the declarations back from a stage's text, line by line, and compares them with the rows, in their order where one stage has them all. Returns which of
+   them are there: a bit each. */
+static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
     const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(\0const int \0out \0in \0";
-    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, at = 0, block = -1, last = -1, precisions = 0, samplers = 0;
+    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0, samplers = 0;
+    uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
     for (; line < end; line = strchr(line, '\n') + 1) {
@@ -403,31 +452,29 @@ static int compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_i
         } else if (sscanf(line, "layout(location = %d) out %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4) io.kind = SSGI_GL_OUTPUT;
         else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4
                           : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4 && !strcmp(begin, "uniform")) io.kind = SSGI_GL_TEXTURE;
-        if (io.kind == SSGI_GL_TEXTURE) samplers |= 1 << (2 * (*type == 'u') + (strstr(type, "Array") != NULL));
+        if (io.kind == SSGI_GL_TEXTURE) samplers |= strstr(type, "Cube") ? 16 : 1 << (2 * (*type == 'u') + (strstr(type, "Array") != NULL));
+        int at = 0;
+        while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type) && !strcmp(row[at].format, format)
                    && row[at].offset == io.offset && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings));
         if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at, at < rows ? row[at].name : "none")) return 0;
-        ++at;
+        found |= (uint64_t)1 << at;
     }
     for (const char *w = outside; *w; w += strlen(w) + 1) {
         char start[16] = "\n";
         CHECK(!strstr(end, strcat(start, w)), "%s: a declaration after the declarations: %s", describe(d), w);
     }
-    const int kinds = (samplers & 1) + (samplers >> 1 & 1) + (samplers >> 2 & 1) + (samplers >> 3);
+    const int kinds = (samplers & 1) + (samplers >> 1 & 1) + (samplers >> 2 & 1) + (samplers >> 3 & 1) + (samplers >> 4);
     CHECK(precisions == (es ? 2 + kinds : 0), "%s: %d precisions, %d kinds of samplers", describe(d), precisions, kinds);
-    return CHECK(at == rows, "%s: %d declarations, %d rows", describe(d), at, rows);
+    return found;
 }
 
 /* What GL says of a linked program: places in the block, bindings without a call, every texture is read. */
 static int ask_gl(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
-    static char vertex[TEXT];
-    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    const char *const source[] = { emit(vertex, d, SSGI_GL_VERTEX), text };
-    kit_error err = { "" };
     static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) }, { "ssgi_views", sizeof(ssgi_gl_views) } };
-    GLuint program = kit_program(source, stage, 2, &err);
-    if (!CHECK(program, "%s: %s", describe(d), err.text)) return 0;
+    GLuint program = linked(d, text);
+    if (!program) return 0;
     for (int b = 0; b < 2; ++b) {
         const GLuint block = glGetUniformBlockIndex(program, blocks[b].name);
         GLint size = 0, binding = -1;
@@ -460,12 +507,21 @@ static void reflection(void)
     static char text[TEXT];
     static uint64_t seen[1 << 12];
     ssgi_gl_io row[SSGI_GL_MAX_IO], read[SSGI_GL_MAX_IO], few[2];
-    int linked = 0, pairs = 0;
+    int asked = 0, pairs = 0;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.dialect = i % SSGI_GL_DIALECTS;
-        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
-        if (!compare_rows(emit(text, &d, SSGI_GL_FRAGMENT), &d, row, rows)) break;
+        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs, vertices = has_vertices(&d);
+        const uint64_t first = vertices ? compare_rows(emit(text, &d, SSGI_GL_VERTEX), &d, row, rows) : 0, second = compare_rows(emit(text, &d, SSGI_GL_FRAGMENT), &d, row, rows);
+        uint64_t shared = 0;                               /* the stages have the block's members in common, and nothing else */
+        for (int k = 0, unit = 0; k < rows; ++k) {
+            if (vertices) shared |= (uint64_t)(row[k].kind == SSGI_GL_PARAM) << k;
+            if (row[k].kind != SSGI_GL_TEXTURE) continue;
+            CHECK(row[k].slot == unit, "%s: %s is at unit %d, not at %d", describe(&d), row[k].name, row[k].slot, unit);
+            ++unit;
+        }
+        if (!CHECK((first | second) == ((uint64_t)1 << rows) - 1 && (first & second) == shared, "%s: of %d rows the stages declare %" PRIx64 " and %" PRIx64 ", not %" PRIx64 " both",
+                   describe(&d), rows, first, second, shared)) break;
         if (d.dialect != SSGI_GL_450 || !desktop) continue;
         uint64_t last = (uint64_t)d.pass;
         for (const char *line = strchr(text, '\n') + 1; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
@@ -478,12 +534,12 @@ static void reflection(void)
             if (s == pairs && CHECK(pairs < 1 << 12, "too many pairs of lines")) seen[pairs++] = two;
         }
         if (pairs == before) continue;
-        ++linked;
+        ++asked;
         if (!ask_gl(text, &d, row, rows)) break;
         few[1] = row[3];
         CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name, "more rows than there is room for");
     }
-    t_note("%d texts read back, %d linked for %d different pairs of lines", variants * SSGI_GL_DIALECTS, linked, pairs);
+    t_note("%d texts read back, %d linked for %d different pairs of lines", variants * SSGI_GL_DIALECTS, asked, pairs);
     for (int k = 0; k < 4 * 2 * 3; ++k) {                  /* what s3ho writes is what blur reads, in order, name, type and format */
         ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
         blur.pass = SSGI_GL_BLUR;
@@ -516,7 +572,7 @@ static void off(void)
         d->lines = v & 1;
         d->dialect = v % SSGI_GL_DIALECTS;
         int ssao = d->pass == SSGI_GL_SSAO, hsao = d->pass == SSGI_GL_HSAO, ssdo = d->pass == SSGI_GL_SSDO, lights = d->pass == SSGI_GL_LIGHTS, senders = d->pass == SSGI_GL_SENDERS;
-        int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE;
+        int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE, field = d->pass == SSGI_GL_FIELD, atlas = field && !d->storage, closed_cap = field && !d->cap;
         int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
         int grey = blur && d->colour == SSGI_GL_GREY, colour = blur && d->colour == SSGI_GL_COLOUR, vectors = blur && !grey && !colour;
         int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact && (sh || d->transfer != SSGI_GL_TRANSFER_REFLECTED);
@@ -527,7 +583,7 @@ static void off(void)
         int reflected = s3ho && d->transfer, bounce = (ssdo && d->bounce) || reflected, patches = ssdo && d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE;
         int facing = patches || (bounce && !d->two_sided), env = ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP;
         int views = tested && d->views, deep = views || (tested && d->layers > 1), textures = tested && !bounce, hidden = d->receiver && (ssdo || lights || senders);
-        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders;
+        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders && !field;
         int custom = d->depth == SSGI_GL_DEPTH_CUSTOM, bent = shade && d->shading == SSGI_GL_SHADING_BENT, cone = shade && d->shading == SSGI_GL_SHADING_BENT_CONE;
         int open = env || cone || exact || (shade && d->shading == SSGI_GL_SHADING_BENT_NORMAL), lamps = shade && !bent && d->lamps;
         int albedo = senders ? d->radiance != SSGI_GL_RADIANCE_DIRECT : shade && !bent && d->albedo;
@@ -548,7 +604,7 @@ static void off(void)
             { "t_ssgi_noise", noise && d->noise == SSGI_GL_NOISE_TEXTURE }, { "52.9829189", noise && d->noise == SSGI_GL_NOISE_GRADIENT },
             { "& 3", noise && d->noise == SSGI_GL_NOISE_TILE4 }, { "ssgi_length(", points }, { "return xi;", points && d->falloff == SSGI_GL_FALLOFF_LINEAR },
             { "sqrt(xi)", points && d->falloff == SSGI_GL_FALLOFF_SQUARE }, { "pow(xi", points && d->falloff == SSGI_GL_FALLOFF_CUBE }, { "ssgi_faded(", faded },
-            { "u_ssgi_fade", points && d->fade == SSGI_GL_FADE_SMOOTH }, { "smoothstep(", points && d->fade == SSGI_GL_FADE_SMOOTH },
+            { "u_ssgi_fade", points && d->fade == SSGI_GL_FADE_SMOOTH }, { "smoothstep(", field || (points && d->fade == SSGI_GL_FADE_SMOOTH) },
             { "u_ssgi_lambda", points && d->fade >= SSGI_GL_FADE_LAMBDA }, { "weight -= t;", points && d->fade == SSGI_GL_FADE_LAMBDA_ENDED },
             { "if (t > 1.0", range }, { "ssgi_matter(", deep }, { "ssgi_surface(", deep && textures }, { "ssgi_view_layer(", views && textures },
             { "ssgi_layer(", layers }, { "t_ssgi_layers", layers && !custom }, { "t_ssgi_views", views && textures }, { "u_ssgi_view_to", views },
@@ -563,16 +619,16 @@ static void off(void)
             { "ssgi_open(", open }, { "t_ssgi_irradiance, 0).z", cone }, { "t_ssgi_lights", lights || lamps }, { "u_ssgi_lights", lights || lamps },
             { "t_ssgi_shadow", maps }, { "ssgi_shadow(", maps }, { "u_ssgi_steepest", maps }, { "ssgi_segment(", segments },
             { "min(reach, max(bias", maps && segments }, { "t_ssgi_light", colour || (lights && d->accumulate) || lit }, { "t_ssgi_albedo", albedo },
-            { "t_ssgi_direct", direct }, { "o_ssgi_light", lights || colour || light || env || (shade && !bent) }, { "o_ssgi_sender", senders }, { "/ 2", half },
+            { "t_ssgi_direct", direct }, { "o_ssgi_light", lights || colour || light || env || (shade && !bent) }, { "o_ssgi_sender", senders }, { "u_ssgi_target / 2", half },
             { "p *= 2", half && !blur && !shade }, { "h * 2", half && blur }, { "ssgi_off_plane(", box }, { "exp(", blur && !box },
             { "dot(n, ssgi_normal(q", box && d->filter_normals }, { "tent", box && half }, { "t_ssgi_ao", grey }, { "vec2 o_ssgi_ao", ssao || hsao },
-            { "float o_ssgi_ao", grey }, { "u_ssgi_decode", window }, { "ssgi_decode(", window },
+            { "float o_ssgi_ao", grey || field }, { "u_ssgi_decode", window }, { "ssgi_decode(", window },
             { "sampler2D t_ssgi_depth", depth && !custom && (textures || !hidden) }, { "ssgi_custom_depth(p +", depth && custom },
             { "ssgi_depth(", depth && (!hidden || (textures && !custom)) }, { "t_ssgi_normal", map }, { "ssgi_unit(", normals },
             { "ssgi_custom_normal(p +", normals && d->normal == SSGI_GL_NORMAL_CUSTOM }, { "ssgi_tangent(", from_depth },
             { "xyz * 2.0", normals && d->normal == SSGI_GL_NORMAL_UNSIGNED }, { "1.0 - abs(e.x)", normals && d->normal == SSGI_GL_NORMAL_OCTAHEDRAL },
             { "u_ssgi_rotation", (normals && d->world_normals) || open }, { "ssgi_toward(", slices || from_depth }, { "ssgi_project(", projected },
-            { "ssgi_inside(", blur || hsao || tested || from_depth }, { "u_ssgi_size", blur || hsao || tested || from_depth }, { "ssgi_position(", !shade || lamps || exact },
+            { "ssgi_inside(", blur || hsao || tested || from_depth }, { "u_ssgi_size", field || blur || hsao || tested || from_depth }, { "ssgi_position(", !shade || lamps || exact },
             { "(u_ssgi_project.xy / -P.z)", (projected || slices) && !ortho }, { "-inversesqrt(dot(P, P))", (slices || from_depth) && !ortho },
             { "SSGI_FAR ? 1.0 / w", window && !ortho },
             /* vectors: how many bands, how many of them, how they are stored, what light they meet */
@@ -589,8 +645,16 @@ static void off(void)
             { "out uvec4 o_ssgi_red0", writes && packed && three }, { "o_ssgi_sh1", writes && !three && bands > 2 }, { "o_ssgi_sh3", writes && words && bands > 3 },
             { "o_ssgi_blue1", writes && three && bands > 2 }, { "u_ssgi_harmonics", light }, { "u_ssgi_harmonics[6", light && bands > 2 },
             { "u_ssgi_harmonics[9", light && bands > 3 }, { "u_ssgi_window", lamps }, { "0.5 * w.y", lamps && bands > 1 }, { "0.3125 * w.z", lamps && bands > 2 },
-            { "ssgi_bent(", shade && d->shading }, { "o_ssgi_bent", bent } };
+            { "ssgi_bent(", shade && d->shading }, { "o_ssgi_bent", bent },
+            /* fields: how they are kept, how a cap becomes occlusion, whom a pixel belongs to; the vertex stage */
+            { "v_ssgi_caster", field }, { "t_ssgi_casters", field }, { "ssgi_field_occlusion(", field }, { "smoothstep(caster[3].x, caster[3].y, at.w)", field },
+            { "t_ssgi_fields", atlas }, { "1.0 / 65535.0", atlas && !d->eight_bits }, { "1.0 / 255.0", atlas && d->eight_bits }, { "t_ssgi_field", field && !atlas },
+            { "t_ssgi_field_centre", field && !atlas }, { "fill", field && !d->measure }, { "0.0795774715", field && d->measure }, { "ssgi_cap(", closed_cap },
+            { "ssgi_cap_any(", field && (d->cap || d->measure) }, { "abs(1.0 - h)", closed_cap && d->measure }, { "t_ssgi_cap", field && d->cap }, { "ssgi_object(", field && d->objects },
+            { "t_ssgi_objects", field && d->objects == SSGI_GL_OBJECTS_TEXTURE }, { "ssgi_custom_object(p +", field && d->objects == SSGI_GL_OBJECTS_CUSTOM },
+            { "(gap > 0.0)", field && !ortho }, { "(at.xy + e * at.w) * u_ssgi_project.xy", field && ortho } };
         emit(text, d, SSGI_GL_FRAGMENT);
+        emit(text + strlen(text), d, SSGI_GL_VERTEX);
         for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
             CHECK((count(text, table[i].word) > 0) == (table[i].wanted != 0), "%s: \"%s\" is %s", describe(d), table[i].word, table[i].wanted ? "missing" : "there");
     }
@@ -650,14 +714,16 @@ static void closed(void)
         int many = 0;
         memset(moved, 0, sizeof moved);
         memset(parts, 0, sizeof parts);
-        for (const ssgi_gl__row *const *r = ssgi_gl__passes[t].rows[SSGI_GL_FRAGMENT]; *r; ++r) {
-            parts[many].need = (*r)->need;
-            name_add(&parts[many++].defines, (*r)->io.name, strlen((*r)->io.name));
-        }
-        for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[t].chunks[SSGI_GL_FRAGMENT]; *c; ++c) {
-            parts[many].need = (*c)->need;
-            if (*c == &ssgi_gl__kernel) name_add(&parts[many].defines, "SSGI_KERNEL", 11);
-            read_names(&parts[many++], (*c)->text);
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {     /* both as one: compilers see what is only in the other */
+            for (const ssgi_gl__row *const *r = ssgi_gl__passes[t].rows[stage]; *r; ++r) {
+                parts[many].need = (*r)->need;
+                name_add(&parts[many++].defines, (*r)->io.name, strlen((*r)->io.name));
+            }
+            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[t].chunks[stage]; *c; ++c) {
+                parts[many].need = (*c)->need;
+                if (*c == &ssgi_gl__kernel) name_add(&parts[many].defines, "SSGI_KERNEL", 11);
+                read_names(&parts[many++], (*c)->text);
+            }
         }
         for (int i = 0; i < DRAWN; ++i) {
             ssgi_gl_desc d = plain_desc(t), other;
@@ -700,18 +766,57 @@ static void closed(void)
     t_note("%d names in %d descs", knowns, tried);
 }
 
+/* ssgi_gl_field declares what it uses and nothing else, and its functions are the pass' own. */
+static void toolboxes(void)
+{
+    static char text[TEXT], whole[TEXT];
+    for (int i = 0; i < texts; ++i) {
+        ssgi_gl_desc d = spoken[i].desc;
+        part p;
+        if (spoken[i].stage != TOOLBOX) continue;
+        memset(&p, 0, sizeof p);
+        read_names(&p, source_of(text, &d, TOOLBOX));
+        d.pass = SSGI_GL_FIELD;
+        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// what casters");
+        CHECK(!memcmp(&p.defines, &p.uses, sizeof p.uses), "%s: its functions alone declare other names than they use", describe(&d));
+        if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
+        CHECK(!last || strstr(emit(whole, &d, SSGI_GL_FRAGMENT), first), "%s: its functions alone are others", describe(&d));
+    }
+}
+
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
 static int reserved(const char *word, size_t n)   /* in any dialect, and not used by us as what it is */
 {
     static const char words[] = " common partition active asm class union enum typedef template this resource goto inline noinline public static extern external interface long "
         "short half fixed unsigned superp input output filter sizeof cast namespace using sample patch subroutine coherent volatile restrict readonly writeonly shared buffer "
-        "atomic_uint precise smooth flat noperspective centroid attribute varying double switch case default do while discard image1D image2D lowp mediump invariant "
-        "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect in texture texture2D noise1 noise2 row_major packed ";
+        "atomic_uint precise smooth noperspective centroid attribute varying double switch case default do while image1D image2D lowp mediump invariant "
+        "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect texture texture2D noise1 noise2 row_major packed ";
     char key[64];
     if (n > 60) return 1;
     snprintf(key, sizeof key, " %.*s ", (int)n, word);
     return strstr(words, key) != NULL;
+}
+
+static void lint_chunk(const ssgi_gl__chunk *c)
+{
+    const char *t = c->text;
+    const size_t n = strlen(t);
+    CHECK(n <= 4095 && (!n || t[n - 1] == '\n'), "line %d: a chunk of %zu characters, or without \\n at its end", c->line, n);
+    for (int fresh = 1; *t; fresh = *t++ == '\n') {
+        size_t k = 0;
+        if (t[0] == '/' && t[1] == '/') t += strcspn(t, "\n");
+        if (fresh && isalpha((unsigned char)*t)) {         /* at global scope: the last word before what begins a value, arguments or members */
+            const char *name = t + strcspn(t, " ([=;{\n");
+            for (const char *next; *name == ' ' && PART(name[1]); name = next) { next = name + 1; while (PART(*next)) ++next; }
+            while (name > t && PART(name[-1])) --name;
+            CHECK(!strncmp(name, "ssgi_", 5) || !strncmp(name, "SSGI_", 5) || !strncmp(name, "v_ssgi_", 7) || !strncmp(name, "main(", 5), "line %d: not our name: %.30s", c->line, name);
+        }
+        if (!isalpha((unsigned char)*t)) continue;
+        while (PART(t[k])) ++k;
+        CHECK(!reserved(t, k), "line %d: reserved: %.*s", c->line, (int)k, t);
+        t += k - 1;
+    }
 }
 
 static void lint(void)
@@ -719,30 +824,13 @@ static void lint(void)
     static char text[TEXT];
     for (int p = 0; p < SSGI_GL__ROWS; ++p)
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[p].chunks[stage]; *c; ++c) {
-                const char *chunk = (*c)->text, *t = chunk;
-                size_t n = strlen(chunk);
-                CHECK(n <= 4095 && (!n || chunk[n - 1] == '\n'), "line %d: a chunk of %zu characters, or without \\n at its end", (*c)->line, n);
-                for (int fresh = 1; *t; fresh = *t++ == '\n') {
-                    size_t k = 0;
-                    if (t[0] == '/' && t[1] == '/') t += strcspn(t, "\n");
-                    if (fresh && isalpha((unsigned char)*t)) {                      /* at global scope */
-                        const char *name = strchr(t + (strncmp(t, "const ", 6) ? 0 : 6), ' ') + 1;
-                        CHECK(!strncmp(name, "ssgi_", 5) || !strncmp(name, "SSGI_", 5) || !strncmp(name, "main(", 5), "line %d: not our name: %.30s", (*c)->line, name);
-                    }
-                    if (!isalpha((unsigned char)*t)) continue;
-                    while (PART(t[k])) ++k;
-                    CHECK(!reserved(t, k), "line %d: reserved: %.*s", (*c)->line, (int)k, t);
-                    t += k - 1;
-                }
-            }
-    for (int i = 0; i < variants * SSGI_GL_DIALECTS; i += 7) {
-        ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
-        d.dialect = i % SSGI_GL_DIALECTS;
-        const char *c = emit(text, &d, SSGI_GL_FRAGMENT);
+            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[p].chunks[stage]; *c; ++c) lint_chunk(*c);
+    lint_chunk(&ssgi_gl__field_all);
+    for (int i = 0; i < texts; ++i) {
+        const char *c = source_of(text, &spoken[i].desc, spoken[i].stage);
         while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_') && !(c[0] == ' ' && c[1] == '\n') && *c != '\\') ++c;
-        if (!CHECK(!*c, "%s: not ASCII, a tab, __, a backslash or a space at a line's end: \"%.20s\"", describe(&d), c)) return;
-        CHECK(c[-1] == '\n', "%s: the text does not end its line", describe(&d));
+        if (!CHECK(!*c, "%s: not ASCII, a tab, __, a backslash or a space at a line's end: \"%.20s\"", describe(&spoken[i].desc), c)) return;
+        CHECK(c[-1] == '\n', "%s: the text does not end its line", describe(&spoken[i].desc));
     }
 }
 
@@ -754,16 +842,19 @@ static void sentences(void)
 {
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
     static const struct { const char *start; size_t offset; int most; } ints[] = {
-        INT(pass, 7), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
-        INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 3), INT(range, 1), INT(layers, 8), INT(views, 4), INT(view_layers, 8),
-        INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(bands, 4), INT(packed, 1), INT(transfer, 2), INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1),
-        INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1) };
+        INT(pass, 8), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
+        INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 3), INT(range, 1),
+        INT(layers, 8), INT(views, 4), INT(view_layers, 8), INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(bands, 4), INT(packed, 1), INT(transfer, 2),
+        INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
+        INT(storage, 1), INT(measure, 1), INT(eight_bits, 1), INT(cap, 1), INT(objects, 2), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
+        INT(filter_normals, 1), INT(lines, 1) };
     static const struct { const char *start; ssgi_gl_desc desc; } rules[] = {
         { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } }, { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
         { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } }, { "desc.environment:", { .pass = SSGI_GL_SSDO } },
         { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } }, { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
         { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
         { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } }, { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
+        { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
         { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } }, { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
         { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
         { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
@@ -797,7 +888,7 @@ static void sentences(void)
         for (int preset = -1; preset < 4; ++preset) {
             ssgi_gl_desc d = variant[v];
             ssgi_result r = ssgi_gl_preset(&d, preset, &why), want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
-            CHECK(r == want && (r == SSGI_OK || (NAMES(why, "preset:") && !memcmp(&d, &variant[v], sizeof d))), "preset %d: \"%s\"", preset, why);
+            CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:")) && ((r == SSGI_OK && d.pass != SSGI_GL_FIELD) || !memcmp(&d, &variant[v], sizeof d)), "preset %d: \"%s\"", preset, why);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset, describe(&variant[v]), why);
         }
 
@@ -825,43 +916,39 @@ static void sentences(void)
 
 static void defaults(void)
 {
+#define LIST(...) __VA_ARGS__
+#define ROW(fetches, plain, more) { { LIST plain }, { LIST plain, LIST more }, fetches }
     static const struct { ssgi_gl_desc plain, whole; int fetches; } rows[] = {
-        { { 0 }, { .samples = 16, .steps = 1, .layers = 1, .view_layers = 1 }, 2 + 16 },
-        { { .pass = SSGI_GL_HSAO }, { .pass = SSGI_GL_HSAO, .directions = 1, .steps = 6 }, 2 + 6 * 2 },
-        { { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1 },
-        { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1, .directions = 6, .steps = 6, .view_layers = 1 },
-          2 + 6 * 6 * (1 + 2) },
-        { { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .samples = 16, .steps = 1, .layers = 1 }, 2 + 16 * 2 + 4 },
-        { { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_DISC, .kernel = 1, .layers = 2, .views = 2, .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE },
-          { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_DISC, .kernel = 1, .layers = 2, .views = 2, .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE, .samples = 16 },
-          3 + 16 * (2 * (2 + 2 * 3) + 1) },
-        { { .pass = SSGI_GL_LIGHTS }, { .pass = SSGI_GL_LIGHTS, .samples = 8, .layers = 1 }, 2 + 3 + 8 },
-        { { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1 }, { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1, .samples = 8 },
-        2 + 3 + 6 + 8 + 1 },
-        { { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE },
-        { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE, .samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thin = 1 }, 2 + 3 },
-        { { .pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH }, { .pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH, .layers = 1 }, 2 + 2 + 1 },
-        { { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH, .bands = 3 }, 2 + 16 },
-        { { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_S3HO, .samples = 16, .steps = 1, .layers = 1, .bands = 4 }, 2 + 16 },
-        { { .pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE },
-          { .pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE, .samples = 16 },
-          3 + 16 * (2 * (3 + 2) + 1) },
-        { { .pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1 }, { .pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1, .bands = 4 }, 2 + 16 + 4 },
-        { { .pass = SSGI_GL_SHADE }, { .pass = SSGI_GL_SHADE, .bands = 4 }, 1 + 4 },
-        { { .pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1, .bands = 4 }, 2 + 4 + 4 + 3 },
-        { { .pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1 }, 1 + 1 + 3 },
+        ROW(2 + 16, (.pass = SSGI_GL_SSAO), (.samples = 16, .steps = 1, .layers = 1, .view_layers = 1)),
+        ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.directions = 1, .steps = 6)),
+        ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1), (.directions = 6, .steps = 6, .view_layers = 1)),
+        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP), (.samples = 16, .steps = 1, .layers = 1)),
+        ROW(3 + 16 * (2 * (2 + 2 * 3) + 1), (.pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_DISC, .kernel = 1, .layers = 2, .views = 2, .view_layers = 3, .steps = 2,
+            .noise = SSGI_GL_NOISE_TEXTURE), (.samples = 16)),
+        ROW(2 + 3 + 8, (.pass = SSGI_GL_LIGHTS), (.samples = 8, .layers = 1)),
+        ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1), (.samples = 8)),
+        ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE), (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thin = 1)),
+        ROW(2 + 2 + 1, (.pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH), (.layers = 1)),
+        ROW(2 + 16, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH), (.bands = 3)),
+        ROW(2 + 16, (.pass = SSGI_GL_S3HO), (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
+        ROW(3 + 16 * (2 * (3 + 2) + 1), (.pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2,
+            .noise = SSGI_GL_NOISE_TEXTURE), (.samples = 16)),
+        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1), (.bands = 4)),
+        ROW(1 + 4, (.pass = SSGI_GL_SHADE), (.bands = 4)),
+        ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1), (.bands = 4)),
+        ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1), (.samples = 1)),
         { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 }, 1 + 6 + 1 },
-        { { .pass = SSGI_GL_SHADE, .shading = 2 }, { .pass = SSGI_GL_SHADE, .shading = 2, .bands = 2 }, 1 + 1 + 8 },
-        { { .pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1 }, { .pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1, .bands = 4 }, 1 + 4 + 4 + 3 },
+        ROW(1 + 1 + 8, (.pass = SSGI_GL_SHADE, .shading = 2), (.bands = 2)),
+        ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1), (.bands = 4)),
         { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lamps = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
-        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS }, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .bands = 4, .filter_radius = 1 }, 2 + 4 + 8 * 5 },
-        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1 },
-          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1, .filter_radius = 1 }, 2 + 9 * (1 + 3 + 1) },
+        ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
+        ROW(5 + 2 + 1 + 1, (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.eight_bits = 1)),
+        ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS), (.bands = 4, .filter_radius = 1)),
+        ROW(2 + 9 * (1 + 3 + 1), (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1), (.filter_radius = 1)),
         { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
           { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
-        { { .pass = SSGI_GL_BLUR }, { .pass = SSGI_GL_BLUR, .filter_radius = 1 }, 1 + 9 },
-        { { .pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN }, { .pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 25 } };
+        ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
+        ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2)) };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole), "row %zu, %s: its defaults written out give another text", i, ssgi_gl_pass_name(rows[i].plain.pass));
         CHECK(ssgi_gl_fetches(&rows[i].plain) == rows[i].fetches && ssgi_gl_fetches(&rows[i].whole) == rows[i].fetches, "row %zu, %s: %d fetches, by hand %d", i,
@@ -980,11 +1067,10 @@ static void refused_cameras(void)
     odd[0][5] = NAN;
     odd[1][14] = INFINITY;
     const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other; } cases[] = {
-        { { "i:", "x:" }, &view, -1, right, right }, { { "i:", NULL }, &view, 4, right, right }, { { "view:", "view:" }, NULL, 0, right, right }, { { "view:", "view:" },
-        &none, 0, right, right },
+        { { "i:", "x:" }, &view, -1, right, right }, { { "i:", NULL }, &view, 4, right, right },
+        { { "view:", "view:" }, NULL, 0, right, right }, { { "view:", "view:" }, &none, 0, right, right },
         { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, NULL, right }, { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
-        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, odd[0], right }, { { "picture_world_to_view:", "picture_world_to_view:" },
-        &view, 0, right, odd[1] } };
+        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, odd[0], right }, { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, right, odd[1] } };
     CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:") && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT
           && NAMES(why, "light:"), "NULL: %s", why);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -1010,20 +1096,17 @@ static ssgi_gl_views probed;               /* extra cameras that probes see */
    which all textures of the text read too. */
 static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
 {
-    static char vertex[TEXT];
-    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER }, buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
+    static const GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
     const ssgi_gl_desc plain = { .dialect = dialect };
-    const char *const source[] = { emit(vertex, &plain, SSGI_GL_VERTEX), text };
     char *end = strstr(text, "void main");
-    kit_error err = { "" };
     GLuint program, block[2], framebuffer, target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL), input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]);
     int read;
     if (!end) end = text + strlen(text);
     snprintf(end, TEXT - (size_t)(end - text), "layout(location = 7) out highp vec4 o;\nuniform highp sampler2D t_in, t_maps;\n"
              "#define AT(t, k) texelFetch(t, ivec2((texel.x & ~3) + (k), texel.y), 0)\n#define X(k) AT(t_in, k)\n#define Y(k) AT(t_maps, k)\n"
              "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n", statements);
-    program = kit_program(source, stage, 2, &err);
-    if (!CHECK(program, "%s", err.text)) return 0;
+    program = linked(&plain, text);
+    if (!program) return 0;
     glGenBuffers(2, block);
     for (GLuint b = 0; b < 2; ++b) {
         glBindBuffer(GL_UNIFORM_BUFFER, block[b]);
@@ -1438,10 +1521,10 @@ static void fuzz(void)
         CHECK(r == SSGI_OK ? !broken && !why : why && NAMES(why, "desc."), "check: %d, %s", (int)r, why ? why : "no sentence");
         accepted += r == SSGI_OK;
         if (i % EVERY) continue;
-        size_t n = ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT);
+        size_t n = ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT), others = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_VERTEX) * ssgi_gl_field(NULL, 0, &d);
         int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), fetches = ssgi_gl_fetches(&d), bad = r != SSGI_OK;
         emitted += !bad;
-        CHECK(bad ? !n && !rows && !fetches && !ssgi_gl_key(&d) : n > 500 && n < TEXT && strlen(text) == n && rows > 3 && rows <= SSGI_GL_MAX_IO && fetches > 0 && ssgi_gl_key(&d),
+        CHECK(bad ? !n && !others && !rows && !fetches && !ssgi_gl_key(&d) : n > 500 && n < TEXT && strlen(text) == n && rows > 3 && rows <= SSGI_GL_MAX_IO && others && fetches > 0 && ssgi_gl_key(&d),
               "%s: %zu characters, %d rows, %d fetches", bad ? "refused" : describe(&d), n, rows, fetches);
     }
     t_note("%d descs, %d accepted, %d emitted", TRIES, accepted, emitted);
@@ -1474,13 +1557,15 @@ static void speed(void)
 void test_text(void)
 {
     make_variants();
+    speak();
     RUN("the variants tried hold every three choices that matter together, in each pass", covering);
-    RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's", compilers);
+    RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its own links", compilers);
     RUN("emit keeps snprintf's law at every capacity", law);
     RUN("the same desc gives the same bytes, under any locale", same_bytes);
     RUN("rows and declarations agree both ways, and with GL's own places", reflection);
     RUN("what is off leaves nothing", off);
     RUN("every name that any text uses is declared there, and every one declared is used", closed);
+    RUN("the functions of fields alone are those of the pass, and declare what they use", toolboxes);
     RUN("text is plain: ASCII, our own names, nothing reserved in any dialect, chunks that C99 takes", lint);
     RUN("every bad field is named, and what was given stays untouched", sentences);
     RUN("defaults written out give the same text, and as many fetches as counted by hand", defaults);

@@ -17,6 +17,7 @@ static const char vertex_source[] =
     "layout(location = 1) in vec3 a_normal;\n"
     "layout(location = 2) in vec3 a_facing;\n"
     "layout(location = 3) in vec3 a_albedo;\n"
+    "layout(location = 4) in vec3 a_object;\n"
     "uniform mat4 u_view;\n"
     "uniform mat4 u_projection;\n"
     "uniform float u_side;\n"
@@ -25,10 +26,12 @@ static const char vertex_source[] =
     "out vec3 v_normal;\n"
     "flat out vec3 v_facing;\n"
     "flat out vec3 v_albedo;\n"
+    "flat out float v_object;\n"
     "void main() {\n"
     "    v_normal = mat3(u_view) * a_normal;\n"
     "    v_facing = mat3(u_view) * a_facing * u_side;\n"
     "    v_albedo = a_albedo;\n"
+    "    v_object = a_object.x;\n"
     "    vec4 position = u_view * vec4(a_position, 1.0);\n"
     "    v_depth = -position.z;\n"
     "    gl_Position = u_projection * position;\n"
@@ -38,23 +41,28 @@ static const char fragment_source[] =
     "in vec3 v_normal;\n"
     "flat in vec3 v_facing;\n"
     "flat in vec3 v_albedo;\n"
+    "flat in float v_object;\n"
     "layout(location = 0) out vec4 o_normal;\n"
     "layout(location = 1) out vec4 o_albedo;\n"
     "#ifdef PEEL\n"
     "layout(location = 2) out float o_depth;\n"
     "uniform sampler2D u_previous;\n"
+    "#else\n"
+    "layout(location = 2) out highp uint o_object;\n"
     "#endif\n"
     "void main() {\n"
     "#ifdef PEEL\n"
     "    if (!(v_depth > 1.000004 * texelFetch(u_previous, ivec2(gl_FragCoord.xy), 0).x)) discard;\n"
     "    o_depth = v_depth;\n"
+    "#else\n"
+    "    o_object = uint(v_object + 0.5);\n"
     "#endif\n"
     "    vec3 n = dot(v_normal, v_normal) > 0.0 ? normalize(v_normal) : v_facing;\n"
     "    o_normal = vec4(dot(n, v_facing) < 0.0 ? -n : n, 0.0);\n"
     "    o_albedo = vec4(v_albedo, 1.0);\n"
     "}\n";
 
-enum { VERTEX_FLOATS = 12 };               /* position, normal, facing, albedo */
+enum { VERTEX_FLOATS = 15 };               /* position, normal, facing, albedo, the object's number and two to fill up */
 
 /* The soup as vertices. facing is the face's normal turned to the side that the camera is on. */
 static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
@@ -80,6 +88,8 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
             memcpy(v + 3, mesh->normal + 9 * t + 3 * k, 3 * sizeof *v);
             memcpy(v + 6, facing, sizeof facing);
             memcpy(v + 9, mesh->albedo + 3 * t, 3 * sizeof *v);
+            v[12] = mesh->object ? (float)mesh->object[t] : 0.0f;
+            v[13] = v[14] = 0;
         }
     }
     return vertices;
@@ -90,6 +100,7 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
 static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program, int peels)
 {
     static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+    static const GLuint none[4] = { 0, 0, 0, 0 };
     static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
     const GLfloat clear = reversed ? 0.0f : 1.0f;
@@ -102,7 +113,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     kit_soup_open(&soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glDrawBuffers(peels ? 3 : 2, targets);
+    glDrawBuffers(3, targets);
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
     glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
@@ -126,12 +137,14 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
         } else {
             glFramebufferTexture2D(GL_FRAMEBUFFER, targets[0], GL_TEXTURE_2D, g->normal, 0);
             glFramebufferTexture2D(GL_FRAMEBUFFER, targets[1], GL_TEXTURE_2D, g->albedo, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, g->object, 0);
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, g->depth, 0);
         }
         complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
         if (!complete) break;
         for (int i = 0; i < 2; i++) glClearBufferfv(GL_COLOR, i, zero);
         if (peels) glClearBufferfv(GL_COLOR, 2, farthest);
+        else       glClearBufferuiv(GL_COLOR, 2, none);
         glClearBufferfv(GL_DEPTH, 0, &clear);
         glUniform1f(glGetUniformLocation(program, "u_side"), layer % 2 ? -1.0f : 1.0f);
         glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
@@ -187,6 +200,7 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
     g.depth  = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
     g.normal = kit_texture(g.width, g.height, GL_RGBA32F, NULL);
     g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, NULL);
+    g.object = kit_texture(g.width, g.height, GL_R32UI, NULL);
     if (rasterise(&g, scene, 0, err)) {
         kit_gbuffer_free(&g);
         return -1;
@@ -416,6 +430,7 @@ void kit_gbuffer_free(kit_gbuffer *gbuffer)
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);
+    glDeleteTextures(1, &gbuffer->object);
     glDeleteTextures(1, &gbuffer->direct);
     memset(gbuffer, 0, sizeof *gbuffer);
 }

@@ -5,12 +5,14 @@
 
      util.c     errors, progress, threads, memory files
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
-     mesh.c     triangles: OBJ and MTL reader, built-in scenes
+     mesh.c     triangles: OBJ and MTL reader
+     scene.c    built-in scenes, objects and their places
      light.c    environments and lights
      truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
      shadow.c   shadow maps as one atlas, reflective shadow maps
+     field.c    ambient occlusion fields of a scene's shapes, baked and as textures
      method.c   the table of methods: settings, passes, running and timing them
 
    CONVENTIONS
@@ -89,11 +91,29 @@ typedef struct kit_mesh {
     float *position;                       /* 9 a triangle */
     float *normal;                         /* 9 a triangle, unit; the face's where the file gives none */
     float *albedo;                         /* 3 a triangle, linear, [0,1]; 0.8 grey where the file gives none */
+    uint32_t *object;                      /* one a triangle: the number of its object, from 1 on; 0 = none. NULL = none at all */
     float  lower[3], upper[3];             /* bounds */
 } kit_mesh;
 
+/* What is rigid and may stand elsewhere than the rest. Object number k + 1 is object[k]. */
+#define KIT_MAX_OBJECTS 256                /* of an OBJ file */
+typedef struct kit_object {
+    char   name[64];
+    int    shape;                          /* index into the scene's shapes */
+    float  to_world[16];                   /* from the shape's coordinates: rotation, uniform scale, translation */
+    float  lower[3], upper[3];             /* world bounds */
+    int    casts;                          /* 1 = it occludes other objects; see kit_scene_load */
+    size_t first;                          /* its first triangle in the scene's mesh; the others follow, in the shape's order, perhaps among others' */
+    float  loaded[16];                     /* of what kit_scene_move moves: to_world as loaded (else all 0), and */
+    int    base;                           /* the lowest object of the stack that it moves with */
+} kit_object;
+
 void   kit_mesh_free(kit_mesh *mesh);
-int    kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err);
+/* Objects are told apart by their names on o lines; if these make fewer than two, by those on g lines; if these do as well, they are the connected
+   parts (corners at equal positions join). One name is one object wherever it comes. They count in the order of their first triangles; of more than
+   KIT_MAX_OBJECTS only the KIT_MAX_OBJECTS - 1 with most triangles are objects, all others are the last one, "rest", that does not cast (casts 0).
+   object: name, first and casts filled in (casts -1: to be judged), to be freed by the caller; it and objects NULL = not wanted. */
+int    kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err);
 
 typedef struct kit_camera {
     float eye[3], target[3], up[3];
@@ -112,16 +132,31 @@ typedef struct kit_scene {
     kit_mesh    mesh;
     kit_camera  camera;                    /* a view that shows something; width, height 1280 x 720 */
     float       radius;                    /* a radius that suits it, world units */
+    int         objects, shapes;
+    kit_object *object;
+    kit_mesh   *shape;                     /* meshes in their own coordinates, each perhaps of many objects: positions, normals and bounds only. An object's
+                                              triangles in mesh are its shape's by to_world */
 } kit_scene;
 
 /* name_or_path: a built-in scene ("room") or an OBJ file. OBJ: the camera looks at the bounds from the front, above and to the side so that
-   all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at its lowest y, five diagonals wide. */
+   all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at its lowest y, five diagonals wide, as object "floor".
+   Every triangle has an object. Of an OBJ each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
+   1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes say themselves what casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
 const char *kit_scene_builtin(int i, const char **about);                 /* name of the i-th built-in scene, NULL past the last */
 
-/* Appends a closed box to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all finite; albedo linear, [0, 1]. */
+/* Appends a closed box, as an object "box", to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all finite; albedo linear, [0, 1].
+   It casts as an OBJ's object would; what holds most objects now casts no more. */
 int         kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err);
+
+/* Puts object[object] elsewhere: its triangles in the mesh (positions, normals), its bounds and the mesh's. to_world: a rotation (no mirroring), a uniform
+   scale above 0 and a translation, to 1e-3, all below 1e15; else, or if there is no such object, -1 and all stays. */
+int         kit_scene_place(kit_scene *scene, int object, const float to_world[16], kit_error *err);
+
+/* Puts the objects of "casters" and "crowd" where they are at a time: they orbit, hop and tumble around the places where they were loaded, smoothly, with
+   period 1 (0 = as loaded), never below the ground. Whatever else the scene holds, and other scenes, stay as they are. */
+void        kit_scene_move(kit_scene *scene, double time);
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
 
@@ -173,6 +208,9 @@ enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE, KIT
    attenuation's weight. rays 1..65536; radius above 0, INFINITY only with NONE. stride > 1 computes one pixel in every stride x stride block (its
    top-left one offset by stride/2) and leaves NaN elsewhere. Same result for any number of threads. */
 int  kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+
+/* The same between objects: rays are blocked at any distance, by objects that cast and are not the one that the pixel shows; they pass through all others. */
+int  kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride, kit_error *err);
 
 #define KIT_LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"   /* what lit pictures hold */
 

@@ -15,11 +15,12 @@
 #define KIT_GL_CORE(X) \
     X(ActiveTexture, ACTIVETEXTURE) X(AttachShader, ATTACHSHADER) X(BeginQuery, BEGINQUERY) X(BindBuffer, BINDBUFFER) \
     X(BindBufferBase, BINDBUFFERBASE) X(BindFramebuffer, BINDFRAMEBUFFER) X(BindTexture, BINDTEXTURE) X(BindVertexArray, BINDVERTEXARRAY) \
-    X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, CLEARBUFFERFV) X(ColorMask, COLORMASK) \
+    X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, CLEARBUFFERFV) \
+    X(ClearBufferuiv, CLEARBUFFERUIV) X(ColorMask, COLORMASK) \
     X(CompileShader, COMPILESHADER) X(CreateProgram, CREATEPROGRAM) X(CreateShader, CREATESHADER) X(DeleteBuffers, DELETEBUFFERS) \
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS) X(DeleteProgram, DELETEPROGRAM) X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) \
-    X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) \
-    X(DrawArrays, DRAWARRAYS) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) \
+    X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X(BlendFunc, BLENDFUNC) \
+    X(DrawArrays, DRAWARRAYS) X(DrawArraysInstanced, DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) \
     X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
     X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) \
     X(GenVertexArrays, GENVERTEXARRAYS) X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) \
@@ -65,6 +66,9 @@ int         kit_gl_is_software(void);
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
 /* The same with layers slices, a 2D array; data slice after slice. Draw into one with glFramebufferTextureLayer. */
 GLuint      kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null);
+/* A cube map, LINEAR, seamless, one level, of RGBA8 or RGBA16: six faces of size x size texels, GL's order. 0 if the context has no such format (GLES: RGBA16). */
+GLuint      kit_texture_cube(int size, GLenum internal_format, const void *data);
+void        kit_texture_linear(GLenum target);    /* the texture bound there filters */
 /* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this texture. */
 int         kit_texture_read(GLuint texture, int width, int height, int components, float *out);
 int         kit_texture_slice_read(GLuint array, int slice, int width, int height, int components, float *out);
@@ -93,6 +97,7 @@ typedef struct kit_gbuffer {
     int        depth_is_linear;            /* 1 = the latter */
     GLuint     normal;                     /* RGBA32F, view space, toward the viewer; 0 = background */
     GLuint     albedo;                     /* RGBA16F; 0 = there is none */
+    GLuint     object;                     /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = none; 0 = there is none (frames bring none) */
     kit_camera camera;                     /* planes filled in */
     float      projection[16];             /* of the viewport */
     GLuint     direct;                     /* RGBA32F, outgoing radiance of the first layer; 0 = there is none (only frames bring it) */
@@ -137,6 +142,16 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
    around the scene's bounds, power = irradiance * the pixel's area. All 0 where a pixel sees no surface. resolution [limit: 1..4096]. */
 int  kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene, const kit_light *light, int resolution, kit_error *err);
 
+/* ---- >>field ------------------------------------------------------------------------------------------------ */
+
+/* The field of a shape, baked on all cores when it is first asked for, then kept until kit_fields_free. NULL on failure. seconds: what the bake took; may be NULL.
+   desc's callbacks are not looked at. */
+const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
+void   kit_fields_free(void);
+/* t_ssgi_fields: count fields of equal bits, a slice each; the two cube maps of one (0: the context lacks their format). */
+GLuint kit_field_atlas(const ssgi_field *const *field, int count);
+int    kit_field_cubes(GLuint cube[2], const ssgi_field *field);
+
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
 
 /* A setting of a method: what --set key=value takes. A choice takes one of its words, everything else a number in [least, most]. */
@@ -151,6 +166,7 @@ typedef struct kit_setting {
 typedef struct kit_method {
     const char *name, *about;
     int         lit;                       /* 0: writes ambient visibility Y */
+    int         between;                   /* 1: of other objects alone: its truth is kit_truth_objects */
     int         count;
     kit_setting setting[KIT_MAX_SETTINGS];
 } kit_method;
@@ -171,7 +187,9 @@ typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS];   /* target: 0 when it draws into a slice of senders */
-    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights */
+    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_casters */
+    GLuint             cube[2];            /* field: of its casters, when fields are cube maps */
+    int                instances;          /* field: casters drawn at once, blended over what is there; the first such pass clears */
     int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
@@ -192,6 +210,9 @@ typedef struct kit_run {
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_views cameras;
+    GLuint        fields, cap;             /* field: all shapes' fields as one array; the table of caps */
+    int           casters;
+    size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
     float        *equirect, harmonics[48]; /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */

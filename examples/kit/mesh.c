@@ -1,6 +1,6 @@
 /* mesh.c - triangles from Wavefront OBJ and MTL files.
 
-   Read: v, vn, f, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, groups, curves, textures.
+   Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures.
    Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection (with more
    than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped.
    Materials: of several with one name the last counts; all mtllib files are read before the first usemtl. */
@@ -13,7 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-
 #define CONCAVE_MOST 1000
 
 void kit_mesh_free(kit_mesh *mesh)
@@ -21,6 +20,7 @@ void kit_mesh_free(kit_mesh *mesh)
     free(mesh->position);
     free(mesh->normal);
     free(mesh->albedo);
+    free(mesh->object);
     memset(mesh, 0, sizeof *mesh);
 }
 
@@ -124,7 +124,8 @@ static int number(text *t, float *out, const char *what)
     if (exponent >= -22 && exponent <= 22) v = exponent < 0 ? v / ten[-exponent] : v * ten[exponent];
     else if (digits) v = v * pow(10, exponent);
     if (v > (double)FLT_MAX) return text_fail(t, "a number is too large: at most 3.4e38 is possible");
-    *out = (float)(negative ? -v : v);
+    *out = (float)v;
+    if (negative && *out > 0) *out = -*out;  /* never -0: equal positions have equal bytes */
     t->at = p;
     return 0;
 }
@@ -234,11 +235,16 @@ static int mtllib_read(array *materials, const text *t, const char *name, size_t
 /* ---- faces --------------------------------------------------------------------------------------------------- */
 
 typedef struct corner { const float *position, *normal; double flat[2]; int next; } corner;
+typedef struct key { const char *bytes; size_t length; } key;
 
 typedef struct obj {
     array vertices, normals, materials;    /* float[3], float[3], material */
     array corners;                         /* of the present face */
     array position, normal, albedo;        /* 9, 9, 3 floats a triangle */
+    array named[2];                        /* key: names on o lines, on g lines; the first is that of what comes before any */
+    array line[2];                         /* uint32_t a triangle: which of them */
+    array number;                          /* uint32_t a triangle: its object's */
+    array objects;                         /* kit_object */
 } obj;
 
 static int add_triangle(obj *o, const text *t, const corner *a, const corner *b, const corner *c, const float albedo[3])
@@ -257,6 +263,11 @@ static int add_triangle(obj *o, const text *t, const corner *a, const corner *b,
     float *position = array_add(&o->position, 9, sizeof(float), t), *normal = array_add(&o->normal, 9, sizeof(float), t);
     float *colour = array_add(&o->albedo, 3, sizeof(float), t);
     if (!position || !normal || !colour) return -1;
+    for (int way = 0; way < 2; ++way) {
+        uint32_t *line = array_add(&o->line[way], 1, sizeof *line, t);
+        if (!line) return -1;
+        *line = (uint32_t)(o->named[way].count - 1);
+    }
     memcpy(colour, albedo, 3 * sizeof(float));
     for (int k = 0; k < 3; ++k) {
         double own[3], length = 0;
@@ -374,6 +385,144 @@ static int face(obj *o, text *t, size_t seen_vertices, size_t seen_normals, cons
     return add_polygon(o, t, albedo);
 }
 
+/* ---- objects ------------------------------------------------------------------------------------------------- */
+
+/* first[i]: the first of the keys whose bytes are those of key i */
+static int first_of_equals(uint32_t *first, const key *keys, size_t count)
+{
+    size_t size = 16;
+    while (size < 2 * count) size *= 2;
+    uint32_t *slot = calloc(size, sizeof *slot);       /* of a key, plus 1 */
+    if (!slot) return -1;
+    for (size_t i = 0; i < count; ++i) {
+        const key *k = &keys[i];
+        uint32_t hash = 2166136261u;                    /* FNV-1a */
+        for (size_t b = 0; b < k->length; ++b) hash = (hash ^ (uint8_t)k->bytes[b]) * 16777619u;
+        size_t at = hash & (size - 1);
+        while (slot[at] && (keys[slot[at] - 1].length != k->length || memcmp(keys[slot[at] - 1].bytes, k->bytes, k->length))) at = (at + 1) & (size - 1);
+        if (!slot[at]) slot[at] = (uint32_t)i + 1;
+        first[i] = slot[at] - 1;
+    }
+    free(slot);
+    return 0;
+}
+
+static uint32_t root(uint32_t *parent, uint32_t t)
+{
+    while (parent[t] != t) {
+        parent[t] = parent[parent[t]];
+        t = parent[t];
+    }
+    return t;
+}
+
+/* Makes kinds below limit into numbers from 1 on, in the order in which they come; how many, -1 without memory */
+static int64_t number_kinds(uint32_t *kind, size_t count, size_t limit)
+{
+    uint32_t *number = calloc(limit, sizeof *number), numbers = 0;
+    for (size_t i = 0; number && i < count; ++i) {
+        if (!number[kind[i]]) number[kind[i]] = ++numbers;
+        kind[i] = number[kind[i]];
+    }
+    free(number);
+    return number ? (int64_t)numbers : -1;
+}
+
+/* The same of the names that triangles have by o lines (way 0) or g lines (way 1), */
+static int64_t number_names(uint32_t *number, const obj *o, int way)
+{
+    const size_t triangles = o->number.count, names = o->named[way].count;
+    const uint32_t *line = o->line[way].data;
+    uint32_t *first = malloc(names * sizeof *first);
+    const int failed = !first || first_of_equals(first, o->named[way].data, names);
+    for (size_t t = 0; !failed && t < triangles; ++t) number[t] = first[line[t]];
+    free(first);
+    return failed ? -1 : number_kinds(number, triangles, names);
+}
+
+/* and of the parts that hang together. */
+static int64_t number_parts(uint32_t *number, const obj *o)
+{
+    const size_t triangles = o->number.count, corners = 3 * triangles;
+    key *place = calloc(corners, sizeof *place);
+    uint32_t *first = malloc(corners * sizeof *first);
+    for (size_t i = 0; place && i < corners; ++i) place[i] = (key){ (const char *)o->position.data + 12 * i, 12 };
+    const int failed = !place || !first || first_of_equals(first, place, corners);
+    for (size_t t = 0; t < triangles; ++t) number[t] = (uint32_t)t;
+    for (size_t i = 0; !failed && i < corners; ++i) {
+        const uint32_t a = root(number, (uint32_t)(i / 3)), b = root(number, first[i] / 3);
+        number[a > b ? a : b] = a > b ? b : a;
+    }
+    for (size_t t = 0; t < triangles; ++t) number[t] = root(number, (uint32_t)t);
+    free(place);
+    free(first);
+    return failed ? -1 : number_kinds(number, triangles, triangles);
+}
+
+typedef struct share { size_t triangles; uint32_t number; } share;
+
+static int by_size(const void *a, const void *b)
+{
+    const share *p = a, *q = b;
+    return p->triangles != q->triangles ? (p->triangles < q->triangles ? 1 : -1) : p->number < q->number ? -1 : 1;
+}
+
+/* Keeps the KIT_MAX_OBJECTS - 1 numbers with most triangles, in their order; all others become KIT_MAX_OBJECTS. */
+static int keep_largest(uint32_t *number, size_t triangles, size_t numbers)
+{
+    share *shares = calloc(numbers, sizeof *shares);
+    uint32_t *kept = calloc(numbers, sizeof *kept), next = 0;
+    const int failed = !shares || !kept;
+    if (!failed) {
+        for (size_t i = 0; i < numbers; ++i) shares[i].number = (uint32_t)i;
+        for (size_t t = 0; t < triangles; ++t) shares[number[t] - 1].triangles++;
+        qsort(shares, numbers, sizeof *shares, by_size);
+        for (size_t i = 0; i < KIT_MAX_OBJECTS - 1; ++i) kept[shares[i].number] = 1;
+        for (size_t i = 0; i < numbers; ++i) kept[i] = kept[i] ? ++next : KIT_MAX_OBJECTS;
+        for (size_t t = 0; t < triangles; ++t) number[t] = kept[number[t] - 1];
+    }
+    free(shares);
+    free(kept);
+    return failed ? -1 : 0;
+}
+
+/* What comes now has this name. */
+static int name_add(obj *o, int way, const char *name, size_t length, const text *t)
+{
+    key *k = array_add(&o->named[way], 1, sizeof *k, t);
+    if (k) *k = (key){ name, length };
+    return k ? 0 : -1;
+}
+
+static int objects_find(obj *o, const text *t)
+{
+    const size_t triangles = o->position.count / 9;
+    uint32_t *number = array_add(&o->number, triangles, sizeof *number, t);
+    int way = 0;
+    if (!number) return -1;
+    int64_t count = number_names(number, o, way);
+    if (count == 1) count = number_names(number, o, ++way);
+    if (count == 1) count = number_parts(number, o), ++way;
+    const int many = count > KIT_MAX_OBJECTS;
+    if (count < 0 || (many && keep_largest(number, triangles, (size_t)count))) return kit_fail(t->err, "%s: no memory for its objects", t->path);
+    if (many) count = KIT_MAX_OBJECTS;
+    kit_object *object = array_add(&o->objects, (size_t)count, sizeof *object, t);
+    if (!object) return -1;
+    memset(object, 0, (size_t)count * sizeof *object);
+    for (size_t i = triangles; i-- > 0;) {
+        kit_object *of = &object[number[i] - 1];
+        of->first = i;
+        of->casts = many && number[i] == KIT_MAX_OBJECTS ? 0 : -1;
+        if (!of->casts) snprintf(of->name, sizeof of->name, "rest");
+        else if (way == 2) snprintf(of->name, sizeof of->name, "part %u", (unsigned)number[i]);
+        else {
+            const key *name = (const key *)o->named[way].data + ((const uint32_t *)o->line[way].data)[i];
+            snprintf(of->name, sizeof of->name, "%.*s", (int)(name->length < 64 ? name->length : 63), name->bytes);
+        }
+    }
+    return 0;
+}
+
 /* First what faces refer to (it may come after them), then the faces. */
 static int obj_read(obj *o, const char *path, const char *data, size_t size, kit_error *err)
 {
@@ -390,19 +539,25 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
     }
     size_t seen_vertices = 0, seen_normals = 0;
     const float *albedo = grey;
-    for (text t = text_start(path, data, size, err); next_line(&t);) {
+    int way;
+    text t = text_start(path, data, size, err);
+    for (way = 0; way < 2; ++way) if (name_add(o, way, "default", 7, &t)) return -1;
+    while (next_line(&t)) {
         if (keyword(&t, "f")) { if (face(o, &t, seen_vertices, seen_normals, albedo)) return -1; }
         else if (keyword(&t, "v")) ++seen_vertices;
         else if (keyword(&t, "vn")) ++seen_normals;
         else if (keyword(&t, "usemtl")) {
             size_t length = rest(&t);
             albedo = material_find(&o->materials, t.at, length);
+        } else if ((way = keyword(&t, "g")) || keyword(&t, "o")) {
+            const size_t length = rest(&t);
+            if (name_add(o, way, t.at, without_comment(t.at, length), &t)) return -1;
         }
     }
-    return o->position.count ? 0 : kit_fail(err, "%s: no triangles in this OBJ file", path);
+    return o->position.count ? objects_find(o, &t) : kit_fail(err, "%s: no triangles in this OBJ file", path);
 }
 
-int kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err)
+int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err)
 {
     char *data;
     size_t size;
@@ -414,7 +569,9 @@ int kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err)
     free(data);
     for (size_t i = 0; i < o.materials.count; ++i) free(((material *)o.materials.data)[i].name);
     free(o.vertices.data); free(o.normals.data); free(o.materials.data); free(o.corners.data);
-    kit_mesh read = { .triangles = o.position.count / 9, .position = o.position.data, .normal = o.normal.data, .albedo = o.albedo.data };
+    for (int way = 0; way < 2; ++way) { free(o.named[way].data); free(o.line[way].data); }
+    kit_mesh read = { .triangles = o.position.count / 9, .position = o.position.data, .normal = o.normal.data, .albedo = o.albedo.data, .object = o.number.data };
+    if (failed || !object) free(o.objects.data);
     if (failed) {
         kit_mesh_free(&read);
         return -1;
@@ -427,5 +584,9 @@ int kit_mesh_obj(kit_mesh *mesh, const char *path, kit_error *err)
         }
     }
     *mesh = read;
+    if (object) {
+        *object = o.objects.data;
+        *objects = (int)o.objects.count;
+    }
     return 0;
 }

@@ -71,6 +71,23 @@ static const row window_row    = { { "window", "of lights as harmonics", "none h
 static const row lights_row    = { { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0 };
 static const row cone_row      = { { "cone", "the environment over the cone of free directions, or its irradiance along their mean", "normal cone", 1, 0, 1, 1 }, PLAN, 0 };
 
+static const row resolution_row = { { "resolution", "texels along a side of a field's cube map; with error at most", NULL, 16, 2, 128, 1 }, PLAN, 0 };
+static const row radii_row     = { { "radii", "distances sampled along each direction; with error at most", NULL, 12, 4, 64, 1 }, PLAN, 0 };
+static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
+static const row error_row     = { { "error", "above 0: the smallest resolution and fewest radii with which 95 % of receivers are within it", NULL, 0, 0, 1, 0 }, PLAN, 0 };
+static const row measure_row   = { { "measure", "what a field keeps: vector irradiance and fill, or solid angle as published", "vector solid-angle", 0, 0, 1, 1 }, GATHER, DESC(measure) };
+static const row bits_row      = { { "bits", "a component of a field", "16 8", 0, 0, 1, 1 }, GATHER, DESC(eight_bits) };
+static const row storage_row   = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0, 0, 1, 1 }, GATHER, DESC(storage) };
+static const row cap_row       = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
+static const row table_row     = { { "table_size", "of that table", NULL, 64, 2, 1024, 1 }, PLAN, 0 };
+static const row reach_row     = { { "reach", "how far casters go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0 };
+static const row ramp_row      = { { "ramp", "where they begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 }, PLAN, 0 };
+static const row inside_row    = { { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0 };
+static const row power_row     = { { "power", "p: how fast it is reached", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
+static const row draw_row      = { { "draw", "casters instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0 };
+static const row own_row       = { { "own", "1: casters shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row casters_row   = { { "casters", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
+
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
@@ -95,7 +112,9 @@ static const plan plans[] = {
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, S3HO },
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
-    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } }
+    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
+    { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
+      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &casters_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -107,6 +126,7 @@ int kit_method_at(kit_method *method, int i)
     memset(&m, 0, sizeof m);
     m.name = plans[i].name;
     m.about = plans[i].about;
+    m.between = plans[i].pass == SSGI_GL_FIELD;
     m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO;
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
@@ -241,6 +261,7 @@ static GLuint keep(kit_run *run, GLuint texture)
 static GLenum target_format(const making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
 {
     const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
+    if (desc->pass == SSGI_GL_FIELD && kit_gl_is_es()) return GL_R16F;         /* blended */
     if (!strcmp(out->type, "float")) return GL_R32F;
     if (!strcmp(out->type, "vec2")) return GL_RG32F;
     if (!strcmp(out->type, "uvec4")) return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
@@ -278,7 +299,11 @@ static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) {
         if (io[i].kind != SSGI_GL_OUTPUT) continue;
         if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
-        else glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs] = keep(run, kit_texture(p->width, p->height, target_format(m, desc, &io[i]), NULL)), 0);
+        else {
+            p->target[outputs] = desc->pass == SSGI_GL_FIELD && p > run->pass ? run->pass[0].target[0]     /* casters are blended over each other */
+                                                                              : keep(run, kit_texture(p->width, p->height, target_format(m, desc, &io[i]), NULL));
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs], 0);
+        }
         ++outputs;
     }
     glDrawBuffers(outputs, attachment);
@@ -873,6 +898,101 @@ static int open_lit(making *m, const float picture[16])
     return failed ? -1 : 0;
 }
 
+/* Casters first .. last - 1 of the rows in one draw. */
+static int add_casters(making *m, const ssgi_gl_caster *rows, int first, int last, const GLuint *cube)
+{
+    kit_run *run = m->run;
+    const GLuint rows_texture = keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
+    kit_pass *p = add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
+    if (!p) return -1;
+    p->lights = rows_texture;
+    p->instances = last - first;
+    if (cube) memcpy(p->cube, cube, sizeof p->cube);
+    run->light = p->target[0];
+    return rows_texture ? 0 : kit_fail(m->err, "no memory for %d casters", last - first);
+}
+
+/* The casting objects' fields, and where they stand. */
+static int open_field(making *m, const float picture[16])
+{
+    const kit_scene *scene = m->world->scene;
+    const int all = kit_method_value(m->method, "casters") > 0, each = kit_method_value(m->method, "draw") > 0;
+    kit_run *run = m->run;
+    ssgi_field_desc d;
+    const ssgi_field **field;
+    int *slice, fields = 0, count = 0, failed = 0;
+    ssgi_gl_caster *rows;
+    const char *why = "";
+    if (!scene) return kit_fail(m->err, "method aof: a frame has no objects to bake; it needs a scene");
+    memset(&d, 0, sizeof d);
+    d.error = (float)kit_method_value(m->method, "error");
+    d.resolution = (int)kit_method_value(m->method, "resolution");
+    d.radii = (int)kit_method_value(m->method, "radii");
+    d.rays = (int)kit_method_value(m->method, "rays");
+    d.measure = m->gather.measure;
+    d.bits = m->gather.eight_bits ? 8 : 16;
+    d.reach = (float)kit_method_value(m->method, "reach");
+    if (kit_method_value(m->method, "own") <= 0 && run->gbuffer->object) m->gather.objects = SSGI_GL_OBJECTS_TEXTURE;
+    field = malloc((size_t)(scene->shapes + 1) * sizeof *field);
+    slice = malloc((size_t)(scene->shapes + 1) * sizeof *slice);
+    rows = calloc((size_t)(scene->objects + 1), sizeof *rows);
+    if (!field || !slice || !rows) failed = kit_fail(m->err, "no memory for %d objects", scene->objects);
+    for (int s = 0; s < scene->shapes && !failed; ++s) {       /* rows come shape after shape */
+        const int first = count;
+        slice[s] = -1;
+        for (int i = 0; i < scene->objects && !failed; ++i) {
+            const kit_object *o = &scene->object[i];
+            float to_view[16];
+            ssgi_field_limits limits;
+            if (o->shape != s || !(all || o->casts)) continue;
+            if (slice[s] < 0) {
+                slice[s] = fields;
+                field[fields] = kit_field(&scene->shape[s], &d, NULL, m->err);
+                if (!field[fields]) { failed = -1; break; }
+                run->field_bytes += ssgi_field_size(field[fields]->resolution, field[fields]->bits);
+                ++fields;
+            }
+            for (int c = 0; c < 4; ++c)
+                for (int r = 0; r < 4; ++r) {
+                    to_view[4 * c + r] = 0;
+                    for (int k = 0; k < 4; ++k) to_view[4 * c + r] += picture[4 * k + r] * o->to_world[4 * c + k];
+                }
+            limits = ssgi_field_limits_of(field[slice[s]]);
+            limits.ramp = (float)kit_method_value(m->method, "ramp") * limits.reach;
+            limits.power = (float)kit_method_value(m->method, "power");
+            if (kit_method_value(m->method, "inside") >= 0) limits.inside = (float)kit_method_value(m->method, "inside");
+            if (ssgi_gl_caster_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why) != SSGI_OK) failed = kit_fail(m->err, "object %s: %s", o->name, why);
+        }
+        if (failed || first == count) continue;
+        if (m->gather.storage) {
+            GLuint cube[2];
+            if (!kit_field_cubes(cube, field[slice[s]])) failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
+            for (int k = 0; k < 2; ++k) keep(run, cube[k]);
+            for (int i = first; i < count && !failed; i += each ? 1 : count - first) failed = add_casters(m, rows, i, each ? i + 1 : count, cube);
+        }
+    }
+    if (!failed && !count) failed = add_casters(m, rows, 0, 0, NULL);
+    if (!failed && count && !m->gather.storage) {
+        run->fields = keep(run, kit_field_atlas(field, fields));
+        if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
+        for (int i = 0; i < count && !failed; i += each ? 1 : count) failed = add_casters(m, rows, i, each ? i + 1 : count, NULL);
+    }
+    if (!failed && m->gather.cap) {
+        const int size = (int)kit_method_value(m->method, "table_size");
+        float *table = malloc((size_t)size * (size_t)size * sizeof *table);
+        if (table) ssgi_cap_table(table, size, NULL);
+        run->cap = keep(run, table ? kit_texture(size, size, GL_R16F, table) : 0);
+        glBindTexture(GL_TEXTURE_2D, run->cap);
+        kit_texture_linear(GL_TEXTURE_2D);
+        free(table);
+    }
+    run->casters = count;
+    free(field);
+    free(slice);
+    free(rows);
+    return failed ? -1 : 0;
+}
+
 int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
 {
     static const kit_world nothing;
@@ -908,6 +1028,8 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit) {
         failed = open_lit(&m, picture);
+    } else if (m.gather.pass == SSGI_GL_FIELD) {
+        failed = open_field(&m, picture);
     } else {
         kit_pass *p;
         sphere all, middle;
@@ -961,7 +1083,7 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
         { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
         { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
         { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
-        { "lights", p->lights }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+        { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
 }
@@ -978,7 +1100,7 @@ void kit_run_draw(kit_run *run, int timed)
         for (int k = 0, n = ssgi_gl_reflect(&p->desc, io, SSGI_GL_MAX_IO); k < n; ++k)
             if (io[k].kind == SSGI_GL_TEXTURE) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)io[k].slot);
-                glBindTexture(strstr(io[k].type, "2DArray") ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, texture_of(run, p, io[k].name));
+                glBindTexture(strstr(io[k].type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io[k].type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, texture_of(run, p, io[k].name));
             }
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
@@ -986,7 +1108,13 @@ void kit_run_draw(kit_run *run, int timed)
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
         glUseProgram(p->program);
         if (timed && !p->aside) kit_timer_begin();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        if (p->desc.pass == SSGI_GL_FIELD) {
+            if (!i) glClearBufferfv(GL_COLOR, 0, (const GLfloat[4]) { 1, 1, 1, 1 });
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_DST_COLOR, GL_ZERO);
+            glDrawArraysInstanced(GL_TRIANGLES, 0, 6, p->instances);
+            glDisable(GL_BLEND);
+        } else glDrawArrays(GL_TRIANGLES, 0, 3);
         if (timed && !p->aside) p->ms = kit_timer_end();
     }
     glActiveTexture(GL_TEXTURE0);

@@ -10,8 +10,9 @@
 /* ---- >>build: triangles, boxes, curved patches; all in local coordinates that at and turn place in the world ---- */
 
 typedef struct build {
-    kit_mesh mesh;
+    kit_scene scene;
     size_t   capacity;                     /* triangles */
+    uint32_t object;                       /* number of the one being built */
     int      failed;                       /* out of memory */
     double   at[3], turn, tilt;            /* turned by tilt degrees about x, then by turn about y, then moved by at */
     float    albedo[3];
@@ -61,13 +62,18 @@ typedef struct vertex { double p[3], n[3]; } vertex;
 
 static int grow(build *b)
 {
-    kit_mesh *m = &b->mesh;
+    kit_mesh *m = &b->scene.mesh;
     size_t capacity = b->capacity ? 2 * b->capacity : 4096;
     float *position, *normal, *albedo;
+    uint32_t *object;
     if ((position = realloc(m->position, capacity * 9 * sizeof *position)) != NULL) m->position = position;
     if ((normal   = realloc(m->normal,   capacity * 9 * sizeof *normal)) != NULL)   m->normal = normal;
     if ((albedo   = realloc(m->albedo,   capacity * 3 * sizeof *albedo)) != NULL)   m->albedo = albedo;
-    if (!position || !normal || !albedo) { b->failed = 1; return -1; }
+    if ((object   = realloc(m->object,   capacity * sizeof *object)) != NULL) {
+        if (!m->object) memset(object, 0, m->triangles * sizeof *object);
+        m->object = object;
+    }
+    if (!position || !normal || !albedo || !object) { b->failed = 1; return -1; }
     b->capacity = capacity;
     return 0;
 }
@@ -84,6 +90,7 @@ static void rotate(const build *b, const double in[3], double out[3])
 /* Wound to agree with the vertices' normals; nothing when it has no area. */
 static void triangle(build *b, const vertex *v0, const vertex *v1, const vertex *v2)
 {
+    kit_mesh *m = &b->scene.mesh;
     const vertex *v[3] = { v0, v1, v2 };
     double e1[3], e2[3], face[3], sum[3];
     float *position, *normal;
@@ -94,10 +101,10 @@ static void triangle(build *b, const vertex *v0, const vertex *v1, const vertex 
     }
     cross(e1, e2, face);
     if (!(dot(face, face) > 1e-20) || b->failed) return;
-    if (b->mesh.triangles == b->capacity && grow(b)) return;
+    if (m->triangles == b->capacity && grow(b)) return;
     if (dot(face, sum) < 0) { v[1] = v2; v[2] = v1; }
-    position = b->mesh.position + 9 * b->mesh.triangles;
-    normal   = b->mesh.normal + 9 * b->mesh.triangles;
+    position = m->position + 9 * m->triangles;
+    normal   = m->normal + 9 * m->triangles;
     for (int k = 0; k < 3; k++, position += 3, normal += 3) {
         double p[3], n[3];
         rotate(b, v[k]->p, p);
@@ -107,8 +114,8 @@ static void triangle(build *b, const vertex *v0, const vertex *v1, const vertex 
             normal[i] = (float)n[i];
         }
     }
-    memcpy(b->mesh.albedo + 3 * b->mesh.triangles, b->albedo, sizeof b->albedo);
-    b->mesh.triangles++;
+    memcpy(m->albedo + 3 * m->triangles, b->albedo, sizeof b->albedo);
+    m->object[m->triangles++] = b->object;
 }
 
 /* flat, its front where the corners run counter-clockwise */
@@ -204,6 +211,131 @@ static void cylinder(build *b, double radius, double height, int around)
     turned(b, profile, 3, around);
 }
 
+/* ---- >>objects ---------------------------------------------------------------------------------------------- */
+
+/* What comes now is a new object; the first one has all that came before, too. casts -1: to be judged. */
+static void object(build *b, const char *name, int casts)
+{
+    kit_scene *s = &b->scene;
+    kit_object *more = realloc(s->object, ((size_t)s->objects + 1) * sizeof *more);
+    if (!more) { b->failed = 1; return; }
+    s->object = more;
+    more += s->objects;
+    memset(more, 0, sizeof *more);
+    snprintf(more->name, sizeof more->name, "%s", name);
+    more->first = s->objects ? s->mesh.triangles : 0;
+    more->shape = -1;
+    more->casts = casts;
+    b->object = (uint32_t)++s->objects;
+}
+
+static void bounds(kit_mesh *mesh)
+{
+    for (size_t i = 0; i < 3 * mesh->triangles; i++)
+        for (int c = 0; c < 3; c++) {
+            float p = mesh->position[3 * i + (size_t)c];
+            if (!i || p < mesh->lower[c]) mesh->lower[c] = p;
+            if (!i || p > mesh->upper[c]) mesh->upper[c] = p;
+        }
+}
+
+/* where object k's triangle after t is, in the scene's mesh; from t = o->first - 1 */
+static size_t next_triangle(const kit_scene *s, int k, size_t t)
+{
+    while (s->mesh.object[++t] != (uint32_t)k + 1) {}
+    return t;
+}
+
+/* Writes object k's triangles and bounds; the mesh's bounds are left. */
+static void set_place(kit_scene *s, int k, const float m[16])
+{
+    kit_object *o = &s->object[k];
+    const kit_mesh *shape = &s->shape[o->shape];
+    const double scale = sqrt((double)m[0] * (double)m[0] + (double)m[1] * (double)m[1] + (double)m[2] * (double)m[2]);
+    for (size_t from = 0, t = o->first - 1; from < 3 * shape->triangles; from++) {
+        if (from % 3 == 0) t = next_triangle(s, k, t);
+        float *position = s->mesh.position + 9 * t + from % 3 * 3, *normal = s->mesh.normal + 9 * t + from % 3 * 3;
+        for (int i = 0; i < 3; i++) {
+            double p = (double)m[12 + i], n = 0;
+            for (int j = 0; j < 3; j++) {
+                p += (double)m[4 * j + i] * (double)shape->position[3 * from + (size_t)j];
+                n += (double)m[4 * j + i] * (double)shape->normal[3 * from + (size_t)j];
+            }
+            position[i] = (float)p;
+            normal[i] = (float)(n / scale);
+            if (!from || position[i] < o->lower[i]) o->lower[i] = position[i];
+            if (!from || position[i] > o->upper[i]) o->upper[i] = position[i];
+        }
+    }
+    memcpy(o->to_world, m, sizeof o->to_world);
+}
+
+/* Makes object k's triangles, as they are, a shape of its own. */
+static int own_shape(kit_scene *s, int k)
+{
+    static const float identity[16] = { 1, 0, 0, 0,  0, 1, 0, 0,  0, 0, 1, 0,  0, 0, 0, 1 };
+    kit_object *o = &s->object[k];
+    kit_mesh shape, *more = realloc(s->shape, ((size_t)s->shapes + 1) * sizeof *more);
+    memset(&shape, 0, sizeof shape);
+    if (more) s->shape = more;
+    for (size_t t = o->first; t < s->mesh.triangles; t++) shape.triangles += s->mesh.object[t] == (uint32_t)k + 1;
+    shape.position = malloc(shape.triangles * 9 * sizeof *shape.position + 1);
+    shape.normal = malloc(shape.triangles * 9 * sizeof *shape.normal + 1);
+    if (!more || !shape.position || !shape.normal) {
+        kit_mesh_free(&shape);
+        return -1;
+    }
+    for (size_t i = 0, t = o->first - 1; i < shape.triangles; i++) {
+        t = next_triangle(s, k, t);
+        memcpy(shape.position + 9 * i, s->mesh.position + 9 * t, 9 * sizeof *shape.position);
+        memcpy(shape.normal + 9 * i, s->mesh.normal + 9 * t, 9 * sizeof *shape.normal);
+    }
+    bounds(&shape);
+    s->shape[s->shapes] = shape;
+    o->shape = s->shapes++;
+    set_place(s, k, identity);
+    return 0;
+}
+
+static int holds(const kit_object *a, const kit_object *b)
+{
+    for (int i = 0; i < 3; i++)
+        if (a->lower[i] > b->lower[i] || a->upper[i] < b->upper[i]) return 0;
+    return 1;
+}
+
+/* most of the others are within its bounds */
+static int holds_most(const kit_scene *s, int k)
+{
+    int held = 0;
+    for (int i = 0; i < s->objects; i++) held += i != k && holds(&s->object[k], &s->object[i]);
+    return 2 * held > s->objects - 1;
+}
+
+/* whether object k casts, by kit_scene_load's rule, and whether what holds it still does */
+static void judge(kit_scene *s, int k)
+{
+    kit_object *o = &s->object[k];
+    float side[3], least, most;
+    for (int i = 0; i < 3; i++) side[i] = o->upper[i] - o->lower[i];
+    least = fminf(side[0], fminf(side[1], side[2]));
+    most = fmaxf(side[0], fmaxf(side[1], side[2]));
+    o->casts = !(least < 1e-3f * most) && !holds_most(s, k);
+    for (int i = 0; i < s->objects; i++)
+        if (i != k && holds(&s->object[i], o) && holds_most(s, i)) s->object[i].casts = 0;
+}
+
+/* Completes what has been built: the objects' shapes and bounds, from number first on, whether they cast, and the mesh's bounds. */
+static int complete(kit_scene *s, int first)
+{
+    for (int k = first; k < s->objects; k++)
+        if (s->object[k].shape < 0 && own_shape(s, k)) return -1;
+    for (int k = first; k < s->objects; k++)
+        if (s->object[k].casts < 0) judge(s, k);
+    bounds(&s->mesh);
+    return 0;
+}
+
 /* ---- >>shapes of closed form; big planes are cut finer towards the origin, for a rasteriser's sake ----------- */
 
 enum { FAR = 200 };                        /* metres: where the big planes end */
@@ -257,8 +389,10 @@ static void build_groove(build *b)
 static void build_sphere(build *b)
 {
     static const double radius = 1;
+    object(b, "plane", 0);
     build_plane(b);
     place(b, 0, 1, 0, 0);
+    object(b, "ball", 1);
     patch(b, 256, 128, sphere_surface, &radius);
 }
 
@@ -509,10 +643,14 @@ static void build_cornell(build *b)
 {
     const double gap = 0.003;
     colour(b, 0.73, 0.73, 0.73);
+    object(b, "walls", 0);
     box(b, -2.98, -0.2, -5.79, 2.98, 0, 0); box(b, -2.98, 5.49, -5.79, 2.98, 5.69, 0);                /* floor, ceiling, back */
     box(b, -2.98, gap, -5.79, 2.98, 5.49 - gap, -5.59);
+    object(b, "low box", 1);
     place(b, 0.925, gap, -1.69, -17);  box(b, -0.825, 0, -0.825, 0.825, 1.65, 0.825);
+    object(b, "high box", 1);
     place(b, -0.905, gap, -3.51, 17);  box(b, -0.825, 0, -0.825, 0.825, 3.30, 0.825);
+    b->object = 1;                                                       /* walls again */
     place(b, 0, 0, 0, 0);
     colour(b, 0.63, 0.06, 0.05); box(b, -2.98, gap, -5.59 + gap, -2.78, 5.49 - gap, 0);
     colour(b, 0.14, 0.45, 0.09); box(b, 2.78, gap, -5.59 + gap, 2.98, 5.49 - gap, 0);
@@ -592,8 +730,10 @@ static void build_boxes(build *b)
 {
     const double gap = 0.0005;
     colour(b, 0.82, 0.82, 0.82);
+    object(b, "floor", 0);
     box(b, -9, -0.2, -9, 9, 0, 5);
     for (int i = -1; i <= 1; i++) {
+        object(b, "box", 1);
         place(b, 1.4 * i, gap, i ? 0.2 : -0.2, 0);
         box(b, -0.5, 0, -0.5, 0.5, i ? 0.8 : 1.1, 0.5);
     }
@@ -603,11 +743,130 @@ static void build_blocks(build *b)
 {
     const double gap = 0.0005;
     colour(b, 0.82, 0.82, 0.82);
+    object(b, "floor", 0);
     box(b, -12, -0.2, -12, 12, 0, 7);
     for (int i = 0; i < 12; i++) {
         const double wide = between(b, 0.26, 0.38), deep = between(b, 0.26, 0.38), high = between(b, 0.5, 2.2);
+        object(b, "block", 1);
         place(b, 1.05 * (i % 4 - 1.5) + between(b, -0.1, 0.1), gap, 1.05 * (i / 4 - 1) + between(b, -0.1, 0.1), 0);
         box(b, -wide, 0, -deep, wide, high, deep);
+    }
+}
+
+/* ---- >>casters: a few shapes of size 1, many times over ------------------------------------------------------- */
+
+static const double GAP = 0.001;           /* between what rests and what it rests on */
+
+static void make_cube(build *b) { box(b, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5); }
+
+static void make_ball(build *b)
+{
+    static const double radius = 0.5;
+    patch(b, 48, 24, sphere_surface, &radius);
+}
+
+static void make_torus(build *b)
+{
+    static const double ring[2] = { 0.37, 0.13 };
+    patch(b, 48, 20, torus_surface, ring);
+}
+
+static void make_cone(build *b)
+{
+    static const moulding profile[] = { {0, -0.5, 0.45, -0.5, 0}, {0.45, -0.5, 0, 0.5, 0} };
+    turned(b, profile, 2, 48);
+}
+
+static void make_table(build *b)
+{
+    box(b, -0.6, 0.3, -0.4, 0.6, 0.36, 0.4);
+    for (int i = 0; i < 4; i++) {
+        const double x = i & 1 ? 0.53 : -0.53, z = i & 2 ? 0.33 : -0.33;
+        box(b, x - 0.04, -0.36, z - 0.04, x + 0.04, 0.3, z + 0.04);
+    }
+}
+
+enum { CUBE, BALL, TORUS, CONE, TABLE, KINDS };
+static const struct { const char *name; void (*make)(build *); double albedo[3]; } kinds[KINDS] = {
+    { "cube",  make_cube,  {0.78, 0.74, 0.66} }, { "ball",  make_ball, {0.70, 0.42, 0.34} }, { "torus", make_torus, {0.40, 0.55, 0.66} },
+    { "cone",  make_cone,  {0.72, 0.62, 0.30} }, { "table", make_table, {0.48, 0.58, 0.42} } };
+
+/* from, turned and moved by b */
+static void pose(const build *b, const float from[16], float to[16])
+{
+    for (int j = 0; j < 3; j++) {
+        const double axis[3] = { (double)from[4 * j], (double)from[4 * j + 1], (double)from[4 * j + 2] };
+        double turned_axis[3];
+        rotate(b, axis, turned_axis);
+        for (int i = 0; i < 3; i++) to[4 * j + i] = (float)turned_axis[i];
+        to[4 * j + 3] = 0;
+        to[12 + j] = (float)((double)from[12 + j] + b->at[j]);
+    }
+    to[15] = 1;
+}
+
+/* raised as far as it takes to be above a level */
+static void place_above(kit_scene *s, int k, const float m[16], double level)
+{
+    float raised[16];
+    set_place(s, k, m);
+    if (!((double)s->object[k].lower[1] < level)) return;
+    memcpy(raised, m, sizeof raised);
+    raised[13] += (float)(level - (double)s->object[k].lower[1]);
+    set_place(s, k, raised);
+}
+
+/* An object of a kind, resting on the level y: the ground at 0, else on the object before or its stack. */
+static void caster(build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
+{
+    kit_scene *s = &b->scene;
+    const int k = s->objects;
+    float m[16] = { (float)size, 0, 0, 0,  0, (float)size, 0, 0,  0, 0, (float)size, 0,  0, 0, 0, 1 };
+    place(b, 0, 0, 0, 0);
+    colour(b, kinds[kind].albedo[0], kinds[kind].albedo[1], kinds[kind].albedo[2]);
+    object(b, kinds[kind].name, 1);
+    kinds[kind].make(b);
+    if (b->failed) return;
+    for (int i = 0; i < k; i++)
+        if (!strcmp(s->object[i].name, kinds[kind].name)) s->object[k].shape = s->object[i].shape;
+    if (s->object[k].shape < 0 && own_shape(s, k)) { b->failed = 1; return; }
+    place_tilted(b, x, y, z, turn, tilt);
+    pose(b, m, m);
+    place_above(s, k, m, y + GAP);
+    memcpy(s->object[k].loaded, s->object[k].to_world, sizeof m);
+    s->object[k].base = y > 0 ? s->object[k - 1].base : k;
+}
+
+static void build_ground(build *b, double half)
+{
+    colour(b, 0.72, 0.72, 0.70);
+    object(b, "ground", 0);
+    box(b, -half, -0.2, -half, half, 0, half);
+}
+
+static void build_casters(build *b)
+{
+    static const struct { int kind; double size, x, y, z, turn, tilt; } set[] = {
+        { CUBE, 1.2, -2.6, 0, -1.6, 20, 0 },   { CUBE, 0.7, -2.5, 1.2, -1.6, 55, 0 },  { BALL, 0.5, -2.5, 1.9, -1.6, 0, 0 },
+        { CUBE, 0.8, -1.6, 0, -0.5, -12, 0 },  { CUBE, 1.0, -0.35, 0, -1.9, 38, 0 },   { CUBE, 0.6, -3.5, 0, 0.1, 5, 0 },
+        { CUBE, 0.5, -0.6, 0, 0.5, 62, 0 },    { CUBE, 0.35, -0.6, 0.5, 0.5, 20, 0 },  { CUBE, 0.9, -2.45, 0, 0.75, 30, 33 },
+        { TABLE, 1.7, 1.5, 0, -1.1, -18, 0 },  { CONE, 0.7, 1.05, 1.224, -1.2, 0, 0 }, { TORUS, 0.8, 1.9, 1.224, -0.95, 0, 0 },
+        { BALL, 0.3, 1.9, 1.224, -0.95, 0, 0 }, { BALL, 0.7, 1.4, 0, -1.0, 0, 0 },
+        { BALL, 1.1, 3.2, 0, 0.5, 0, 0 },      { CONE, 1.3, 0.6, 0, 0.7, 0, 0 },       { CONE, 0.9, 2.0, 0, 1.4, 40, 114 },
+        { TORUS, 1.2, -1.4, 0, 1.7, 0, 0 },    { TORUS, 1.1, 3.55, 0, -1.2, 60, 72 },  { TORUS, 0.7, 0.1, 0, 1.9, 25, 90 },
+        { TABLE, 0.8, 1.1, 0, 2.3, 30, 180 },  { TABLE, 0.9, -3.7, 0, 1.6, -40, 90 },  { BALL, 0.6, -2.4, 0, 2.2, 0, 0 }, { CUBE, 0.45, 2.9, 0, 2.1, 15, 45 } };
+    build_ground(b, 14);
+    for (size_t i = 0; i < sizeof set / sizeof *set; i++)
+        caster(b, set[i].kind, set[i].size, set[i].x, set[i].y, set[i].z, set[i].turn, set[i].tilt);
+}
+
+static void build_crowd(build *b)
+{
+    build_ground(b, 24);
+    for (int i = 0; i < 100; i++) {                                      /* every third leans or lies */
+        const double size = between(b, 0.5, 1.1), x = 1.7 * (i % 10 - 4.5) + between(b, -0.3, 0.3), z = 1.7 * (i / 10 - 4.5) + between(b, -0.3, 0.3);
+        const double turn = between(b, 0, 360), tilt = between(b, 20, 160);
+        caster(b, (i + i / 10 * 2) % KINDS, size, x, 0, z, turn, i % 3 ? 0 : tilt);
     }
 }
 
@@ -627,6 +886,8 @@ static const struct builtin {
     { "pebbles",   "some hundred small boxes, studs and balls, two tables on thin legs", build_pebbles, {0.35f, 0.65f, 1.5f}, {0.05f, 0.08f, 0}, 36, 0.05f, 0.08f },
     { "boxes",     "three white boxes near each other on a floor", build_boxes, {0.25f, 3.3f, 3.6f}, {0, 0.3f, 0}, 34, 0.1f, 0.6f },
     { "blocks",    "a dozen of white tower blocks, from above", build_blocks, {2.4f, 6.0f, 4.6f}, {0.1f, 0.5f, 0.1f}, 31, 0.1f, 0.5f },
+    { "casters",   "two dozen shapes standing, leaning, lying on a ground and on each other", build_casters, {2.2f, 5.6f, 8.3f}, {0, 0.4f, 0}, 34, 0.1f, 0.8f },
+    { "crowd",     "a hundred such shapes on a wide ground", build_crowd, {5.5f, 9.5f, 16}, {0, 0, 0.8f}, 33, 0.1f, 0.8f },
     { "plane",     "one big square", build_plane, {0, 1.5f, 2}, {0, 0, 0}, 45, 0.1f, 0.5f },
     { "corner",    "floor (y = 0) and wall (x = 0) at a right angle", build_corner, {3.2f, 1.9f, 2.6f}, {0.4f, 0.5f, 0}, 40, 0.1f, 0.5f },
     { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {0.9f, 2.4f, 2.6f}, {0, -0.3f, 0}, 34, 0.1f, 0.5f },
@@ -642,23 +903,13 @@ const char *kit_scene_builtin(int i, const char **about)
     return builtins[i].name;
 }
 
-static void bounds(kit_mesh *mesh)
-{
-    for (size_t i = 0; i < 3 * mesh->triangles; i++)
-        for (int c = 0; c < 3; c++) {
-            float p = mesh->position[3 * i + (size_t)c];
-            if (!i || p < mesh->lower[c]) mesh->lower[c] = p;
-            if (!i || p > mesh->upper[c]) mesh->upper[c] = p;
-        }
-}
-
-/* what goes on building a mesh; failing leaves its triangles as they were, with more after them perhaps */
-static build resume(const kit_mesh *mesh)
+/* what goes on building a scene; failing leaves its triangles and objects as they were, with more after them perhaps */
+static build resume(const kit_scene *scene)
 {
     build b;
     memset(&b, 0, sizeof b);
-    b.mesh = *mesh;
-    b.capacity = mesh->triangles;
+    b.scene = *scene;
+    b.capacity = scene->mesh.triangles;
     return b;
 }
 
@@ -688,6 +939,7 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
 {
     FILE *file = fopen(path, "rb");
     double diagonal = 0;
+    int failed = 0;
     if (!file) {
         char names[160] = "";
         for (int i = 0; i < BUILTINS; i++) {
@@ -697,7 +949,8 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s)", path, names);
     }
     fclose(file);
-    if (kit_mesh_obj(&scene->mesh, path, err)) return -1;
+    if (kit_mesh_obj(&scene->mesh, &scene->object, &scene->objects, path, err)) return -1;
+    for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;
     for (int i = 0; i < 3; i++) diagonal += pow((double)scene->mesh.upper[i] - (double)scene->mesh.lower[i], 2);
     diagonal = sqrt(diagonal);
     scene->name = path;
@@ -706,18 +959,19 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     scene->camera.fovy = 45;
     frame_bounds(&scene->camera, &scene->mesh);
     if (floor_) {
-        build b = resume(&scene->mesh);
+        build b = resume(scene);
         const double x = 0.5 * ((double)scene->mesh.lower[0] + (double)scene->mesh.upper[0]);
         const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal, y = (double)scene->mesh.lower[1];
         const double corner[4][3] = { {x - half, y, z + half}, {x + half, y, z + half}, {x + half, y, z - half}, {x - half, y, z - half} };
         colour(&b, 0.8, 0.8, 0.8);
+        object(&b, "floor", -1);
         sheet(&b, (const double (*)[3])corner, CUTS(both), CUTS(both));
-        scene->mesh = b.mesh;
-        if (b.failed) {
-            kit_mesh_free(&scene->mesh);
-            return kit_fail(err, "scene '%s': no memory for its floor", path);
-        }
-        bounds(&scene->mesh);
+        *scene = b.scene;
+        failed = b.failed;
+    }
+    if (failed || complete(scene, 0)) {
+        kit_scene_free(scene);
+        return kit_fail(err, "scene '%s': no memory for its floor or objects", path);
     }
     return 0;
 }
@@ -734,15 +988,16 @@ int kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_e
         build b;
         if (strcmp(name_or_path, from->name)) continue;
         memset(&b, 0, sizeof b);
-        b.random = 1;
+        b.random = b.object = 1;
+        b.scene = s;
         colour(&b, 0.8, 0.8, 0.8);
         from->make(&b);
-        if (b.failed) {
-            kit_mesh_free(&b.mesh);
+        if (!b.scene.objects) object(&b, from->name, -1);
+        s = b.scene;
+        if (b.failed || complete(&s, 0)) {
+            kit_scene_free(&s);
             return kit_fail(err, "scene '%s': no memory", name_or_path);
         }
-        bounds(&b.mesh);
-        s.mesh = b.mesh;
         s.name = from->name;
         s.about = from->about;
         s.radius = from->radius;
@@ -761,25 +1016,75 @@ int kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_e
 void kit_scene_free(kit_scene *scene)
 {
     kit_mesh_free(&scene->mesh);
+    for (int i = 0; i < scene->shapes; i++) kit_mesh_free(&scene->shape[i]);
+    free(scene->shape);
+    free(scene->object);
     memset(scene, 0, sizeof *scene);
 }
 
 int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err)
 {
-    const size_t before = scene->mesh.triangles;
-    build b = resume(&scene->mesh);
+    const kit_scene before = *scene;
+    build b = resume(scene);
     for (int i = 0; i < 3; i++) {
         if (!isfinite(upper[i] - lower[i]) || upper[i] - lower[i] < 1e-4f)
             return kit_fail(err, "box: sides (upper - lower) must be finite and at least 1e-4, not %g", (double)(upper[i] - lower[i]));
         if (!(albedo[i] >= 0 && albedo[i] <= 1)) return kit_fail(err, "box: albedo must be in [0, 1], not %g", (double)albedo[i]);
         b.albedo[i] = albedo[i];
     }
+    object(&b, "box", -1);
     box(&b, (double)lower[0], (double)lower[1], (double)lower[2], (double)upper[0], (double)upper[1], (double)upper[2]);
-    scene->mesh = b.mesh;
-    if (b.failed) {
-        scene->mesh.triangles = before;
+    *scene = b.scene;
+    if (b.failed || complete(scene, before.objects)) {
+        scene->mesh.triangles = before.mesh.triangles;
+        scene->objects = before.objects;
         return kit_fail(err, "scene '%s': no memory for a box", scene->name);
     }
+    return 0;
+}
+
+int kit_scene_place(kit_scene *scene, int object_, const float to_world[16], kit_error *err)
+{
+    double column[3][3], third[3], scale;
+    if (object_ < 0 || object_ >= scene->objects) return kit_fail(err, "scene '%s': there is no object %d (0..%d)", scene->name, object_, scene->objects - 1);
+    for (int i = 0; i < 12; i++) if (i % 4 < 3) column[i / 4][i % 4] = (double)to_world[i];
+    scale = sqrt(dot(column[0], column[0]));
+    cross(column[0], column[1], third);
+    for (int i = 0; i < 3; i++) third[i] -= scale * column[2][i];
+    if (!(scale > 0 && scale < 1e15) || !(sqrt(dot(third, third)) < 1e-3 * scale * scale) || !(fabs(dot(column[0], column[1])) < 1e-3 * scale * scale) ||
+        !(fabs(dot(column[1], column[1]) - scale * scale) < 2e-3 * scale * scale) || to_world[3] != 0 || to_world[7] != 0 || to_world[11] != 0 || to_world[15] != 1 ||
+        !(fmaxf(fabsf(to_world[12]), fmaxf(fabsf(to_world[13]), fabsf(to_world[14]))) < 1e15f))
+        return kit_fail(err, "scene '%s', object '%s': its place must be a rotation, a uniform scale and a translation", scene->name, scene->object[object_].name);
+    set_place(scene, object_, to_world);
     bounds(&scene->mesh);
     return 0;
+}
+
+void kit_scene_move(kit_scene *scene, double time)
+{
+    for (int k = 0; k < scene->objects; k++) {
+        const kit_object *o = &scene->object[k];
+        const float *from = o->loaded, *base = scene->object[o->base].loaded;
+        const int way = o->base % 3, hops = 1 + o->base % 2;
+        const double size = sqrt((double)base[0] * (double)base[0] + (double)base[1] * (double)base[1] + (double)base[2] * (double)base[2]);
+        const double start = 2.4 * o->base, now = start + 2 * PI * time, hop = sin(PI * time * hops);
+        double arm[3];
+        build b;
+        float m[16];
+        if (!(from[15] > 0)) continue;
+        memset(&b, 0, sizeof b);
+        b.turn = hops > 1 ? 360 * time : -360 * time;
+        if (way == 2) b.tilt = 360 * time;
+        for (int i = 0; i < 3; i++) arm[i] = (double)from[12 + i] - (double)base[12 + i];
+        rotate(&b, arm, b.at);
+        for (int i = 0; i < 3; i++) b.at[i] -= arm[i];
+        if (way == 0) {
+            b.at[0] += 0.3 * size * (cos(now) - cos(start));
+            b.at[2] += 0.3 * size * (sin(now) - sin(start));
+        }
+        if (way == 1) b.at[1] += 0.6 * size * hop * hop;
+        pose(&b, from, m);
+        place_above(scene, k, m, GAP);
+    }
+    bounds(&scene->mesh);
 }

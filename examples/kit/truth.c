@@ -149,6 +149,8 @@ typedef struct ambient {
     ssgi_trace trace;
     float      radius;
     int        attenuation, rays;
+    const kit_scene *others;        /* NULL, or only objects of this scene that cast count, except number own */
+    uint32_t   own;
     uint32_t  *points;              /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at least */
     uint32_t   mask;                /* that power less one */
 } ambient;
@@ -221,10 +223,23 @@ static void cosine_direction(const float n[3], const float at[2], float d[3])
     for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
 }
 
+static uint32_t object_of(const kit_mesh *mesh, uint32_t triangle) { return mesh->object ? mesh->object[triangle] : 0; }
+
+static int blocked_by_others(const ambient *a, const float origin[3], const float d[3])
+{
+    ssgi_hit hit = { 0 };
+    while (ssgi_trace_closest(&a->trace, origin, d, hit.t, a->radius, &hit)) {
+        const uint32_t number = object_of(&a->others->mesh, hit.triangle);
+        if (number && number != a->own && a->others->object[number - 1].casts) return 1;
+    }
+    return 0;
+}
+
 /* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not matter */
 static double blocked(const ambient *a, const float origin[3], const float d[3], ssgi_hit *hit)
 {
     ssgi_hit nearest;
+    if (a->others) return blocked_by_others(a, origin, d);
     if (a->attenuation == KIT_ATTENUATION_NONE && !hit) return ssgi_trace_any(&a->trace, origin, d, 0, a->radius);
     if (!hit) hit = &nearest;
     if (!ssgi_trace_closest(&a->trace, origin, d, 0, a->radius, hit)) return 0;
@@ -284,6 +299,7 @@ typedef struct place {              /* on the surface, as seen along a ray */
     float origin[3];                /* lifted off the face, toward the ray */
     float n[3];                     /* shading normal, turned to that side */
     const float *albedo;
+    uint32_t object;
 } place;
 
 static void place_at(const kit_mesh *mesh, const ssgi_hit *hit, const float direction[3], place *at)
@@ -310,12 +326,14 @@ static void place_at(const kit_mesh *mesh, const ssgi_hit *hit, const float dire
     }
     lift_off(p, magnitude, face, at->origin);
     at->albedo = mesh->albedo + 3 * (size_t)hit->triangle;
+    at->object = object_of(mesh, hit->triangle);
 }
 
 typedef struct truth truth;
 struct truth {
     ambient             ambient;
-    const kit_mesh     *mesh;
+    const kit_scene    *scene;
+    const kit_mesh     *mesh;       /* its */
     kit_camera          camera;
     kit_image           out;
     int                 stride;
@@ -367,6 +385,7 @@ static int truth_run(truth *job, kit_image *out, const char *channels, const kit
     if (stride < 1) return kit_fail(err, "truth: stride %d: must be 1 or more", stride);
     if (scene->mesh.triangles == 0) return kit_fail(err, "truth: the scene has no triangles");
     if (ambient_begin(&job->ambient, radius, attenuation, rays, "truth", err)) return -1;
+    job->scene = scene;
     job->mesh = &scene->mesh;
     job->camera = *camera;
     job->stride = stride;
@@ -388,6 +407,20 @@ int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camer
 {
     truth job = { .pixel = ambient_pixel, .background = 1 };
     return truth_run(&job, out, "Y", scene, camera, radius, attenuation, rays, stride, err);
+}
+
+static void objects_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
+{
+    ambient a = job->ambient;
+    a.others = job->scene;
+    a.own = at->object;
+    *value = ambient_at(&a, pixel, at->origin, at->n);
+}
+
+int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride, kit_error *err)
+{
+    truth job = { .pixel = objects_pixel, .background = 1 };
+    return truth_run(&job, out, "Y", scene, camera, INFINITY, KIT_ATTENUATION_NONE, rays, stride, err);
 }
 
 /* ---- light ------------------------------------------------------------------------------------------------------ */

@@ -1,0 +1,101 @@
+/* field.c - ambient occlusion fields of a scene's shapes, and their textures. Declared in kit_gl.h. */
+#include "kit_gl.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- >>baked: each shape once a process --------------------------------------------------------------------------- */
+
+typedef struct baked { struct baked *next; uint64_t key; ssgi_field field; double seconds; uint32_t texels[]; } baked;
+static baked *all;
+
+static void in_parallel(void *user, int count, void (*job)(void *context, int i), void *context)
+{
+    (void)user;
+    kit_parallel(NULL, count, job, context);
+}
+
+static int shown(void *user, float done)
+{
+    kit_progress(user, (double)done);
+    return 0;
+}
+
+static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a */
+{
+    for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;
+    return h;
+}
+
+const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err)
+{
+    ssgi_field_desc d = *desc;
+    const size_t texels = ssgi_field_size(d.resolution ? d.resolution : d.error > 0 ? 64 : 16, d.bits ? d.bits : 16), size = ssgi_field_bake_size(&d, shape->triangles);
+    uint64_t key = hashed(14695981039346656037u, shape->position, 9 * shape->triangles * sizeof(float));
+    const char *why = "out of memory";
+    void *work;
+    baked *b;
+    key = hashed(key, &d.resolution, offsetof(ssgi_field_desc, hit));
+    for (b = all; b && b->key != key; b = b->next) {}
+    if (!b) {
+        const double began = kit_seconds();
+        int failed;
+        d.parallel = in_parallel;
+        d.progress = shown;
+        d.user = "baking a field";
+        b = malloc(sizeof *b + texels);
+        work = malloc(size + 1);
+        failed = !b || !work || ssgi_field_bake(&b->field, b->texels, work, size, &d, shape->position, 3 * sizeof(float), NULL, shape->triangles, &why) != SSGI_OK;
+        free(work);
+        if (failed) {
+            free(b);
+            kit_fail(err, "field: %s", why);
+            return NULL;
+        }
+        b->seconds = kit_seconds() - began;
+        b->key = key;
+        b->next = all;
+        all = b;
+    }
+    if (seconds) *seconds = b->seconds;
+    return &b->field;
+}
+
+void kit_fields_free(void)
+{
+    while (all) {
+        baked *next = all->next;
+        free(all);
+        all = next;
+    }
+}
+
+/* ---- >>textures -------------------------------------------------------------------------------------------------- */
+
+GLuint kit_field_atlas(const ssgi_field *const *field, int count)
+{
+    const int words = field[0]->bits == 8 ? 2 : 4;
+    int most = 2;
+    GLuint texture = 0;
+    uint32_t *data;
+    for (int i = 0; i < count; ++i) if (field[i]->resolution > most) most = field[i]->resolution;
+    const size_t row = (size_t)words * (size_t)(most + 2), slice = row * 6 * (size_t)(most + 2);
+    data = calloc(slice * (size_t)count, sizeof *data);
+    for (int i = 0; i < count && data; ++i) {
+        const size_t own = (size_t)words * (size_t)(field[i]->resolution + 2);
+        for (size_t y = 0; y < 6 * (size_t)(field[i]->resolution + 2); ++y) memcpy(data + (size_t)i * slice + y * row, field[i]->texels + y * own, own * sizeof *data);
+    }
+    if (data) texture = kit_texture_array(most + 2, 6 * (most + 2), count, field[0]->bits == 8 ? GL_RG32UI : GL_RGBA32UI, (const float *)(const void *)data);
+    free(data);
+    return texture;
+}
+
+int kit_field_cubes(GLuint cube[2], const ssgi_field *field)
+{
+    const size_t face = 4 * (size_t)(field->resolution * field->resolution) * (size_t)(field->bits / 8);
+    char *data = malloc(12 * face);
+    cube[0] = cube[1] = 0;
+    for (size_t k = 0; k < 6 && data; ++k) ssgi_field_cube(field, (int)k, data + k * face, data + (6 + k) * face);
+    for (size_t k = 0; k < 2 && data; ++k) cube[k] = kit_texture_cube(field->resolution, field->bits == 8 ? GL_RGBA8 : GL_RGBA16, data + 6 * k * face);
+    free(data);
+    return cube[0] && cube[1];
+}

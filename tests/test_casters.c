@@ -1,0 +1,434 @@
+/* test_casters.c - fields of casters through the whole of GL: the shader against the CPU, pictures against closed forms and truth, what one draw covers, how casters combine. */
+#include "t.h"
+#include "frames.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979;
+static kit_error err;
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+enum { W = 160, H = 90, POINTS = 64 * 64 };
+
+static float chance(void)                  /* [0,1) */
+{
+    static uint32_t state = 1;
+    state = state * 747796405u + 2891336453u;
+    return (float)(((state >> ((state >> 28) + 4)) ^ state) * 277803737u >> 8) / 16777216.0f;
+}
+
+static void direction(float d[3])
+{
+    const float z = 2 * chance() - 1, r = sqrtf(1 - z * z), a = (float)(2 * pi) * chance();
+    d[0] = r * cosf(a);
+    d[1] = r * sinf(a);
+    d[2] = z;
+}
+
+/* A turn about an axis, a uniform scale, a shift. */
+static void placed(float m[16], float angle, float scale, float x, float y, float z)
+{
+    const float u[3] = { 0.48f, 0.64f, 0.6f }, c = cosf(angle), s = sinf(angle);
+    const float cross[9] = { 0, u[2], -u[1], -u[2], 0, u[0], u[1], -u[0], 0 };
+    memset(m, 0, 16 * sizeof *m);
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) m[4 * k + i] = scale * ((i == k ? c : 0) + s * cross[3 * k + i] + (1 - c) * u[k] * u[i]);
+    m[12] = x;
+    m[13] = y;
+    m[14] = z;
+    m[15] = 1;
+}
+
+/* ---- the functions of ssgi_gl_field against their twins ----------------------------------------------------------------- */
+
+/* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures: t_ssgi_casters, _fields, _field, _field_centre, _cap. 0 on failure. */
+static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first, const float *second, const GLuint textures[5])
+{
+    static const char *const names[7] = { "t_ssgi_casters", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre", "t_ssgi_cap", "u_first", "u_second" };
+    static const GLenum kinds[7] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D };
+    static char text[20000];
+    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[7] = { textures[0], textures[1], textures[2], textures[3], textures[4] };
+    size_t n = ssgi_gl_field(text, sizeof text, desc);
+    int ok;
+    snprintf(text + n, sizeof text - n, "uniform sampler2D u_first, u_second;\nlayout(location = 0) out vec4 o;\nvoid main() { vec4 a = texelFetch(u_first, ivec2(gl_FragCoord.xy), 0), "
+             "b = texelFetch(u_second, ivec2(gl_FragCoord.xy), 0); o = vec4(%s); }\n", expression);
+    program = kit_program_text("", "void main() { gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0); }\n", text, &err);
+    if (!CHECK(program != 0, "%s", err.text)) return 0;
+    unit[5] = kit_texture(64, 64, GL_RGBA32F, first);
+    unit[6] = kit_texture(64, 64, GL_RGBA32F, second);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    glViewport(0, 0, 64, 64);
+    glUseProgram(program);
+    for (GLint k = 0; k < 7; ++k) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)k);
+        glBindTexture(kinds[k], unit[k]);
+        glUniform1i(glGetUniformLocation(program, names[k]), k);
+    }
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    for (GLint k = 6; k >= 0; --k) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)k);
+        glBindTexture(kinds[k], 0);
+    }
+    float *texels = malloc(4 * POINTS * sizeof *texels);
+    ok = texels && CHECK(!kit_texture_read(target, 64, 64, 4, texels), "it cannot be read");
+    for (int i = 0; i < POINTS && ok; ++i) out[i] = texels[4 * i];
+    free(texels);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteProgram(program);
+    glDeleteTextures(2, unit + 5);
+    glDeleteTextures(1, &target);
+    return ok;
+}
+
+static GLuint table_of(int size)
+{
+    float *table = malloc((size_t)size * (size_t)size * sizeof *table);
+    GLuint texture;
+    ssgi_cap_table(table, size, NULL);
+    texture = kit_texture(size, size, GL_R32F, table);
+    free(table);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    kit_texture_linear(GL_TEXTURE_2D);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+static void caps(void)
+{
+    static float at[4 * POINTS], out[POINTS];
+    ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE };
+    GLuint textures[5] = { 0, 0, 0, 0, table_of(64) };
+    double worst[2] = { 0, 0 };
+    for (int i = 0; i < POINTS; ++i) {         /* a grid with both ends, and small caps */
+        at[4 * i] = i % 64 < 56 ? (float)(i % 64) / 27.5f : powf(10, (float)(55 - i % 64));
+        at[4 * i + 1] = 2 * (float)(i / 64) / 63 - 1;
+    }
+    for (int k = 0; k < 2; ++k) {
+        d.cap = k ? SSGI_GL_CAP_TABLE : SSGI_GL_CAP_CLOSED;
+        if (!evaluated(out, &d, "ssgi_cap_any(a.x, a.y)", at, at, textures)) return;
+        for (int i = 0; i < POINTS; ++i) worst[k] = fmax(worst[k], fabs((double)out[i] - ssgi_cap_occlusion(2 * pi * (double)at[4 * i], (double)at[4 * i + 1])));
+    }
+    CHECK(worst[0] < 1e-5, "the closed form is off by %.2g", worst[0]);
+    CHECK(worst[1] < 1.7e-3, "the table of 64 x 64 is off by %.2g", worst[1]);
+    t_note("closed form off by at most %.1e, table of 64 x 64 by %.1e", worst[0], worst[1]);
+    glDeleteTextures(1, &textures[4]);
+}
+
+static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera) { return see(scene, g, name, NULL, 0, camera, W, H); }
+
+/* The field of a built-in scene's object. */
+static const ssgi_field *field_of(const kit_scene *scene, int object, int measure, int bits, int resolution)
+{
+    const ssgi_field_desc d = { .resolution = resolution, .radii = 8, .rays = 64, .measure = measure, .bits = bits };
+    const ssgi_field *f = kit_field(&scene->shape[scene->object[object].shape], &d, NULL, &err);
+    CHECK(f != NULL, "%s", err.text);
+    return f;
+}
+
+static void same_as_on_the_cpu(void)
+{
+    static const struct { int storage, measure, bits, cap; double limit; } row[] = { { 0, 0, 16, 0, 2e-5 }, { 0, 1, 8, 0, 2e-5 }, { 0, 0, 8, 1, 2e-3 }, { 0, 1, 16, 1, 2e-3 }, { 1, 0, 16, 0, 2e-2 }, { 1, 1, 8, 0, 2e-2 } };
+    static float first[4 * POINTS], second[4 * POINTS], out[POINTS], expected[POINTS];
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        const ssgi_field *f[2] = { field_of(&scene, 3 + m, row[m].measure, row[m].bits, 8), field_of(&scene, 12, row[m].measure, row[m].bits, 5) };
+        ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .storage = row[m].storage, .measure = row[m].measure, .eight_bits = row[m].bits == 8, .cap = row[m].cap };
+        ssgi_gl_caster caster[2];
+        GLuint textures[5] = { 0 };
+        float to[2][16];
+        double worst = 0, sum = 0;
+        const char *why = "";
+        if (!f[0] || !f[1]) return;
+        for (int k = 0; k < 2; ++k) {
+            ssgi_field_limits l = ssgi_field_limits_of(f[k]);
+            l.ramp *= 0.5f + 0.2f * (float)k;
+            l.power = 1.7f;
+            placed(to[k], 0.7f + (float)m, k ? 0.4f : 3, 1, -2.5f * (float)k, 0.5f);
+            if (!CHECK(ssgi_gl_caster_set(&caster[k], f[k], &l, to[k], k, 5 + k, &why) == SSGI_OK, "%s", why)) return;
+        }
+        for (int i = 0; i < POINTS; ++i) {     /* in the space of the pass, around the first, in its hull too; normals any */
+            float p[3], n[3];
+            direction(p);
+            direction(n);
+            const float r = caster[0].reach * (i % 4 ? powf(chance(), 3) : 0.2f * chance());
+            for (int k = 0; k < 3; ++k) { first[4 * i + k] = caster[0].at[k] + r * p[k]; second[4 * i + k] = n[k]; }
+            first[4 * i + 3] = second[4 * i + 3] = 0;
+            expected[i] = 1;
+            for (int c = 0; c < (row[m].storage ? 1 : 2); ++c) {
+                ssgi_field_limits l = { caster[c].ramp, caster[c].end, caster[c].inside, caster[c].power };
+                const float square = to[c][0] * to[c][0] + to[c][1] * to[c][1] + to[c][2] * to[c][2];
+                float q[3] = { 0 }, turned[3] = { 0 };
+                for (int k = 0; k < 3; ++k)
+                    for (int j = 0; j < 3; ++j) {
+                        q[k] += to[c][4 * k + j] * (first[4 * i + j] - to[c][12 + j]) / square;
+                        turned[k] += to[c][4 * k + j] * n[j] / sqrtf(square);
+                    }
+                expected[i] *= 1 - ssgi_field_occlusion(f[c], &l, q, turned);
+            }
+        }
+        textures[0] = kit_texture(10, 2, GL_RGBA32F, caster[0].at);
+        textures[1] = kit_field_atlas(f, 2);
+        if (row[m].storage) CHECK(kit_field_cubes(&textures[2], f[0]), "no cube maps");
+        textures[4] = table_of(64);
+        if (!evaluated(out, &d, row[m].storage ? "ssgi_field_visibility(1, 0, a.xyz, b.xyz)" : "ssgi_field_visibility(2, 0, a.xyz, b.xyz)", first, second, textures)) return;
+        for (int i = 0; i < POINTS; ++i) {
+            worst = fmax(worst, fabs((double)out[i] - (double)expected[i]));
+            sum += (double)expected[i] / POINTS;
+        }
+        CHECK(worst < row[m].limit && sum < 0.95, "storage %d measure %d bits %d cap %d: off by %.2g, mean %.3f", row[m].storage, row[m].measure, row[m].bits, row[m].cap, worst, sum);
+        t_note("%s of %d bits, %s, %s: off by %.1e at most", row[m].storage ? "cube" : "atlas", row[m].bits, row[m].measure ? "solid angle" : "vector", row[m].cap ? "table" : "closed form", worst);
+        if (!m) {                              /* a caster that is the object itself is left out */
+            if (!evaluated(out, &d, "ssgi_field_visibility(1, 5, a.xyz, b.xyz) - ssgi_field_visibility(2, 6, a.xyz, b.xyz) * step(0.0, a.x * 0.0)", first, second, textures)) return;
+            for (int i = 0; i < POINTS; i += 97) {
+                ssgi_field_limits l = { caster[0].ramp, caster[0].end, caster[0].inside, caster[0].power };
+                (void)l;
+                CHECK(out[i] >= -1e-6f && out[i] <= 1, "own object: %g", (double)out[i]);
+            }
+        }
+        glDeleteTextures(5, textures);
+    }
+    kit_scene_free(&scene);
+}
+
+/* ---- pictures -------------------------------------------------------------------------------------------------------- */
+
+static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, const char *set)
+{
+    const kit_world world = { scene, NULL };
+    kit_method m;
+    kit_run run;
+    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "resolution=8,radii=8,rays=64", &err)) && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
+    if (!ok) return 0;
+    kit_run_draw(&run, 0);
+    ok = TRY(kit_run_read(out, &run, &err));
+    kit_run_close(&run);
+    return ok;
+}
+
+static double apart(const kit_image *a, const kit_image *b)
+{
+    double worst = 0;
+    for (int i = 0; i < a->width * a->height; ++i) worst = fmax(worst, fabs((double)a->data[i] - (double)b->data[i]));
+    return worst;
+}
+
+/* Every pixel of the plane against the closed form of a resting ball; the ball itself, and the background, are left alone. */
+static void ball_on_a_plane(void)
+{
+    static const struct { const char *set; double limit; } row[] = { { "", 0.03 }, { "measure=solid-angle", 0.05 }, { "bits=8,draw=each,storage=cube", 0.03 } };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image out;
+    if (!scene_of(&scene, &g, "sphere", NULL)) return;
+    for (int m = 0; m < 3; ++m) {
+        double worst = 0, sum = 0;
+        int plane = 0, own = 0;
+        kit_image frame;
+        if (!drawn_aof(&out, &g, &scene, row[m].set) || !TRY(kit_gbuffer_read(&frame, &g, &err))) return;
+        for (int i = 0; i < W * H; ++i) {
+            const float z = kit_image_channel(&frame, "Z")[i];
+            float p[3];
+            if (z > 0) kit_camera_point(&g.camera, i % W, i / W, (double)z, p);
+            const double rho2 = z > 0 ? (double)(p[0] * p[0] + p[2] * p[2]) : 0;
+            if (!(z > 0) || p[1] > 1e-3f) own += out.data[i] < 1;
+            else if (rho2 < 25) {              /* beyond, the ramp */
+                worst = fmax(worst, fabs(1 - (double)out.data[i] - pow(1 + rho2, -1.5)));
+                sum += 1 - (double)out.data[i];
+                ++plane;
+            }
+        }
+        CHECK(worst < row[m].limit && plane > 1000 && sum > 0.05 * plane && !own, "%s: off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", row[m].set, worst, plane, sum / plane, own);
+        t_note("%s off by %.4f at most", *row[m].set ? row[m].set : "default", worst);
+        kit_image_free(&frame);
+        kit_image_free(&out);
+    }
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* A draw covers each caster's sphere of influence, from outside, from within, beside the picture and behind the eye: against all casters at every pixel, on the CPU. */
+static void what_a_draw_covers(void)
+{
+    static const struct { float eye[3], target[3], fovy, height; int depth; } camera[] = {
+        { { 0, 6, 12 }, { 0, 0, 0 }, 45, 0, KIT_DEPTH_NORMAL }, { { 0.3f, 1.2f, 0.5f }, { 3, 0, -2 }, 100, 0, KIT_DEPTH_INFINITE }, { { 6, 8, 4 }, { 0, 0, 0 }, 0, 9, KIT_DEPTH_REVERSED },
+        { { 1, 9, 1 }, { 1, 0, 1.01f }, 30, 0, KIT_DEPTH_NORMAL }, { { -5, 2, 0 }, { 5, 1, 0.4f }, 60, 0, KIT_DEPTH_NORMAL } };
+    const char *set = "reach=2.5,ramp=0.6";
+    double worst = 0;
+    for (int m = 0; m < (int)(sizeof camera / sizeof camera[0]); ++m) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_camera c;
+        kit_image out, frame, objects;
+        if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+        c = scene.camera;
+        memcpy(c.eye, camera[m].eye, sizeof c.eye);
+        memcpy(c.target, camera[m].target, sizeof c.target);
+        c.fovy = camera[m].fovy;
+        c.ortho_height = camera[m].height;
+        c.depth = camera[m].depth;
+        c.shift[0] = 7;
+        c.width = W;
+        c.height = H;
+        const int margin[4] = { 5, 3, 2, 9 };
+        kit_scene_move(&scene, 0.2 * m);
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, margin, &err)) || !drawn_aof(&out, &g, &scene, set) || !TRY(kit_gbuffer_read(&frame, &g, &err))) return;
+        (void)objects;
+        float view[16], projection[16];
+        float *number = malloc((size_t)g.width * (size_t)g.height * sizeof *number);
+        kit_camera_matrices(&g.camera, view, projection);
+        CHECK(!kit_texture_read(g.object, g.width, g.height, 1, number), "object numbers cannot be read");
+        double off = 0;
+        for (int i = 0; i < W * H; ++i) {
+            const float z = kit_image_channel(&frame, "Z")[i];
+            uint32_t shown;
+            double expected = 1;
+            float p[3], n[3];
+            memcpy(&shown, &number[(g.viewport[1] + H - 1 - i / W) * g.width + g.viewport[0] + i % W], sizeof shown);
+            if (z > 0) {
+                kit_camera_point(&g.camera, i % W, i / W, (double)z, p);
+                for (int k = 0; k < 3; ++k) {
+                    static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
+                    n[k] = 0;
+                    for (int j = 0; j < 3; ++j) n[k] += view[4 * k + j] * kit_image_channel(&frame, names[j])[i];
+                }
+            }
+            for (int o = 0; o < scene.objects && z > 0; ++o) {
+                const kit_object *object = &scene.object[o];
+                if (!object->casts || shown == (uint32_t)o + 1) continue;
+                const ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64, .bits = 16, .reach = 2.5f };
+                const ssgi_field *f = kit_field(&scene.shape[object->shape], &d, NULL, &err);
+                ssgi_field_limits l = ssgi_field_limits_of(f);
+                const float *t = object->to_world, square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+                float q[3] = { 0 }, turned[3] = { 0 };
+                l.ramp = 0.6f * l.reach;
+                for (int k = 0; k < 3; ++k)
+                    for (int j = 0; j < 3; ++j) {
+                        q[k] += t[4 * k + j] * (p[j] - t[12 + j]) / square;
+                        turned[k] += t[4 * k + j] * n[j] / sqrtf(square);
+                    }
+                expected *= 1 - (double)ssgi_field_occlusion(f, &l, q, turned);
+            }
+            off = fmax(off, fabs(expected - (double)out.data[i]));
+        }
+        worst = fmax(worst, off);
+        CHECK(off < 2e-3, "camera %d: off by %.2g", m, off);
+        free(number);
+        kit_image_free(&out);
+        kit_image_free(&frame);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+    t_note("five cameras, off by %.1e at most", worst);
+}
+
+/* One draw, a draw each, and fields as cube maps give one picture; casters together lie between the most of them and their sum; a pixel's own object makes no difference to others. */
+static void combination(void)
+{
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image both, single[2], other;
+    int bad = 0, met = 0;
+    if (!scene_of(&scene, &g, "boxes", NULL)) return;
+    for (int k = 0; k < scene.objects; ++k) scene.object[k].casts = k == 1 || k == 2;
+    if (!drawn_aof(&both, &g, &scene, "")) return;
+    for (int s = 0; s < 2; ++s) {
+        if (!drawn_aof(&other, &g, &scene, s ? "storage=cube" : "draw=each")) return;
+        CHECK(apart(&both, &other) < (s ? 1e-2 : 1e-6), "%s differs by %.2g", s ? "storage=cube" : "draw=each", apart(&both, &other));
+        kit_image_free(&other);
+    }
+    for (int s = 0; s < 2; ++s) {
+        scene.object[1].casts = s == 0;
+        scene.object[2].casts = s == 1;
+        if (!drawn_aof(&single[s], &g, &scene, "")) return;
+    }
+    for (int i = 0; i < W * H; ++i) {
+        const double a = 1 - (double)single[0].data[i], b = 1 - (double)single[1].data[i], ab = 1 - (double)both.data[i];
+        bad += !(ab >= fmax(a, b) - 1e-6 && ab <= fmin(a + b, 1) + 1e-6 && fabs(1 - ab - (1 - a) * (1 - b)) < 1e-6);
+        met += a > 0.02 && b > 0.02;
+    }
+    CHECK(!bad && met > 300, "%d pixels are out of bounds, %d see both", bad, met);
+    scene.object[1].casts = scene.object[2].casts = 0;
+    if (!drawn_aof(&other, &g, &scene, "")) return;
+    for (int i = 0; i < W * H; ++i) bad += other.data[i] != 1;
+    CHECK(!bad, "without casters %d pixels are not open", bad);
+    kit_image_free(&other);
+    kit_image_free(&both);
+    for (int s = 0; s < 2; ++s) kit_image_free(&single[s]);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* Against rays: share of no occlusion's error, and what the published measure and a coarse cube map lose. */
+static void against_truth(void)
+{
+    static const struct { const char *set; double share; } row[] = { { "", 0.16 }, { "measure=solid-angle", 0.19 }, { "resolution=4", 0.18 }, { "normal=depth", 0.25 } };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image truth, out, none;
+    kit_score score, nothing;
+    if (!scene_of(&scene, &g, "casters", NULL) || !TRY(kit_truth_objects(&truth, &scene, &g.camera, 64, 1, &err)) || !TRY(kit_image_new(&none, W, H, "Y", &err))) return;
+    for (int i = 0; i < W * H; ++i) none.data[i] = 1;
+    TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        if (!drawn_aof(&out, &g, &scene, row[m].set)) return;
+        TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
+        CHECK(score.rmse < row[m].share * nothing.rmse, "%s: RMSE %.4f of %.4f", row[m].set, score.rmse, nothing.rmse);
+        t_note("%s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", *row[m].set ? row[m].set : "default", score.rmse, score.rmse / nothing.rmse, score.bias);
+        kit_image_free(&out);
+    }
+    kit_image_free(&truth);
+    kit_image_free(&none);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+static void refusals(void)
+{
+    kit_scene scene;
+    ssgi_gl_caster caster, was;
+    float m[16];
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
+    const ssgi_field *f = field_of(&scene, 3, 0, 16, 4);
+    const ssgi_field_limits fine = ssgi_field_limits_of(f);
+    memset(&was, 0x5a, sizeof was);
+    for (int k = 0; k < 14; ++k) {
+        static const char *const names[] = { "caster", "field", "mesh_to_view", "slice", "slice", "object", "limits.reach", "limits.reach", "limits.reach", "limits.inside", "limits.power", "mesh_to_view", "mesh_to_view", "mesh_to_view" };
+        ssgi_field_limits l = fine;
+        ssgi_field none = *f;
+        const char *why = "";
+        placed(m, 1, 2, 0, 0, -5);
+        none.texels = NULL;
+        if (k == 6) l.ramp = l.reach;
+        if (k == 7) l.reach *= 1.01f;
+        if (k == 8) l.ramp = NAN;
+        if (k == 9) l.inside = 1.1f;
+        if (k == 10) l.power = 0;
+        if (k == 11) for (int i = 0; i < 3; ++i) m[i] *= 1.1f;
+        if (k == 12) for (int i = 0; i < 3; ++i) m[i] = -m[i];
+        if (k == 13) m[13] = INFINITY;
+        caster = was;
+        CHECK(ssgi_gl_caster_set(k ? &caster : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m, k == 3 ? -1 : k == 4 ? 2048 : 0, k == 5 ? 1 << 24 : 0, &why) == SSGI_BAD_ARGUMENT
+              && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&caster, &was, sizeof was), "%d: \"%s\" (expected %s)", k, why, names[k]);
+    }
+    kit_scene_free(&scene);
+}
+
+void test_casters(void)
+{
+    if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
+    RUN("the shader's caps are the CPU's: closed form and table", caps);
+    RUN("the shader's fields are the CPU's: atlas and cube maps, both measures, 16 and 8 bits, turned, scaled and moved", same_as_on_the_cpu);
+    RUN("a ball on a plane is its closed form", ball_on_a_plane);
+    RUN("a draw covers each caster's sphere of influence from anywhere", what_a_draw_covers);
+    RUN("casters combine to between the most and the sum; one draw, a draw each and cube maps agree", combination);
+    RUN("two dozen casters against rays", against_truth);
+    RUN("a caster that cannot be set is refused", refusals);
+    kit_fields_free();
+    kit_gl_close();
+}
