@@ -2136,7 +2136,7 @@ SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *v
 {
     const double m = 1.0 / most, least = 1e-9 * m;
     ssgi__field_data data;
-    double best = 1e300, brightest = 0.0, u[3];
+    double best = 1e300, u[3];
     int start, i, k, j;
     data.radii = radii;
     data.values = values;
@@ -2144,7 +2144,6 @@ SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *v
     data.count = count;
     data.chord = 0;
     data.most = most;
-    for (i = 0; i < count; ++i) if (values[i] > brightest) brightest = values[i];
     for (start = 0; start < 2; ++start) {
         double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
         memset(a, 0, sizeof a);
@@ -2171,7 +2170,7 @@ SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *v
         p[1] += exp(0.5 * (u[0] + u[2])) - m;
         u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
         for (i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
-        error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-24 * brightest * brightest);
+        error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
         if (error < best) {
             best = error;
             ssgi__field_bernstein(q, u, most);
@@ -2207,8 +2206,8 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
     return sum;
 }
 
-/* The error itself is flat near its least: the chord leads there, the error polishes. */
-SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count)
+/* The error itself is flat near its least: the chord leads there, the error polishes. flat: an error that tells nothing. */
+static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions, int count, double flat)
 {
     ssgi__field_data data;
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
@@ -2221,7 +2220,7 @@ SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const doub
     data.most = 0.0;
     for (i = 0; i < 3; ++i) c[i] = 0.0;
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > 1e-14)) return best;           /* all point at the centre already: any place on the line would do */
+    if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
     for (polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -2233,6 +2232,11 @@ SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const doub
         }
     }
     return best;
+}
+
+SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count)
+{
+    return ssgi__field_centre(c, w, radii, directions, count, 1e-14);
 }
 
 /* ---- the caster: where it is, and its convex hull */
@@ -2474,7 +2478,7 @@ static void ssgi__field_texel(void *context, int job)
         for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
     }
     ssgi_field_fit(q, radii, values, b->radii, most);
-    ssgi_field_fit_centre(c, w, radii, directions, b->radii);
+    ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));     /* within the rays' noise, which a centre near the hull would follow */
     length = sqrt(ssgi__dot(c, c));
     out[0] = ssgi__log2(q[0]);
     out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));      /* positive for any q that is above 0 in between: blends of logarithms stay so */
@@ -2791,7 +2795,7 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     double w[3], v[3];
     float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
     int k;
-    for (k = 0; k < 3; ++k) w[k] = (double)point[k] - (double)field->centre[k];
+    for (k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
     for (k = 0; k < 3; ++k) direction[k] = (float)w[k];

@@ -19,20 +19,20 @@ typedef struct setup {
 #define NO_BOXES            { { 0 } }
 #define NO_SPOTS            { { NULL, 0, { 0 } } }
 
-static const entry moving_entries[]   = { AOF("casters", "", 1) };
+static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
 static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1), AOF("16 x 16", "resolution=16", 1), AOF("32 x 32", "resolution=32", 1) };
-static const entry sunk_entries[]     = { AOF("A_0 as measured", "", 1), AOF("A_0 = 1, p = 2", "inside=1,power=2", 1) };
+static const entry sunk_entries[]     = { AOF("A_0 as measured", "resolution=8", 1), AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1) };
 
 typedef struct field_part { const char *title, *about; setup setup; const entry *entries; int count, crop[MOST_CROPS][4]; } field_part;
 #define MOVING(name, time) { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), { { 0 } }
 static const field_part field_parts[] = {
-    { "Fields: casters that move", "Cubes, balls, tori, cones and tables, one field a shape, 16 x 16 texels a face. At rest,", MOVING("casters-0", 0) },
+    { "Fields: casters that move", "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,", MOVING("casters-0", 0) },
     { NULL, "a third of a period later,", MOVING("casters-1", 1 / 3.0) },
     { NULL, "and two thirds.", MOVING("casters-2", 2 / 3.0) },
     { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 to 32 x 32 texels a face.",
       { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL }, NO_SPOTS,
-        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f }, { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 256 },
-      pedestal_entries, COUNT(pedestal_entries), { { 150, 195, 180, 90 }, { 250, 20, 180, 90 } } },
+        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f }, { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 512 },
+      pedestal_entries, COUNT(pedestal_entries), { { 135, 142, 134, 67 }, { 87, 5, 134, 67 } } },
     { "Fields: inside of the hull", "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside of the convex hull, where occlusion goes to A_0.",
       { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL }, { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } }, NO_BOXES, 0, 128 },
       sunk_entries, COUNT(sunk_entries), { { 0 } } }
@@ -44,15 +44,15 @@ enum { FIELD_PARTS = COUNT(field_parts), FIELD_DEMO_ROWS = 3 * COUNT(moving_entr
 #define EIGHT "bits=8,resolution="
 static const entry field_entries[] = {         /* rows of one label make one curve */
     AOF("vector", "resolution=4", 1), AOF("vector", "resolution=8", 1), AOF("vector", "resolution=16", 1), AOF("vector", "resolution=32", 0), AOF("vector", "resolution=64", 0),
-    AOF("solid angle", ANGLE "4", 1), AOF("solid angle", ANGLE "8", 1), AOF("solid angle", ANGLE "16", 1), AOF("solid angle", ANGLE "32", 0),
-    AOF("vector, 8 bits", EIGHT "4", 0), AOF("vector, 8 bits", EIGHT "8", 1), AOF("vector, 8 bits", EIGHT "16", 0), AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0), AOF("solid angle, 8 bits", EIGHT "16,measure=solid-angle", 0)
+    AOF("solid angle", ANGLE "4", 1), AOF("solid angle", ANGLE "8", 1), AOF("solid angle", ANGLE "16", 1),
+    AOF("vector, 8 bits", EIGHT "4", 0), AOF("vector, 8 bits", EIGHT "8", 1), AOF("vector, 8 bits", EIGHT "16", 0), AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
 };
 typedef struct field_scene { const char *title; setup setup; int most; const char *curve[2]; } field_scene;     /* most: texels along a side */
 static const field_scene field_scenes[] = {
-    { "Ball on a ground",  { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 4096 }, 64, { "ball, vector", "ball, solid angle" } },
-    { "Cube on a ground",  { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 4096 }, 32, { "cube, vector", "cube, solid angle" } },
-    { "Bunny on a floor",  { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 2048 }, 32, { "bunny, vector", "bunny, solid angle" } },
-    { "Two dozen casters", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 1024 }, 16, { NULL, NULL } }
+    { "Ball on a ground",  { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 64, { "ball, vector", "ball, solid angle" } },
+    { "Cube on a ground",  { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 32, { "cube, vector", "cube, solid angle" } },
+    { "Bunny on a floor",  { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 1024 }, 32, { "bunny, vector", "bunny, solid angle" } },
+    { "Two dozen casters", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, { NULL, NULL } }
 };
 
 /* casters: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the caster's bounding sphere in its place. */
@@ -75,14 +75,15 @@ typedef struct bake { const char *label, *settings; int triangles, threads, quic
 static const bake bakes[] = {
     { "lumpy ball", "", 1000, 0, 1 }, { "lumpy ball", "", 10000, 0, 1 }, { "lumpy ball", "", 100000, 0, 1 }, { "lumpy ball", "", 1000000, 0, 0 }, { "lumpy ball", "", 10000, 1, 0 }, { "lumpy ball", "", 1000000, 1, 0 },
     { "lumpy ball", "resolution=4", 10000, 0, 1 }, { "lumpy ball", "resolution=8", 10000, 0, 1 }, { "lumpy ball", "resolution=32", 10000, 0, 0 },
-    { "bunny", "rays=32", 0, 0, 1 }, { "bunny", "rays=64", 0, 0, 1 }, { "bunny", "rays=128", 0, 0, 1 }, { "bunny", "rays=256", 0, 0, 0 }, { "bunny", "rays=512", 0, 0, 0 },
-    { "bunny, error within 0.05", "resolution=32,radii=24,error=0.05", 0, 0, 0 }, { "bunny, error within 0.03", "resolution=32,radii=24,error=0.03", 0, 0, 0 }, { "bunny, error within 0.02", "resolution=32,radii=24,error=0.02", 0, 0, 0 },
-    { "cube, error within 0.05", "resolution=32,radii=24,error=0.05", 0, 0, 0 }, { "cube, error within 0.03", "resolution=32,radii=24,error=0.03", 0, 0, 0 }, { "cube, error within 0.02", "resolution=32,radii=24,error=0.02", 0, 0, 0 }
+    { "lumpy ball", "rays=32", 10000, 0, 1 }, { "lumpy ball", "rays=64", 10000, 0, 1 }, { "lumpy ball", "rays=128", 10000, 0, 1 }, { "lumpy ball", "rays=256", 10000, 0, 0 }, { "lumpy ball", "rays=512", 10000, 0, 0 },
+    { "bunny", "", 0, 1, 1 }, { "bunny", "", 0, 0, 1 },
+    { "bunny, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "bunny, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "bunny, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 },
+    { "cube, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "cube, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "cube, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 }
 };
 
 static const struct { const char *label[2]; setup setup; } pairs[] = {
-    { { "balls, each traced", "balls, each by its field" }, { CLOSE("two-balls"), { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 2048 } },
-    { { "cubes, each traced", "cubes, each by its field" }, { CLOSE("two-cubes"), { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 2048 } }
+    { { "balls, each traced", "balls, each by its field" }, { CLOSE("two-balls"), { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
+    { { "cubes, each traced", "cubes, each by its field" }, { CLOSE("two-cubes"), { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 512 } }
 };
 
 enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32 };
@@ -248,7 +249,7 @@ static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
         kit_image picture[MOST_ENTRIES], whole[1 + MOST_ENTRIES], crop, difference;
         char slug[1 + MOST_ENTRIES][128], name[160], note[64];
         stage s;
-        if (field_open(&s, &part->setup, 560, 315, err) || field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
+        if (field_open(&s, &part->setup, 400, 225, err) || field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
         if (part->title) fprintf(html, "<h2>%s</h2>\n", part->title);
         if (field_about(html, &s, part->about, err)) return -1;
         fputs("<div class=\"grid\">\n", html);
@@ -306,7 +307,7 @@ static int accuracy_of(FILE *html, const field_scene *f, int quick, field_row_se
         if (desc_of(&d, all[i].settings, err)) return -1;
         if (d.resolution <= f->most && (all[i].quick || !quick)) entries[count++] = all[i];
     }
-    if (field_open(&s, &f->setup, 320, 180, err) || field_measure(set->row, &s, entries, count, picture, err) || field_about(html, &s, "", err)) return -1;
+    if (field_open(&s, &f->setup, 240, 135, err) || field_measure(set->row, &s, entries, count, picture, err) || field_about(html, &s, "", err)) return -1;
     set->count = count + 1;
     for (int i = 0; i <= count; ++i) set->row[i].scene = f->setup.view.name;
     for (int i = 0; i < count; ++i) {
@@ -472,7 +473,7 @@ static int pairs_of(field_row_set *set, kit_error *err)
         kit_image each[2][2];                                   /* traced, by its field */
         int one = 0, other;
         stage s;
-        if (field_open(&s, &pairs[k].setup, 320, 180, err)) return -1;
+        if (field_open(&s, &pairs[k].setup, 240, 135, err)) return -1;
         while (!s.scene.object[one].casts) ++one;
         for (other = one + 1; !s.scene.object[other].casts;) ++other;
         for (int i = 0; i < 2; ++i) {
@@ -499,8 +500,7 @@ static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_er
 {
     static const char *const about[] = {
         "640 x 360 pixels. Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone.",
-        "Everything that is sampled, fitted and tested; all cores, or one. Errors are of occlusion at receivers that took no part in the bake. "
-        "Error within: the smallest resolution, up to 32, and the fewest radii with which 95 % of them are.",
+        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the smallest resolution, up to 16, and the fewest radii with which 95 % of them are.",
         "Two casters by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
     row curve[FIELD_SCENES * COUNT(field_entries)];
     int points = 0;
