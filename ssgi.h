@@ -37,6 +37,7 @@
       >>cap        spherical caps under the cosine: closed form, table
       >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
+      >>surfels    triangles as discs about as large on the screen, what splatting them reaches and costs, scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
@@ -363,6 +364,94 @@ SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], 
 
 /* 1 if there is any hit in tmin < t < tmax, else 0. Stops at the first found. */
 SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax);
+
+/* ==== >>surfels ================================================================================================ */
+
+/* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing angles, beside the picture and behind the eye, too.
+   What here makes surfels on the CPU, passes of ssgi_gl.h make on the GPU (SSGI_GL_SURFELS); both give the same, and SSGI_GL_SPLAT takes either. */
+
+/* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
+typedef struct ssgi_surfel {
+    float position[3], radius;      /* view space */
+    float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
+    float colour[3], unused;        /* what it sends: nothing for occlusion, outgoing radiance for a bounce, irradiance for scattering; the source's own until someone shades it */
+} ssgi_surfel;
+
+/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+SSGI_DEF int ssgi_tess_count(int level);
+/* Their barycentric coordinates, 3 a point, as OpenGL's tessellator has them but for its rounding (2e-5); in an order of ours: rings inwards. uvw: [limit: 3 ssgi_tess_count(level) floats]. Returns the count. */
+SSGI_DEF int ssgi_tess_points(float *uvw, int level);
+/* The level at which that many discs of this radius have the triangle's area, 1..64; small triangles get 1, for level 0 would drop them. More than 3169 discs need triangles split (ssgi_surfel_desc.splits). */
+SSGI_DEF int ssgi_tess_level(double area, double radius);
+
+/* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them */
+enum { SSGI_SHRINK_INCENTRE = 0,    /* scaled about the centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider than the triangle */
+       SSGI_SHRINK_CENTROID,        /* the paper's: corners move by r toward the centroid, by 0.9 of the way at most: it leaves half of what protrudes */
+       SSGI_SHRINK_NONE };
+
+typedef struct ssgi_surfel_desc {
+    float size;                     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.02]  diameter of a surfel facing the viewer: the paper's s */
+    float still;                    /* [limit: 0..1]  0: surfels are jittered by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 1: not at all */
+    int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
+    int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
+} ssgi_surfel_desc;
+
+/* Triangles; strides in bytes, 0 = three floats, tightly. */
+typedef struct ssgi_surfel_source {
+    const float *position;          /* x y z a vertex */
+    const float *normal;            /* the same of normals, any length; NULL: the triangle's own */
+    const float *colour;            /* the same of what goes to ssgi_surfel.colour; NULL: 1 1 1 */
+    size_t position_stride, normal_stride, colour_stride;
+    const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
+    size_t triangles;
+    float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's transpose */
+} ssgi_surfel_source;
+
+/* Radius of a surfel at a view depth: s tan(alpha/2) (|depth - near| + near) [DSS14 3.1]: on the screen s/2 picture heights; behind the near plane they grow again. Orthographic: s/2 heights everywhere. */
+SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
+
+/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
+   give none. seed depends on the triangle's number and the place in it alone. Outputs are untouched when something is wrong. */
+SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+
+/* Distance beyond which what a surfel brings stays below epsilon: r sqrt(brightest / epsilon - 1), brightest the largest component of what it sends (1 for occlusion); 0 when that is below epsilon [DSS14 3.2, 4]. */
+SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
+/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level l; no farther than `most`. */
+SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
+/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). GLSL twin: ssgi_form_factor. */
+SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3]);
+
+/* Pixels that a sphere covers: exact bounds x0, y0, x1, y1 [units: pixels, of the picture, clipped to it]. 0: none, and bounds are untouched. Around the eye: all. */
+SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius);
+
+/* How surfels are splatted; what ssgi_gl_splat_set takes, too. */
+typedef struct ssgi_splat {
+    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.02] what is less is left to the next level, or out */
+    float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts: a radius of occlusion */
+    float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
+    int   levels;                   /* [limit: 0..7] [default: 4] every level doubles the reach, at about the same cost */
+} ssgi_splat;
+enum { SSGI_SPLAT_LEVELS = 7 };
+
+/* Texels along x and y of one level in the shuffled layout; all levels lie below each other in one texture: width x (levels * height). */
+SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
+
+/* What a picture will cost: before anything is drawn. pixels: texels that level l's splats cover, each splat's. Of surfels: as they would be drawn; of triangles: from a surfel at each part's centre, counts exact.
+   splits: what the triangles ask for (ssgi_surfel_desc.splits lets them have). */
+typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
+SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why);
+
+/* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that ssgi_dipole_set was given. */
+typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;     /* z_r, z_v, sigma_tr, alpha' */
+/* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: sigma_s > 0, sigma_a >= 0]     eta [limit: 1..3] */
+SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why);
+/* Diffuse reflectance at a distance [units: 1/unit^2], and over a whole plane. */
+SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
+SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
+/* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
+typedef struct ssgi_material { const char *name; float sigma_s[3], sigma_a[3], eta; } ssgi_material;
+SSGI_DEF const ssgi_material *ssgi_material_of(int i);
 
 /* ==== >>field ================================================================================================== */
 
@@ -1962,6 +2051,467 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
 }
 
+/* ==== >>surfels (implementation) =============================================================================== */
+
+SSGI_DEF int ssgi_tess_count(int level)
+{
+    const int half = (level + 1) / 2;
+    if (level < 1 || level > 64) return 0;
+    return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
+}
+
+/* Point i of ring k, which has n - 2k segments a side: its place on the lattice of 1/n, from the ring's own corners. */
+static void ssgi__tess_lattice(int place[3], int segments, int i)
+{
+    const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
+    place[side] = segments - along;
+    place[(side + 1) % 3] = along;
+    place[(side + 2) % 3] = 0;
+}
+
+static uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
+{
+    x = x * 747796405u + 2891336453u;
+    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
+    return (x >> 22) ^ x;
+}
+
+SSGI_DEF int ssgi_tess_points(float *uvw, int level)
+{
+    int n = 0, ring, i, k, place[3];
+    if (level < 1 || level > 64 || !uvw) return 0;
+    for (ring = 0; 2 * ring <= level; ++ring) {
+        const int segments = level - 2 * ring, points = segments ? 3 * segments : 1;    /* the tessellator's rings stand 2/(3n) apart in barycentric coordinates */
+        for (i = 0; i < points; ++i, ++n) {
+            ssgi__tess_lattice(place, segments, i);
+            for (k = 0; k < 3; ++k) uvw[3 * n + k] = (float)((2.0 * ring / 3.0 + place[k]) / level);
+        }
+    }
+    return n;
+}
+
+SSGI_DEF int ssgi_tess_level(double area, double radius)
+{
+    const double discs = area / (3.14159265358979323846 * radius * radius);
+    if (!(discs > 3.0)) return 1;
+    return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
+}
+
+/* r = scale * (|depth - near| + near), scale alone when orthographic. */
+static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
+{
+    const double d = (double)view->depth[0] + (double)view->depth[1] * (double)(1.0f - view->clear);
+    out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
+    out[1] = view->orthographic ? 0.0 : 1.0 / d;
+}
+
+static double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
+{
+    return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
+}
+
+SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth)
+{
+    double scale[2];
+    ssgi__surfel_scale(scale, view, size);
+    return ssgi__surfel_radius(scale, view->orthographic, depth);
+}
+
+/* What a triangle, split or not, becomes. */
+typedef struct ssgi__surfel_maker {
+    const ssgi_view *view;
+    const ssgi_surfel_source *source;
+    ssgi_surfel_desc desc;
+    double scale[2], normals[3][3];
+} ssgi__surfel_maker;
+
+typedef struct ssgi__patch {
+    double at[3][3], normal[3][3], colour[3][3];
+    double area, radius;
+    int    level;
+} ssgi__patch;
+
+static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
+{
+    const float *v = (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
+    int k;
+    for (k = 0; k < 3; ++k) out[k] = (double)v[k];
+}
+
+/* The whole triangle in view space. 0: it gives no surfels. */
+static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
+{
+    const ssgi_surfel_source *s = m->source;
+    double a[3], b[3], n[3], v[3];
+    int corner, i, k;
+    for (corner = 0; corner < 3; ++corner) {
+        const size_t vertex = s->index ? s->index[3 * triangle + (size_t)corner] : 3 * triangle + (size_t)corner;
+        ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
+        for (i = 0; i < 3; ++i) {
+            p->at[corner][i] = (double)s->to_view[12 + i];
+            for (k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
+            if (!ssgi__finite((float)p->at[corner][i])) return 0;
+        }
+        for (i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
+        if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
+        if (s->normal) {
+            ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
+            for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__dot(m->normals[i], v);
+        }
+    }
+    for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
+    ssgi__cross(n, a, b);
+    p->area = 0.5 * ssgi__normalise(n);
+    for (corner = 0; corner < 3 && !s->normal; ++corner) memcpy(p->normal[corner], n, sizeof n);
+    return p->area > 0.0 && ssgi__finite((float)p->area);
+}
+
+static double ssgi__nearest(const ssgi__patch *p)       /* |depth| where it is nearest to the near plane, were it a segment */
+{
+    double low = 1e300, high = -1e300;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        if (-p->at[k][2] < low) low = -p->at[k][2];
+        if (-p->at[k][2] > high) high = -p->at[k][2];
+    }
+    return low > 0.0 ? low : high < 0.0 ? high : 0.0;
+}
+
+static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+{
+    double depth = ssgi__nearest(whole), r, n;
+    if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
+    r = ssgi__surfel_radius(m->scale, m->view->orthographic, depth);
+    n = ceil(sqrt(whole->area / (3.14159265358979323846 * r * r * 3169.0)) - 1e-5);
+    return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
+}
+
+/* Part i of n * n, its level and radius, its corners moved off the edges. Twin of the tessellation control shader. */
+static void ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
+{
+    int row = (int)sqrt((double)part), place, c, i, k;
+    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, perimeter = 0.0, f;
+    if (row * row > part) --row;
+    place = part - row * row;
+    for (c = 0; c < 3; ++c) {
+        const int down = row + (place % 2 ? c != 2 && c != 0 : c > 0), across = place / 2 + (place % 2 ? c > 0 : c > 1);
+        const double w[3] = { 1.0 - (double)down / n, (double)(down - across) / n, (double)across / n };
+        for (i = 0; i < 3; ++i) {
+            p->at[c][i] = p->normal[c][i] = p->colour[c][i] = 0.0;
+            for (k = 0; k < 3; ++k) {
+                p->at[c][i] += w[k] * whole->at[k][i];
+                p->normal[c][i] += w[k] * whole->normal[k][i];
+                p->colour[c][i] += w[k] * whole->colour[k][i];
+            }
+        }
+    }
+    p->area = whole->area / ((double)n * n);
+    p->level = ssgi_tess_level(p->area, ssgi__surfel_radius(m->scale, m->view->orthographic, -(p->at[0][2] + p->at[1][2] + p->at[2][2]) / 3.0));
+    p->radius = sqrt(p->area / (3.14159265358979323846 * ssgi_tess_count(p->level)));
+    for (c = 0; c < 3; ++c) {
+        double d[3];
+        for (i = 0; i < 3; ++i) d[i] = p->at[(c + 2) % 3][i] - p->at[(c + 1) % 3][i];
+        edge[c] = m->desc.shrink == SSGI_SHRINK_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d));
+        perimeter += edge[c];
+    }
+    for (c = 0; c < 3; ++c) for (i = 0; i < 3; ++i) centre[i] += edge[c] / perimeter * p->at[c][i];
+    f = 1.0 - p->radius * perimeter / (2.0 * p->area);
+    if (f < 0.25) f = 0.25;
+    for (c = 0; c < 3 && m->desc.shrink != SSGI_SHRINK_NONE; ++c) {
+        double d[3], length;
+        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - centre[i];
+        length = sqrt(ssgi__dot(d, d));
+        if (m->desc.shrink == SSGI_SHRINK_CENTROID) f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
+        for (i = 0; i < 3; ++i) p->at[c][i] = centre[i] + f * d[i];
+    }
+}
+
+/* Twin of the tessellation evaluation shader. */
+static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, uint32_t key, int ring, const int place[3])
+{
+    const uint32_t h = ssgi__hash(ssgi__hash(key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)), h2 = ssgi__hash(h);
+    const double away = (1.0 - (double)m->desc.still) * p->radius * sqrt((double)(h2 >> 16) / 65536.0), angle = 6.28318530717958647693 * (double)(h2 & 65535u) / 65536.0;
+    double u[3], v[3], n[3], at[3], normal[3], colour[3], w[3];
+    int i, k;
+    for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
+    for (i = 0; i < 3; ++i) {
+        at[i] = normal[i] = colour[i] = 0.0;
+        for (k = 0; k < 3; ++k) {
+            at[i] += w[k] * p->at[k][i];
+            normal[i] += w[k] * p->normal[k][i];
+            colour[i] += w[k] * p->colour[k][i];
+        }
+        u[i] = p->at[1][i] - p->at[0][i];
+        v[i] = p->at[2][i] - p->at[0][i];
+    }
+    ssgi__cross(n, u, v);
+    ssgi__normalise(n);
+    ssgi__normalise(u);
+    ssgi__cross(v, n, u);
+    if (!(ssgi__normalise(normal) > 0.0)) memcpy(normal, n, sizeof n);
+    for (i = 0; i < 3; ++i) {
+        out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
+        out->normal[i] = (float)normal[i];
+        out->colour[i] = (float)colour[i];
+    }
+    out->radius = (float)p->radius;
+    out->seed = (float)(h >> 8) / 16777216.0f;
+    out->unused = 0.0f;
+}
+
+static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+{
+    const ssgi_surfel_source *s = source;
+    double a[3][3], determinant;
+    int i, k;
+    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
+    if (!view) return ssgi__bad(why, "view: must not be NULL");
+    if (!s) return ssgi__bad(why, "source: must not be NULL");
+    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f))) return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
+    if (!(desc->still >= 0.0f && desc->still <= 1.0f)) return ssgi__bad(why, "desc.still: must be 0..1");
+    if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
+    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_NONE) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE, _CENTROID or _NONE");
+    if (!s->position) return ssgi__bad(why, "source.position: must not be NULL");
+    if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4) return ssgi__bad(why, "source: strides must be multiples of 4");
+    for (i = 0; i < 16; ++i) if (!ssgi__finite(s->to_view[i])) return ssgi__bad(why, "source.to_view: must be finite");
+    for (i = 0; i < 3; ++i) for (k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
+    m->view = view;
+    m->source = source;
+    m->desc = *desc;
+    if (!(desc->size > 0.0f)) m->desc.size = 0.02f;
+    if (!desc->splits) m->desc.splits = 8;
+    ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
+    for (k = 0; k < 3; ++k) {
+        double c[3];
+        ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
+        for (i = 0; i < 3; ++i) m->normals[i][k] = c[i];
+    }
+    determinant = m->normals[0][0] * a[0][0] + m->normals[1][0] * a[0][1] + m->normals[2][0] * a[0][2];
+    if (!(determinant > 0.0 || determinant < 0.0)) return ssgi__bad(why, "source.to_view: must be invertible");
+    for (k = 0; k < 9 && determinant < 0.0; ++k) m->normals[k / 3][k % 3] = -m->normals[k / 3][k % 3];
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+{
+    ssgi__surfel_maker m;
+    ssgi__patch whole, p;
+    size_t n = 0, t;
+    int splits, part, ring, i;
+    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
+    if (result != SSGI_OK) return result;
+    if (!count) return ssgi__bad(why, "count: must not be NULL");
+    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
+    for (t = 0; t < source->triangles; ++t) {
+        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
+        splits = ssgi__surfel_splits(&whole, &m);
+        if (splits > m.desc.splits) splits = m.desc.splits;
+        for (part = 0; part < splits * splits; ++part) {
+            ssgi__surfel_part(&p, &m, &whole, splits, part);
+            if (n >= capacity) { n += (size_t)ssgi_tess_count(p.level); continue; }
+            for (ring = 0; 2 * ring <= p.level; ++ring) {
+                const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
+                for (i = 0; i < points; ++i, ++n) {
+                    int place[3];
+                    ssgi__tess_lattice(place, segments, i);
+                    if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, (uint32_t)t + (uint32_t)part * 0x9e3779b9u, ring, place);
+                }
+            }
+        }
+    }
+    *count = n;
+    return SSGI_OK;
+}
+
+SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon)
+{
+    return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
+}
+
+SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most)
+{
+    shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
+    shell[1] = ldexp(reach, level > 0 ? level : 0);
+    if (shell[0] > most) shell[0] = most;
+    if (shell[1] > most) shell[1] = most;
+}
+
+SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
+{
+    const float r2 = surfel->radius * surfel->radius;
+    float v[3], d2 = 0.0f, near = 0.0f, far = 0.0f;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        v[k] = surfel->position[k] - position[k];
+        d2 += v[k] * v[k];
+        near += v[k] * normal[k];
+        far -= v[k] * surfel->normal[k];
+    }
+    return near > 0.0f && far > 0.0f ? r2 * near * far / (d2 * (d2 + r2)) : 0.0f;
+}
+
+SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius)
+{
+    const double z = -(double)centre[2], r = (double)radius, off = z * z - r * r;
+    const int size[2] = { view->width, view->height };
+    float out[4];
+    int axis, side;
+    if (!view->orthographic && !(z + r > 0.0)) return 0;
+    for (axis = 0; axis < 2; ++axis) {
+        double end[2];
+        for (side = 0; side < 2; ++side) {
+            const double c = (double)centre[axis], e = side ? r : -r;
+            double tangent = c + e;
+            if (!view->orthographic) tangent = z > r ? (c * z + e * sqrt(c * c + off)) / off : 0.0;
+            end[side] = !view->orthographic && z <= r ? (side ? size[axis] : 0.0) : tangent * (double)view->project[axis] + (double)view->project[2 + axis];
+        }
+        for (side = 0; side < 2; ++side) {
+            const double x = end[(view->project[axis] < 0.0f && z > r) != (side != 0)];
+            out[axis + 2 * side] = (float)(x < 0.0 ? 0.0 : x > size[axis] ? size[axis] : x);
+        }
+        if (!(out[axis] < out[axis + 2])) return 0;
+    }
+    memcpy(bounds, out, sizeof out);
+    return 1;
+}
+
+static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
+{
+    if (!splat) return ssgi__bad(why, "splat: must not be NULL");
+    if (!view) return ssgi__bad(why, "view: must not be NULL");
+    if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f))) return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    if (!(splat->most >= 0.0f && ssgi__finite(splat->most))) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
+    if (!(splat->brightest >= 0.0f && ssgi__finite(splat->brightest))) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
+    if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
+    *s = *splat;
+    if (!(s->epsilon > 0.0f)) s->epsilon = 0.02f;
+    if (!(s->most > 0.0f)) s->most = SSGI_FAR;
+    if (!(s->brightest > 0.0f)) s->brightest = 1.0f;
+    if (!s->levels) s->levels = 4;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why)
+{
+    int l;
+    if (!size) return ssgi__bad(why, "size: must not be NULL");
+    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
+    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
+    if (levels < 1 || levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "levels: must be 1..7");
+    l = (1 << (levels - 1)) - 1;
+    size[0] = (width + l) & ~l;
+    size[1] = (height + l) & ~l;
+    return SSGI_OK;
+}
+
+static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view, const float centre[3], double radius, double brightest, double count)
+{
+    const double reach = ssgi_surfel_reach(radius, brightest, (double)s->epsilon);
+    int l;
+    for (l = 0; l < s->levels; ++l) {
+        double shell[2];
+        float b[4];
+        ssgi_surfel_shell(shell, reach, l, (double)s->most);
+        if (!(shell[1] > shell[0]) || !ssgi_sphere_bounds(b, view, centre, (float)shell[1])) continue;
+        cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l))) * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
+    }
+}
+
+SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+{
+    ssgi__surfel_maker m;
+    ssgi__patch whole, p;
+    ssgi_splat s;
+    size_t t;
+    int n, part, k;
+    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
+    if (result == SSGI_OK) result = ssgi__splat_open(&s, splat, view, why);
+    if (result != SSGI_OK) return result;
+    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
+    memset(cost, 0, sizeof *cost);
+    cost->splits = 1;
+    for (t = 0; t < source->triangles; ++t) {
+        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
+        n = ssgi__surfel_splits(&whole, &m);
+        if (n > cost->splits) cost->splits = n;
+        if (n > m.desc.splits) n = m.desc.splits;
+        for (part = 0; part < n * n; ++part) {
+            float centre[3];
+            ssgi__surfel_part(&p, &m, &whole, n, part);
+            for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
+            cost->surfels += (size_t)ssgi_tess_count(p.level);
+            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, ssgi_tess_count(p.level));
+        }
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why)
+{
+    ssgi_splat s;
+    size_t i;
+    ssgi_result result = ssgi__splat_open(&s, splat, view, why);
+    if (result != SSGI_OK) return result;
+    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
+    if (!surfels && count) return ssgi__bad(why, "surfels: must not be NULL");
+    memset(cost, 0, sizeof *cost);
+    cost->surfels = count;
+    cost->splits = 1;
+    for (i = 0; i < count; ++i) ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
+    return SSGI_OK;
+}
+
+/* ---- the dipole */
+
+SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why)
+{
+    const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n, a = (1.0 + inside) / (1.0 - inside);   /* F_dr [JMLH01 2.3] */
+    int c;
+    if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
+    if (!(eta >= 1.0f && eta <= 3.0f)) return ssgi__bad(why, "eta: must be 1..3");
+    for (c = 0; c < 3; ++c) {
+        if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]))) return ssgi__bad(why, "sigma_s: must be above 0 and finite");
+        if (!(sigma_a[c] >= 0.0f && ssgi__finite(sigma_a[c]))) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
+    }
+    for (c = 0; c < 3; ++c) {
+        const double t = (double)sigma_s[c] + (double)sigma_a[c];
+        dipole->above[c] = 1.0 / t;
+        dipole->below[c] = (1.0 + 4.0 / 3.0 * a) / t;
+        dipole->fading[c] = sqrt(3.0 * (double)sigma_a[c] * t);
+        dipole->albedo[c] = (double)sigma_s[c] / t;
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < 2; ++k) {
+        const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
+        sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
+    }
+    return d->albedo[c] / (4.0 * 3.14159265358979323846) * sum;
+}
+
+SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
+{
+    const double q = d->fading[c] * d->above[c], p = d->fading[c] * d->below[c];
+    return 0.5 * d->albedo[c] * (exp(-q) + exp(-p));
+}
+
+SSGI_DEF const ssgi_material *ssgi_material_of(int i)
+{
+    static const ssgi_material materials[] = {
+        { "apple",     { 2.29f, 2.39f, 1.97f }, { 0.0030f, 0.0034f, 0.046f },  1.3f }, { "chicken1",  { 0.15f, 0.21f, 0.38f }, { 0.015f, 0.077f, 0.19f },   1.3f },
+        { "chicken2",  { 0.19f, 0.25f, 0.32f }, { 0.018f, 0.088f, 0.20f },     1.3f }, { "cream",     { 7.38f, 5.47f, 3.15f }, { 0.0002f, 0.0028f, 0.0163f }, 1.3f },
+        { "ketchup",   { 0.18f, 0.07f, 0.03f }, { 0.061f, 0.97f, 1.45f },      1.3f }, { "marble",    { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f }, 1.5f },
+        { "potato",    { 0.68f, 0.70f, 0.55f }, { 0.0024f, 0.0090f, 0.12f },   1.3f }, { "skimmilk",  { 0.70f, 1.22f, 1.90f }, { 0.0014f, 0.0025f, 0.0142f }, 1.3f },
+        { "skin1",     { 0.74f, 0.88f, 1.01f }, { 0.032f, 0.17f, 0.48f },      1.3f }, { "skin2",     { 1.09f, 1.59f, 1.79f }, { 0.013f, 0.070f, 0.145f },  1.3f },
+        { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f },         1.3f }, { "wholemilk", { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
+    return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
+}
+
 /* ==== >>field (implementation) ================================================================================= */
 
 #define SSGI__FIELD_PI       3.14159265358979323846
@@ -1971,14 +2521,7 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ---- samples */
 
-static uint32_t ssgi__field_hash(uint32_t x)            /* PCG's [O'Neill 2014] */
-{
-    x = x * 747796405u + 2891336453u;
-    x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
-    return (x >> 22) ^ x;
-}
-
-static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__field_hash(seed) / 4294967296.0; }
+static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 /* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
 static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
