@@ -410,6 +410,9 @@ typedef struct ssgi_surfel_source {
 /* Radius of a surfel at a view depth: s tan(alpha/2) (|depth - near| + near) [DSS14 3.1]: on the screen s/2 picture heights; behind the near plane they grow again. Orthographic: s/2 heights everywhere. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
 
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, still, splits, defaults in place. Outputs are untouched when something is wrong. */
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
+
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
    give none. seed depends on the triangle's number and the place in it alone. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
@@ -2259,27 +2262,49 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     out->unused = 0.0f;
 }
 
+static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
+{
+    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
+    if (!view || view->width < 1 || view->height < 1) return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
+    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f))) return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
+    if (!(desc->still >= 0.0f && desc->still <= 1.0f)) return ssgi__bad(why, "desc.still: must be 0..1");
+    if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
+    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_NONE) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE, _CENTROID or _NONE");
+    *out = *desc;
+    if (!(out->size > 0.0f)) out->size = 0.02f;
+    if (!out->splits) out->splits = 8;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
+{
+    ssgi_surfel_desc d;
+    double s[2];
+    const ssgi_result r = ssgi__surfel_desc(&d, desc, view, why);
+    if (r != SSGI_OK) return r;
+    if (!scale) return ssgi__bad(why, "scale: must not be NULL");
+    ssgi__surfel_scale(s, view, (double)d.size);
+    scale[0] = (float)s[0];
+    scale[1] = (float)s[1];
+    scale[2] = d.still;
+    scale[3] = (float)d.splits;
+    return SSGI_OK;
+}
+
 static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     const ssgi_surfel_source *s = source;
     double a[3][3], determinant;
     int i, k;
-    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
-    if (!view) return ssgi__bad(why, "view: must not be NULL");
+    const ssgi_result r = ssgi__surfel_desc(&m->desc, desc, view, why);
+    if (r != SSGI_OK) return r;
     if (!s) return ssgi__bad(why, "source: must not be NULL");
-    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f))) return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
-    if (!(desc->still >= 0.0f && desc->still <= 1.0f)) return ssgi__bad(why, "desc.still: must be 0..1");
-    if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
-    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_NONE) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE, _CENTROID or _NONE");
     if (!s->position) return ssgi__bad(why, "source.position: must not be NULL");
     if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4) return ssgi__bad(why, "source: strides must be multiples of 4");
     for (i = 0; i < 16; ++i) if (!ssgi__finite(s->to_view[i])) return ssgi__bad(why, "source.to_view: must be finite");
     for (i = 0; i < 3; ++i) for (k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
     m->view = view;
     m->source = source;
-    m->desc = *desc;
-    if (!(desc->size > 0.0f)) m->desc.size = 0.02f;
-    if (!desc->splits) m->desc.splits = 8;
     ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
     for (k = 0; k < 3; ++k) {
         double c[3];

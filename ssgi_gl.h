@@ -29,6 +29,10 @@
                 ssdo     fetch -> gather -> light   directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
                 s3ho     fetch -> gather            occlusion as spherical harmonics: a vector that light is dotted with, and what blockers reflect [S3HO12]
                 lights   fetch -> light             suns, point lights, virtual point lights; shadow maps, or segments in screen space [SSDO09 4, 5]
+                surfels  splat                      surfels from triangles, or lights those that are there; into a buffer [DSS14]
+                shuffle  fetch -> splat             positions and normals, pixels dealt out to the sub-buffers of every level
+                splat    splat                      what each surfel does to pixels around it, added up
+                unshuffle, smooth, sum   splat      pixels back in place; within surfaces; ambient visibility, light or bounce
                 senders  fetch -> light             packs what surfaces send, their normal and depth: one fetch a sample for the bounce
                 shade    light                      the vectors of s3ho meet light: harmonics, lamps, bent normals and cones [S3HO12, SSBN11]
                 field    fetch -> field             ambient occlusion by rigid casters whose fields were baked (ssgi_field_bake), blended over each other [AOF05]
@@ -53,10 +57,17 @@
                glDrawArraysInstanced(GL_TRIANGLES, 0, 6, casters): a rectangle each, around the sphere that it reaches; culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
 
+   DEEP SCREEN SPACE, which sees what the picture does not; all levels lie below each other in textures of frame.level[0] x (levels * frame.level[1])
+      surfels    ssgi_surfels on the CPU, or this pass: rasteriser discarded, transform feedback of its CAPTURE rows, interleaved, is ssgi_surfel[]. With tessellate patches of 3 vertices, instanced
+                 splits * splits times; without it a point a surfel, whose light it brings up to date
+      shuffle    over the texture of all levels, once a picture
+      splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
+                 With tessellate patches as above: nothing is kept. Culling off
+      unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the picture
    ROOMS        search for ">>"
       >>desc       what you choose               >>io      what a pass reads and writes       >>frame    what changes per frame
       >>emit       text out                      >>rows    the table of inputs and outputs
-      >>fetch  >>visibility  >>harmonics  >>gather  >>light  >>field  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
+      >>fetch  >>visibility  >>harmonics  >>gather  >>light  >>field  >>splat  >>filter  the GLSL, one chunk a function      >>passes   the table of passes
 
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, v_ssgi_* between stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
@@ -70,9 +81,10 @@ extern "C" {
 
 /* ==== >>desc =================================================================================================== */
 
-enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_FIELD, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
+enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_FIELD,
+       SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_DIALECTS };   /* desc.dialect */
-enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_STAGES };                                              /* stage of ssgi_gl_emit */
+enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY, SSGI_GL_STAGES };   /* stage of ssgi_gl_emit */
 
 /* desc.depth: what the depth texture holds */
 enum { SSGI_GL_DEPTH_WINDOW = 0,     /* hardware depth, any layout that ssgi_view decodes */
@@ -138,6 +150,16 @@ enum { SSGI_GL_CAP_CLOSED = 0,       /* closed form: two arcs */
 enum { SSGI_GL_OBJECTS_NONE = 0,     /* casters shade whatever is there */
        SSGI_GL_OBJECTS_TEXTURE,      /* your texture of numbers, 0 = none; a pixel whose number is ssgi_gl_caster.object is left alone */
        SSGI_GL_OBJECTS_CUSTOM };     /* your GLSL in desc.fetch: uint ssgi_custom_object(ivec2 texel) */
+/* desc.effect: what surfels do to pixels */
+enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
+       SSGI_GL_EFFECT_LIGHT,         /* directional occlusion: irradiance over pi of the open surface less what surfels hide of the environment */
+       SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
+       SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe about the mirrored view direction, cos^frame.exponent, normalised: times your specular reflectance */
+       SSGI_GL_EFFECT_SCATTER };     /* radiance that leaves a translucent surface: the dipole over what surfels receive (frame.dipole) */
+/* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
+enum { SSGI_GL_SENDS_COLOUR = 0,     /* the colour that they had */
+       SSGI_GL_SENDS_LIGHTS,         /* colour times irradiance over pi by t_ssgi_lights, shadowed when desc.shadow is MAP or FILL, else open; and by the environment, open, when desc.environment is not NONE */
+       SSGI_GL_SENDS_CUSTOM };       /* your GLSL in desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view space */
 /* desc.colour: what blur filters */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_VECTORS };   /* ambient visibility; light, three channels; what s3ho wrote */
 /* desc.filter */
@@ -188,7 +210,15 @@ typedef struct ssgi_gl_desc {
     int eight_bits;         /* field, ATLAS   [limit: 0..1]  1: the fields have 8 bits a component */
     int cap;                /* field  SSGI_GL_CAP_CLOSED .. */
     int objects;            /* field  SSGI_GL_OBJECTS_NONE .. */
-    int half;               /* all but lights, senders, field   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
+    int effect;             /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
+    int levels;             /* shuffle .. sum   [limit: 0..7] [default: 4]  each doubles the reach; smoothing of the last takes 2^levels + 1 taps along each axis */
+    int fixed;              /* shuffle .. sum   [limit: 0..1]  which pixel of a block goes to which sub-buffer: 0: by chance, another way in each block; 1: the same everywhere */
+    int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
+    int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
+    int enlarge;            /* splat   [limit: 0..1]  levels make up for being drawn to 1 pixel of 4^level by: 0: weight; 1: the radius, the paper's, which is too dark by up to 1/3 at epsilon .1 */
+    int overlap;            /* sum     [limit: 0..1]  where surfels hide each other: 0: form factors add up, to 1 at most; 1: as if each hid its share of what is left, 1 - exp(-sum) */
+    int axis;               /* smooth  [limit: 0..1]  0: along x; 1: along y */
+    int half;               /* all but lights, senders, field, surfels .. sum   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
     int colour;             /* blur   SSGI_GL_GREY .. */
     int filter;             /* blur   SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;      /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels: 1 is 3x3; of half-size pixels when half is 1 */
@@ -212,8 +242,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* ==== >>emit =================================================================================================== */
 
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most capacity bytes, always ends
-   them with 0 (when capacity > 0); out may be NULL when capacity is 0. A desc that ssgi_gl_check refuses, or a stage that is none, returns 0 and
-   writes nothing. A pure function: the same desc gives the same bytes, whatever the locale. */
+   them with 0 (when capacity > 0); out may be NULL when capacity is 0. A desc that ssgi_gl_check refuses, or a stage that is none or that the pass
+   does not have, returns 0 and writes nothing (but the 0 in the last case). A pure function: the same desc gives the same bytes, whatever the locale. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and desc.fetch by content). */
@@ -228,7 +258,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
    that ssgi_gl_caster_set was given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-/* The most texel fetches that a pixel of this pass makes, 0 for a bad desc; what desc.fetch does counts as one; lights: with one light; field: with one caster. */
+/* The most texel fetches that a pixel of this pass makes, 0 for a bad desc; what desc.fetch does counts as one; lights, surfels: with one light, a surfel; field: with one caster; splat: with one surfel; smooth: at the last level. */
 SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -236,14 +266,14 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "300es"; NUL
 
 /* ==== >>io ===================================================================================================== */
 
-enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT };   /* ssgi_gl_io.kind */
+enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };   /* ssgi_gl_io.kind. CAPTURE: a varying for transform feedback */
 
 /* One input or output of a pass: the very row that its declaration was printed from. */
 typedef struct ssgi_gl_io {
     const char *name;       /* exactly as in the text: "t_ssgi_depth" */
     int         kind;
     const char *type;       /* GLSL: "sampler2D", "vec4" */
-    int         slot;       /* TEXTURE: unit (binding in dialects that have it). OUTPUT: location. CONSTANT: its value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    int         slot;       /* TEXTURE: unit (binding in dialects that have it). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
     size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
     const char *format;     /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
@@ -275,11 +305,23 @@ typedef struct ssgi_gl_frame {
     float   lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
     float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.exact, bent normals); identity by default */
     float   harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space: ssgi_gl_harmonics_set; black by default */
+    float   surfel[4];      /* surfels, smooth: ssgi_gl_surfels_set */
+    float   mesh[16];       /* surfels: mesh to view space, column-major; identity by default */
+    float   dipole[16];     /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.02]: form factor, or that times what it sends */
+    float   exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
+    int32_t level[2];       /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
 /* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units: view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
+
+/* Sets what surfels are made with: view, desc and mesh_to_view as in ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict tells how many it asks for. */
+SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why);
+
+/* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
 /* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (NULL: in view space already). */
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands, const float *world_to_view, const char **why);
@@ -441,6 +483,18 @@ extern "C" {
 #define SSGI_GL__OBJECTS         SSGI_GL__OWN(0, 9) /* pixels tell their object: through a texture of ours, your way */
 #define SSGI_GL__O_TEXTURE       SSGI_GL__OWN(0, 10)
 #define SSGI_GL__O_CUSTOM        SSGI_GL__OWN(0, 11)
+/* word 0 in surfels .. sum, beside MAPS_READ, GREY, COLOUR and BILATERAL */
+#define SSGI_GL__RANDOM          SSGI_GL__OWN(0, 1) /* layout */
+#define SSGI_GL__REGULAR         SSGI_GL__OWN(0, 2)
+#define SSGI_GL__FORM            SSGI_GL__OWN(0, 5) /* effects: by the form factor, which are */
+#define SSGI_GL__OCCLUDES        SSGI_GL__OWN(0, 6)
+#define SSGI_GL__HIDES           SSGI_GL__OWN(0, 7)
+#define SSGI_GL__BRINGS          SSGI_GL__OWN(0, 8)
+#define SSGI_GL__MIRRORS         SSGI_GL__OWN(0, 9)
+#define SSGI_GL__SCATTERS        SSGI_GL__OWN(0, 10)
+#define SSGI_GL__SOFT            SSGI_GL__OWN(0, 11) /* occlusion ends at the radius */
+#define SSGI_GL__ENLARGED        SSGI_GL__OWN(0, 12)
+#define SSGI_GL__WEIGHTED        SSGI_GL__OWN(0, 13)
 /* word 1, light */
 #define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* ssdo, s3ho: an environment lights; by look-ups */
 #define SSGI_GL__E_MAP           SSGI_GL__OWN(1, 2)
@@ -483,6 +537,13 @@ extern "C" {
 #define SSGI_GL__COSINE          SSGI_GL__OWN(3, 8) /* the clamped cosine's harmonics are asked for */
 #define SSGI_GL__LIGHT_ROWS      SSGI_GL__OWN(3, 9) /* t_ssgi_lights is walked: lights, lamps of shade */
 
+#define SSGI_GL__TESSELLATED     SSGI_GL__OWN(3, 10) /* surfels, splat: from triangles, from a buffer */
+#define SSGI_GL__BUFFERED        SSGI_GL__OWN(3, 11)
+#define SSGI_GL__S_CUSTOM        SSGI_GL__OWN(3, 12) /* what surfels send */
+#define SSGI_GL__S_LIT           SSGI_GL__OWN(3, 13)
+#define SSGI_GL__ADDS_UP         SSGI_GL__OWN(0, 12) /* sum: overlap */
+#define SSGI_GL__SHARES          SSGI_GL__OWN(0, 13)
+
 typedef struct ssgi_gl__set { uint64_t word[4]; } ssgi_gl__set;
 
 static void ssgi_gl__add(ssgi_gl__set *set, uint64_t bits)
@@ -514,6 +575,7 @@ static const ssgi_gl__row ssgi_gl__size        = SSGI_GL__P(SSGI_GL__INSIDE, "si
 static const ssgi_gl__row ssgi_gl__target      = SSGI_GL__P(0, "target", "ivec2", target, "texels");
 static const ssgi_gl__row ssgi_gl__radius      = SSGI_GL__P(0, "radius", "float", radius, "view units");
 static const ssgi_gl__row ssgi_gl__near_radius = SSGI_GL__P(SSGI_GL__BILATERAL, "radius", "float", radius, "view units");
+static const ssgi_gl__row ssgi_gl__soft_radius = SSGI_GL__P(SSGI_GL__SOFT, "radius", "float", radius, "view units");
 static const ssgi_gl__row ssgi_gl__offset      = SSGI_GL__P(0, "offset", "float", offset, "half pixels");
 static const ssgi_gl__row ssgi_gl__p_project   = SSGI_GL__P(SSGI_GL__BLOCKED, "project", "vec4", project, "pixels per view xy / depth; pixels");
 static const ssgi_gl__row ssgi_gl__p_radius    = SSGI_GL__P(SSGI_GL__BLOCKED, "radius", "float", radius, "view units");
@@ -522,6 +584,7 @@ static const ssgi_gl__row ssgi_gl__p_phase     = SSGI_GL__P(SSGI_GL__BLOCKED, "p
 static const ssgi_gl__row ssgi_gl__thickness   = SSGI_GL__P(SSGI_GL__THIN, "thickness", "float", thickness, "view units");
 static const ssgi_gl__row ssgi_gl__phase       = SSGI_GL__P(0, "phase", "float", phase, "turns");
 static const ssgi_gl__row ssgi_gl__rotation    = SSGI_GL__P(SSGI_GL__WORLD, "rotation", "mat3", rotation, "world to view");
+static const ssgi_gl__row ssgi_gl__lit_rotation = SSGI_GL__P(SSGI_GL__S_LIT | SSGI_GL__WORLD, "rotation", "mat3", rotation, "world to view");
 static const ssgi_gl__row ssgi_gl__fade_row    = SSGI_GL__P(SSGI_GL__SMOOTH, "fade", "float", fade, "view units");
 static const ssgi_gl__row ssgi_gl__nearest     = SSGI_GL__P(SSGI_GL__PATCH, "nearest", "float", nearest, "radii");
 static const ssgi_gl__row ssgi_gl__gain        = SSGI_GL__P(SSGI_GL__AREA, "gain", "float", gain, "");
@@ -590,6 +653,34 @@ SSGI_GL__HALVES(green0, SSGI_GL__RGB, "green0", "the same of green")
 SSGI_GL__HALVES(green1, SSGI_GL__RGB | SSGI_GL__V3, "green1", "the same of green")
 SSGI_GL__HALVES(blue0, SSGI_GL__RGB, "blue0", "the same of blue")
 SSGI_GL__HALVES(blue1, SSGI_GL__RGB | SSGI_GL__V3, "blue1", "the same of blue")
+static const ssgi_gl__row ssgi_gl__surfel_row  = SSGI_GL__P(SSGI_GL__TESSELLATED, "surfel", "vec4", surfel, "view radius per depth; near plane; stillness; splits");
+static const ssgi_gl__row ssgi_gl__mesh_row    = SSGI_GL__P(SSGI_GL__TESSELLATED, "mesh", "mat4", mesh, "mesh to view");
+static const ssgi_gl__row ssgi_gl__dipole_row  = SSGI_GL__P(SSGI_GL__SCATTERS, "dipole", "vec4[4]", dipole, "z_r, z_v, sigma_tr, alpha'/4");
+static const ssgi_gl__row ssgi_gl__epsilon     = SSGI_GL__P(0, "epsilon", "float", epsilon, "");
+static const ssgi_gl__row ssgi_gl__exponent    = SSGI_GL__P(SSGI_GL__MIRRORS, "exponent", "float", exponent, "");
+static const ssgi_gl__row ssgi_gl__level_row   = SSGI_GL__P(0, "level", "ivec2", level, "texels of a level");
+static const ssgi_gl__row ssgi_gl__shuffled_tex = { 0, { "t_ssgi_shuffled", SSGI_GL_TEXTURE, "usampler2D", 0, 0, "what shuffle wrote: RGBA32UI" } };
+static const ssgi_gl__row ssgi_gl__levels_tex  = SSGI_GL__T(0, "levels", "what splat, unshuffle or smooth wrote, in this order: R32F or R16F for occlusion, else RGBA32F or RGBA16F");
+static const ssgi_gl__row ssgi_gl__shuffled_out = SSGI_GL__O(0, "shuffled", "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16");
+static const ssgi_gl__row ssgi_gl__levels_out  = SSGI_GL__O(SSGI_GL__GREY, "levels", "float", "R32F, or R16F that loses what is below 1/2000 of the sum: form factors");
+static const ssgi_gl__row ssgi_gl__levels4_out = SSGI_GL__O(SSGI_GL__COLOUR, "levels", "vec4", "RGBA32F or RGBA16F: what surfels bring, form factors");
+static const ssgi_gl__row ssgi_gl__sum_ao_out  = SSGI_GL__O(SSGI_GL__OCCLUDES, "ao", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters");
+static const ssgi_gl__row ssgi_gl__sum_light_out = SSGI_GL__O(SSGI_GL__HIDES, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth");
+static const ssgi_gl__row ssgi_gl__sum_bounce_out = SSGI_GL__O(SSGI_GL__BRINGS, "bounce", "vec4", "RGBA32F or RGBA16F: irradiance over pi from the bounce, view depth");
+static const ssgi_gl__row ssgi_gl__sum_specular_out = SSGI_GL__O(SSGI_GL__MIRRORS, "specular", "vec4", "RGBA32F or RGBA16F: radiance of the lobe, view depth");
+static const ssgi_gl__row ssgi_gl__sum_scatter_out = SSGI_GL__O(SSGI_GL__SCATTERS, "scatter", "vec4", "RGBA32F or RGBA16F: radiance, view depth");
+#define SSGI_GL__I(need, name, type, format)            { need, { name, SSGI_GL_ATTRIBUTE, type, 0, 0, format } }
+static const ssgi_gl__row ssgi_gl__in_position = SSGI_GL__I(SSGI_GL__TESSELLATED, "a_ssgi_position", "vec3", "mesh space");
+static const ssgi_gl__row ssgi_gl__in_normal   = SSGI_GL__I(SSGI_GL__TESSELLATED, "a_ssgi_normal", "vec3", "mesh space, any length; 0 0 0: the triangle's own");
+static const ssgi_gl__row ssgi_gl__in_colour   = SSGI_GL__I(SSGI_GL__TESSELLATED, "a_ssgi_colour", "vec3", "of ssgi_surfel");
+static const ssgi_gl__row ssgi_gl__in_surfel0  = SSGI_GL__I(SSGI_GL__BUFFERED, "a_ssgi_surfel0", "vec4", "ssgi_surfel: position, radius");
+static const ssgi_gl__row ssgi_gl__in_surfel1  = SSGI_GL__I(SSGI_GL__BUFFERED, "a_ssgi_surfel1", "vec4", "normal, seed");
+static const ssgi_gl__row ssgi_gl__in_surfel2  = SSGI_GL__I(SSGI_GL__BUFFERED, "a_ssgi_surfel2", "vec4", "colour");
+static const ssgi_gl__row ssgi_gl__kept0       = { 0, { "v_ssgi_surfel0", SSGI_GL_CAPTURE, "vec4", 0, 0, "ssgi_surfel: position, radius" } };
+static const ssgi_gl__row ssgi_gl__kept1       = { 0, { "v_ssgi_surfel1", SSGI_GL_CAPTURE, "vec4", 0, 0, "normal, seed" } };
+static const ssgi_gl__row ssgi_gl__kept2       = { 0, { "v_ssgi_surfel2", SSGI_GL_CAPTURE, "vec4", 0, 0, "colour" } };
+static const ssgi_gl__row ssgi_gl__c_levels    = SSGI_GL__C(0, "SSGI_LEVELS", levels);
+static const ssgi_gl__row ssgi_gl__c_axis      = SSGI_GL__C(0, "SSGI_AXIS", axis);
 static const ssgi_gl__row ssgi_gl__c_samples   = SSGI_GL__C(0, "SSGI_SAMPLES", samples);
 static const ssgi_gl__row ssgi_gl__c_directions = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
 static const ssgi_gl__row ssgi_gl__c_steps     = SSGI_GL__C(0, "SSGI_STEPS", steps);
@@ -1870,7 +1961,7 @@ static const ssgi_gl__chunk ssgi_gl__lights_loop = { __LINE__ + 1, SSGI_GL__LIGH
     "        l /= d;\n"
     "        if (at.w > 0.5) g /= max(dd, colour.w * colour.w);\n"
     "        if (at.w > 2.5) g *= max(-dot(facing.xyz, l), 0.0);\n" };
-static const ssgi_gl__chunk ssgi_gl__lights_cosine = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__lights_cosine = { __LINE__ + 1, SSGI_GL__LIGHT_ROWS,
     "        float cosine = dot(n, l);\n"
     "        g *= cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n" };
@@ -1885,9 +1976,10 @@ static const ssgi_gl__chunk ssgi_gl__lights_limit = { __LINE__ + 1, SSGI_GL__REA
     "        ssgi_reach = reach;\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_segment = { __LINE__ + 1, SSGI_GL__SEGMENTS,
     "        g *= 1.0 - ssgi_segment(start, l * reach, fract(xi.y + 0.61803399 * float(i)));\n" };
-static const ssgi_gl__chunk ssgi_gl__lights_tail = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__lights_tail = { __LINE__ + 1, SSGI_GL__LIGHT_ROWS,
     "        sum += colour.xyz * g;\n"
-    "    }\n"
+    "    }\n" };
+static const ssgi_gl__chunk ssgi_gl__lights_write = { __LINE__ + 1, 0,
     "    o_ssgi_light.xyz = sum * 0.31830989;\n" };
 static const ssgi_gl__chunk ssgi_gl__lights_add = { __LINE__ + 1, SSGI_GL__ADD,
     "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n" };
@@ -1968,24 +2060,31 @@ static const ssgi_gl__chunk ssgi_gl__shade_albedo = { __LINE__ + 1, SSGI_GL__ALB
 
 /* ==== >>field: casters whose occlusion was baked ================================================================= */
 
-static const ssgi_gl__chunk ssgi_gl__caster_head = { __LINE__ + 1, 0,
+static const ssgi_gl__chunk ssgi_gl__sphere_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
+    "// pixels that a sphere spans: tangents from the eye, in the planes of x and of y; around the eye all, behind it nothing\n"
+    "vec4 ssgi_sphere(vec4 at)\n"
+    "{\n"
+    "    if (at.z + at.w >= 0.0) return at.z - at.w < 0.0 ? vec4(0.0, 0.0, u_ssgi_size) : vec4(0.0);\n"
+    "    float off = at.z * at.z - at.w * at.w;\n"
+    "    vec2 middle = -at.xy * at.z, side = at.w * sqrt(max(at.xy * at.xy + off, 0.0));\n"
+    "    vec4 t = vec4(middle - side, middle + side) / off * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "    return vec4(min(t.xy, t.zw), max(t.xy, t.zw));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sphere_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
+    "// pixels that a sphere spans\n"
+    "vec4 ssgi_sphere(vec4 at)\n"
+    "{\n"
+    "    vec4 t = vec4(at.xy - at.w, at.xy + at.w) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "    return vec4(min(t.xy, t.zw), max(t.xy, t.zw));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__caster_main = { __LINE__ + 1, 0,
     "flat out vec4 v_ssgi_caster[9]; // ssgi_gl_caster from to_field on\n"
     "void main()\n"
     "{\n"
-    "    vec4 at = texelFetch(t_ssgi_casters, ivec2(0, gl_InstanceID), 0); // the sphere that it reaches\n"
+    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_casters, ivec2(0, gl_InstanceID), 0)); // that it reaches\n"
     "    for (int i = 0; i < 9; ++i) v_ssgi_caster[i] = texelFetch(t_ssgi_casters, ivec2(i + 1, gl_InstanceID), 0);\n"
     "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
-    "    vec2 pixel;\n" };
-static const ssgi_gl__chunk ssgi_gl__caster_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
-    "    float gap = -at.z - at.w;\n"
-    "    vec2 e = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;\n"
-    "    // tangents from the eye, in the planes of x and of y; around the eye all is covered, behind it nothing\n"
-    "    pixel = (-at.xy * at.z + e * at.w * sqrt(max(at.xy * at.xy + at.z * at.z - at.w * at.w, 0.0))) / (at.z * at.z - at.w * at.w) * u_ssgi_project.xy + u_ssgi_project.zw;\n"
-    "    if (!(gap > 0.0)) pixel = -at.z + at.w > 0.0 ? (e * 0.5 + 0.5) * vec2(u_ssgi_size) : vec2(0.0);\n" };
-static const ssgi_gl__chunk ssgi_gl__caster_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
-    "    vec2 e = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;\n"
-    "    pixel = (at.xy + e * at.w) * u_ssgi_project.xy + u_ssgi_project.zw;\n" };
-static const ssgi_gl__chunk ssgi_gl__caster_end = { __LINE__ + 1, 0,
+    "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" };
 
@@ -2138,6 +2237,346 @@ static const ssgi_gl__chunk ssgi_gl__field_own = { __LINE__ + 1, SSGI_GL__OBJECT
     "    if (object != 0u && object == uint(v_ssgi_caster[8].w)) discard; // its own surface\n" };
 static const ssgi_gl__chunk ssgi_gl__field_end = { __LINE__ + 1, 0,
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_caster, at, ssgi_normal(p, P));\n" };
+
+/* ==== >>splat: surfels, and what they do to pixels ================================================================= */
+
+/* Twins of >>surfels in ssgi.h. */
+static const ssgi_gl__chunk ssgi_gl__patch_vertex = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
+    "out float v_ssgi_part;\n"
+    "void main()\n"
+    "{\n"
+    "    mat3 m = mat3(u_ssgi_mesh);\n"
+    "    vec3 x = cross(m[1], m[2]);\n"
+    "    v_ssgi_position = (u_ssgi_mesh * vec4(a_ssgi_position, 1.0)).xyz;\n"
+    "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
+    "    v_ssgi_colour = a_ssgi_colour;\n"
+    "    v_ssgi_part = float(gl_InstanceID); // part of splits * splits\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__patch_levels = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "layout(vertices = 3) out;\n"
+    "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
+    "in float v_ssgi_part[];\n"
+    "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
+    "patch out vec4 v_ssgi_patch; // radius, level, key in two halves\n"
+    "\n"
+    "// integers are wanted exactly\n"
+    "int ssgi_tess_count(int level)\n"
+    "{\n"
+    "    int half_ = (level + 1) / 2;\n"
+    "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
+    "}\n"
+    "\n"
+    "// weights of corner c of part i of n * n\n"
+    "vec3 ssgi_part(int i, int n, int c)\n"
+    "{\n"
+    "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
+    "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0)), across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
+    "    return vec3(n - down, down - across, across) / float(n);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__patch_radius_perspective = { __LINE__ + 1, SSGI_GL__TESSELLATED | SSGI_GL__PERSPECTIVE,
+    "float ssgi_surfel_radius(float depth)\n"
+    "{\n"
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__patch_radius_orthographic = { __LINE__ + 1, SSGI_GL__TESSELLATED | SSGI_GL__ORTHOGRAPHIC,
+    "float ssgi_surfel_radius(float depth)\n"
+    "{\n"
+    "    return u_ssgi_surfel.x;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "void main()\n"
+    "{\n"
+    "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3], edge;\n"
+    "    float whole = 0.5 * length(cross(v_ssgi_position[1] - v_ssgi_position[0], v_ssgi_position[2] - v_ssgi_position[0]));\n"
+    "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z)), nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
+    "    if (nearest >= 0.0) nearest = max(nearest, u_ssgi_surfel.y);\n"
+    "    float r = ssgi_surfel_radius(nearest);\n"
+    "    int n = int(clamp(ceil(sqrt(whole / (3.14159265 * 3169.0 * r * r)) - 1e-5), 1.0, u_ssgi_surfel.w)), part = int(v_ssgi_part[0] + 0.5);\n"
+    "    bool empty = part >= n * n || !(whole > 0.0 && whole < SSGI_FAR);\n"
+    "    part = min(part, n * n - 1);\n"
+    "    for (int c = 0; c < 3; ++c) {\n"
+    "        vec3 w = ssgi_part(part, n, c);\n"
+    "        at[c] = v_ssgi_position[0] * w.x + v_ssgi_position[1] * w.y + v_ssgi_position[2] * w.z;\n"
+    "    }\n"
+    "    float area = whole / float(n * n);\n"
+    "    r = ssgi_surfel_radius(-(at[0].z + at[1].z + at[2].z) / 3.0);\n"
+    "    float discs = area / (3.14159265 * r * r);\n"
+    "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
+    "    r = sqrt(area / (3.14159265 * float(ssgi_tess_count(level)))); // together they have the area\n"
+    "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
+    "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
+    "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter, w = ssgi_part(part, n, gl_InvocationID); // of the inscribed circle: discs end at the edges\n"
+    "    v_ssgi_corner[gl_InvocationID] = centre + inset * (at[gl_InvocationID] - centre);\n"
+    "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
+    "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
+    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2654435769u;\n"
+    "    v_ssgi_patch = vec4(r, level, key >> 16, key & 65535u);\n"
+    "    float all = empty ? 0.0 : float(level);\n"
+    "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__surfel_lit = { __LINE__ + 1, SSGI_GL__S_LIT,
+    "// irradiance over pi\n"
+    "vec3 ssgi_surfel_light(vec3 P, vec3 n)\n"
+    "{\n"
+    "    vec3 sum = vec3(0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__surfel_lit_open = { __LINE__ + 1, SSGI_GL__I_MAP,
+    "    sum += ssgi_open(transpose(u_ssgi_rotation) * n, 0) * 3.14159265; // as if nothing stood before it\n" };
+static const ssgi_gl__chunk ssgi_gl__surfel_lit_end = { __LINE__ + 1, SSGI_GL__S_LIT,
+    "    return sum * 0.31830989;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__patch_points = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
+    "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
+    "patch in vec4 v_ssgi_patch;\n"
+    "uint ssgi_hash(uint x)\n"
+    "{\n"
+    "    x = x * 747796405u + 2891336453u;\n"
+    "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
+    "    return (x >> 22) ^ x;\n"
+    "}\n"
+    "void main()\n"
+    "{\n"
+    "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
+    "    vec3 u = v_ssgi_corner[1] - v_ssgi_corner[0], v = v_ssgi_corner[2] - v_ssgi_corner[0], n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
+    "    vec3 flat_ = normalize(cross(u, v)), colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
+    "    n = dot(n, n) > 0.0 ? normalize(n) : flat_;\n"
+    "    // which point of the tessellator's rings this is: the same number on every machine\n"
+    "    float ring = floor(min(w.x, min(w.y, w.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
+    "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
+    "    uint h = ssgi_hash(ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w)) + (place.x | (place.y << 7) | (uint(ring) << 14))), h2 = ssgi_hash(h);\n"
+    "    u = normalize(u);\n"
+    "    float away = (1.0 - u_ssgi_surfel.z) * v_ssgi_patch.x * sqrt(float(h2 >> 16) / 65536.0), angle = 6.28318531 * float(h2 & 65535u) / 65536.0;\n"
+    "    P += away * (cos(angle) * u + sin(angle) * cross(flat_, u));\n" };
+static const ssgi_gl__chunk ssgi_gl__buffer_points = { __LINE__ + 1, SSGI_GL__BUFFERED,
+    "void main()\n"
+    "{\n"
+    "    vec3 P = a_ssgi_surfel0.xyz, n = a_ssgi_surfel1.xyz, colour = a_ssgi_surfel2.xyz;\n" };
+static const ssgi_gl__chunk ssgi_gl__points_sent_lit = { __LINE__ + 1, SSGI_GL__S_LIT,
+    "    colour *= ssgi_surfel_light(P, n);\n" };
+static const ssgi_gl__chunk ssgi_gl__points_sent_custom = { __LINE__ + 1, SSGI_GL__S_CUSTOM,
+    "    colour = ssgi_custom_surfel(P, n, colour);\n" };
+static const ssgi_gl__chunk ssgi_gl__patch_kept = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "    v_ssgi_surfel0 = vec4(P, v_ssgi_patch.x);\n"
+    "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
+    "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__buffer_kept = { __LINE__ + 1, SSGI_GL__BUFFERED,
+    "    v_ssgi_surfel0 = a_ssgi_surfel0;\n"
+    "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
+    "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
+    "}\n" };
+
+/* Level l deals the pixels of each block of 2^l x 2^l out to as many sub-buffers, which lie side by side. */
+static const ssgi_gl__chunk ssgi_gl__deal_random = { __LINE__ + 1, SSGI_GL__RANDOM,
+    "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
+    "ivec2 ssgi_deal(ivec2 block, int mask)\n"
+    "{\n"
+    "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
+    "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
+    "    h ^= h >> 22;\n"
+    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__deal_fixed = { __LINE__ + 1, SSGI_GL__REGULAR,
+    "ivec2 ssgi_deal(ivec2 block, int mask)\n"
+    "{\n"
+    "    return ivec2(0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__shuffle_main = { __LINE__ + 1, 0,
+    "void main()\n"
+    "{\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
+    "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
+    "    q.y -= l * u_ssgi_level.y;\n"
+    "    ivec2 across = (u_ssgi_size + mask) >> l, sub = q / across, block = q - sub * across, p = (block << l) | ((sub ^ ssgi_deal(block, mask)) & mask);\n"
+    "    o_ssgi_shuffled = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
+    "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // sizes need not be multiples\n"
+    "    float z = ssgi_depth(p);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
+    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__unshuffle_main = { __LINE__ + 1, 0,
+    "void main()\n"
+    "{\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
+    "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
+    "    ivec2 p = ivec2(q.x, q.y - l * u_ssgi_level.y), block = p >> l, across = (u_ssgi_size + mask) >> l, sub = (p & mask) ^ ssgi_deal(block, mask);\n"
+    "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
+    "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n" };
+static const ssgi_gl__chunk ssgi_gl__unshuffle_grey = { __LINE__ + 1, SSGI_GL__GREY,
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__unshuffle_colour = { __LINE__ + 1, SSGI_GL__COLOUR,
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0);\n"
+    "}\n" };
+
+/* What of a surfel is drawn at a level: a rectangle of one sub-buffer. */
+#define SSGI_GL__SHELL_HEAD(one, reach) \
+    "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n" \
+    "flat out float v_ssgi_end; // outer^2\n" \
+    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) // texels, empty where nothing is reached\n" \
+    "{\n" \
+    "    float most = " one ", reach = " reach ", block = exp2(float(l));\n" \
+    "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n" \
+    "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n" \
+    "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n" \
+    "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n" \
+    "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n" \
+    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // by chance: what is by turns follows the tessellator's order\n" \
+    "    vec2 from = vec2((ivec2(seed, seed >> 8) & mask) * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
+static const ssgi_gl__chunk ssgi_gl__shell_one = { __LINE__ + 1, SSGI_GL__OCCLUDES,
+    SSGI_GL__SHELL_HEAD("1.0", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_hides = { __LINE__ + 1, SSGI_GL__HIDES,
+    SSGI_GL__SHELL_HEAD("1.0", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
+    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
+    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
+    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_weighted = { __LINE__ + 1, SSGI_GL__WEIGHTED,
+    "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
+    "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_enlarged = { __LINE__ + 1, SSGI_GL__ENLARGED,
+    "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block); // a pixel meets one surfel of that many, as large as they [DSS14 3.2]\n"
+    "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_end = { __LINE__ + 1, 0,
+    "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
+    "    v_ssgi_end = outer * outer;\n"
+    "    return b + from.xyxy;\n"
+    "}\n"
+    "vec4 ssgi_corner(vec4 b, int corner)\n"
+    "{\n"
+    "    return vec4(vec2((corner & 1) == 1 ? b.z : b.x, corner > 1 ? b.w : b.y) / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_vertex = { __LINE__ + 1, SSGI_GL__BUFFERED,
+    "void main()\n"
+    "{\n"
+    "    int corner = gl_VertexID % 6;\n"
+    "    gl_Position = ssgi_corner(ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6), corner < 3 ? corner : 6 - corner);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_geometry_in = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "layout(points) in;\n"
+    "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
+    "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_geometry = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "void main()\n"
+    "{\n"
+    "    for (int l = 0; l < SSGI_LEVELS; ++l)\n"
+    "        for (int corner = 0; corner < 4; ++corner) {\n"
+    "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l); // outputs are undefined after each vertex\n"
+    "            if (b.x >= b.z) break;\n"
+    "            gl_Position = ssgi_corner(b, corner);\n"
+    "            EmitVertex();\n"
+    "            if (corner == 3) EndPrimitive();\n"
+    "        }\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__splat_head = { __LINE__ + 1, 0,
+    "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+    "flat in float v_ssgi_end;\n"
+    "void main()\n"
+    "{\n"
+    "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
+    "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
+    "    float dd = dot(v, v);\n"
+    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_normal = { __LINE__ + 1, SSGI_GL__FORM,
+    "    vec2 e = (vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0);\n"
+    "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
+    "    n.xy -= vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0) * max(-n.z, 0.0);\n"
+    "    float near = dot(v, n), away = -dot(v, v_ssgi_turned.xyz);\n"
+    "    if (!(near > 0.0 && away > 0.0)) discard; // fronts alone: backs would count what is closed twice\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_form = { __LINE__ + 1, SSGI_GL__FORM,
+    "    float form = v_ssgi_turned.w * v_ssgi_at.w * near * away * inversesqrt(dot(n, n)) / (max(dd, 1e-30) * (dd + v_ssgi_at.w));\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_soft = { __LINE__ + 1, SSGI_GL__SOFT,
+    "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_occludes = { __LINE__ + 1, SSGI_GL__OCCLUDES,
+    "    o_ssgi_levels = form;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_hides = { __LINE__ + 1, SSGI_GL__HIDES,
+    "    o_ssgi_levels = form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
+    "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
+    "    float mirrored = max(dot(v, reflect(-ssgi_toward(P), normalize(n))), 1e-20) * inversesqrt(max(dd, 1e-30));\n"
+    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // over 2 pi, times the disc's solid angle\n"
+    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (lobe * v_ssgi_turned.w * v_ssgi_at.w * away * inversesqrt(max(dd, 1e-30)) / (dd + v_ssgi_at.w)), form);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
+    "    vec3 a = inversesqrt(dd + u_ssgi_dipole[0].xyz * u_ssgi_dipole[0].xyz), b = inversesqrt(dd + u_ssgi_dipole[1].xyz * u_ssgi_dipole[1].xyz), s = u_ssgi_dipole[2].xyz;\n"
+    "    vec3 R = u_ssgi_dipole[0].xyz * (s + a) * exp(-s / a) * a * a + u_ssgi_dipole[1].xyz * (s + b) * exp(-s / b) * b * b;\n"
+    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__smooth_head = { __LINE__ + 1, 0,
+    "void main()\n"
+    "{\n"
+    "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
+    "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
+    "    ivec2 first = ivec2(0, l * u_ssgi_level.y), p = q - first;\n"
+    "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
+    "    if (z >= SSGI_FAR) discard;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
+    "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
+    "    float all = 1.0;\n"
+    "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level deals out\n"
+    "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
+    "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
+    "        float d = ssgi_depth(p + o), w = max(1.0 - ssgi_off_plane(plane, vec2(o), P, d) * near, 0.0) * (abs(i) == reach ? 0.5 : 1.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__smooth_normals = { __LINE__ + 1, SSGI_GL__F_NORMALS,
+    "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n" };
+static const ssgi_gl__chunk ssgi_gl__smooth_tail = { __LINE__ + 1, 0,
+    "        if (!(w > 0.0) || d >= SSGI_FAR) continue;\n"
+    "        sum += w * texelFetch(t_ssgi_levels, q + o, 0);\n"
+    "        all += w;\n"
+    "    }\n" };
+static const ssgi_gl__chunk ssgi_gl__smooth_grey = { __LINE__ + 1, SSGI_GL__GREY,
+    "    o_ssgi_levels = sum.x / all;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__smooth_colour = { __LINE__ + 1, SSGI_GL__COLOUR,
+    "    o_ssgi_levels = sum / all;\n"
+    "}\n" };
+
+static const ssgi_gl__chunk ssgi_gl__sum_adds = { __LINE__ + 1, SSGI_GL__ADDS_UP | SSGI_GL__FORM,
+    "// of what is hidden so much is hidden once\n"
+    "float ssgi_once(float form)\n"
+    "{\n"
+    "    return 1.0 / max(form, 1.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_shares = { __LINE__ + 1, SSGI_GL__SHARES | SSGI_GL__FORM,
+    "// of what is hidden so much is hidden once\n"
+    "float ssgi_once(float form)\n"
+    "{\n"
+    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_levels = { __LINE__ + 1, 0,
+    "    vec4 sum = vec4(0.0);\n"
+    "    if (z < SSGI_FAR) for (int l = 0; l < SSGI_LEVELS; ++l) sum += texelFetch(t_ssgi_levels, p + ivec2(0, l * u_ssgi_level.y), 0);\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_occludes = { __LINE__ + 1, SSGI_GL__OCCLUDES,
+    "    o_ssgi_ao = vec2(1.0 - sum.x * ssgi_once(sum.x), z);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_hides = { __LINE__ + 1, SSGI_GL__HIDES,
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "    if (z < SSGI_FAR) o_ssgi_light.xyz = max(ssgi_open(transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z)), 0) - sum.xyz * ssgi_once(sum.w), 0.0);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
+    "    o_ssgi_bounce = vec4(sum.xyz * ssgi_once(sum.w), z);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
+    "    o_ssgi_specular = vec4(sum.xyz * ssgi_once(sum.w), z);\n"
+    "}\n" };
+static const ssgi_gl__chunk ssgi_gl__sum_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
+    "    o_ssgi_scatter = vec4(sum.xyz, z);\n"
+    "}\n" };
 
 /* ==== >>filter ==================================================================================================== */
 
@@ -2362,7 +2801,7 @@ static const ssgi_gl__row *const ssgi_gl__shade_rows[] = {
 static const ssgi_gl__chunk *const ssgi_gl__lights_chunks[] = {
     SSGI_GL__FETCH, &ssgi_gl__noise_tile4, &ssgi_gl__noise_gradient, &ssgi_gl__noise_texture, SSGI_GL__TEST, &ssgi_gl__segment, &ssgi_gl__shadow_map, &ssgi_gl__lights_head, &ssgi_gl__lights_noise, &ssgi_gl__main_depth,
     &ssgi_gl__main_layer, &ssgi_gl__lights_begin, &ssgi_gl__lights_lift, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_reach, &ssgi_gl__lights_map, &ssgi_gl__lights_fill,
-    &ssgi_gl__lights_limit, &ssgi_gl__lights_segment, &ssgi_gl__lights_tail, &ssgi_gl__lights_add, &ssgi_gl__lights_end, NULL };
+    &ssgi_gl__lights_limit, &ssgi_gl__lights_segment, &ssgi_gl__lights_tail, &ssgi_gl__lights_write, &ssgi_gl__lights_add, &ssgi_gl__lights_end, NULL };
 static const ssgi_gl__row *const ssgi_gl__lights_rows[] = {
     &ssgi_gl__c_points, SSGI_GL__DEEP_C, &ssgi_gl__c_receiver, &ssgi_gl__p_project, SSGI_GL__READS, &ssgi_gl__p_radius, &ssgi_gl__p_offset, &ssgi_gl__thickness, &ssgi_gl__p_phase,
     &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__rotation, SSGI_GL__CAMERAS, SSGI_GL__MAPS, &ssgi_gl__views_tex, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__added_tex, &ssgi_gl__lights_out, NULL };
@@ -2375,13 +2814,57 @@ static const ssgi_gl__row *const ssgi_gl__senders_rows[] = {
 
 #define SSGI_GL__FIELD_OF &ssgi_gl__field_texel16, &ssgi_gl__field_texel8, &ssgi_gl__field_atlas, &ssgi_gl__field_cubes, &ssgi_gl__cap_closed, &ssgi_gl__cap_whole, &ssgi_gl__cap_table, &ssgi_gl__field_at, \
                         &ssgi_gl__field_head, &ssgi_gl__field_vector, &ssgi_gl__field_vector_closed, &ssgi_gl__field_vector_table, &ssgi_gl__field_angle, &ssgi_gl__field_tail
-static const ssgi_gl__chunk *const ssgi_gl__caster_chunks[] = { &ssgi_gl__caster_head, SSGI_GL__PROJECTIONS(caster), &ssgi_gl__caster_end, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__caster_chunks[] = { SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__caster_main, NULL };
 static const ssgi_gl__row *const ssgi_gl__caster_rows[] = { &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__casters_tex, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__field_chunks[] = {
     &ssgi_gl__field_in, SSGI_GL__FETCH, &ssgi_gl__object_texture, &ssgi_gl__object_custom, SSGI_GL__FIELD_OF, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__field_main, &ssgi_gl__field_own,
     &ssgi_gl__field_end, &ssgi_gl__lights_end, NULL };
 #define SSGI_GL__FIELD_MAPS &ssgi_gl__fields_tex, &ssgi_gl__fields8_tex, &ssgi_gl__cube_tex, &ssgi_gl__centre_tex, &ssgi_gl__cap_tex
 static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi_gl__rotation, SSGI_GL__MAPS, SSGI_GL__FIELD_MAPS, &ssgi_gl__objects_tex, &ssgi_gl__factor_out, NULL };
+
+/* The shading of surfels is the loop of lights over their own points. */
+#define SSGI_GL__SENT   &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__shadow_map, &ssgi_gl__surfel_lit, &ssgi_gl__surfel_lit_open, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_map, &ssgi_gl__lights_tail, &ssgi_gl__surfel_lit_end
+#define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
+#define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
+                        &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
+#define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
+static const ssgi_gl__chunk *const ssgi_gl__patch_vertex_chunks[] = { &ssgi_gl__patch_vertex, NULL };
+static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh_row, &ssgi_gl__in_position, &ssgi_gl__in_normal, &ssgi_gl__in_colour, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
+static const ssgi_gl__row *const ssgi_gl__patch_control_rows[] = { &ssgi_gl__surfel_row, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__patch_points_chunks[] = {
+    &ssgi_gl__far, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };
+static const ssgi_gl__row *const ssgi_gl__patch_points_rows[] = { &ssgi_gl__surfel_row, SSGI_GL__SENT_ROWS, &ssgi_gl__kept0, &ssgi_gl__kept1, &ssgi_gl__kept2, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__buffer_chunks[] = {
+    &ssgi_gl__far, SSGI_GL__SENT, &ssgi_gl__buffer_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__buffer_kept, NULL };
+static const ssgi_gl__row *const ssgi_gl__buffer_rows[] = { SSGI_GL__SENT_ROWS, &ssgi_gl__in_surfel0, &ssgi_gl__in_surfel1, &ssgi_gl__in_surfel2, &ssgi_gl__kept0, &ssgi_gl__kept1, &ssgi_gl__kept2, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__shuffle_chunks[] = { SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__deal_random, &ssgi_gl__deal_fixed, &ssgi_gl__shuffle_main, NULL };
+static const ssgi_gl__row *const ssgi_gl__shuffle_rows[] = { SSGI_GL__READS, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__shuffled_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__splat_vertex_chunks[] = { SSGI_GL__SHELL, &ssgi_gl__splat_vertex, NULL };
+static const ssgi_gl__row *const ssgi_gl__splat_vertex_rows[] = { SSGI_GL__SHELL_ROWS, &ssgi_gl__in_surfel0, &ssgi_gl__in_surfel1, &ssgi_gl__in_surfel2, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__splat_geometry_chunks[] = { &ssgi_gl__splat_geometry_in, SSGI_GL__SHELL, &ssgi_gl__splat_geometry, NULL };
+static const ssgi_gl__row *const ssgi_gl__splat_geometry_rows[] = { SSGI_GL__SHELL_ROWS, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__splat_chunks[] = {
+    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
+    &ssgi_gl__splat_hides, &ssgi_gl__splat_brings, &ssgi_gl__splat_mirrors, &ssgi_gl__splat_scatters, NULL };
+static const ssgi_gl__row *const ssgi_gl__splat_rows[] = {
+    &ssgi_gl__soft_radius, &ssgi_gl__rotation, &ssgi_gl__dipole_row, &ssgi_gl__exponent, &ssgi_gl__shuffled_tex, &ssgi_gl__map_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__unshuffle_chunks[] = { &ssgi_gl__deal_random, &ssgi_gl__deal_fixed, &ssgi_gl__unshuffle_main, &ssgi_gl__unshuffle_grey, &ssgi_gl__unshuffle_colour, NULL };
+static const ssgi_gl__row *const ssgi_gl__unshuffle_rows[] = { &ssgi_gl__frame_size, &ssgi_gl__level_row, &ssgi_gl__levels_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__smooth_chunks[] = {
+    SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), &ssgi_gl__smooth_head, &ssgi_gl__smooth_normals, &ssgi_gl__smooth_tail, &ssgi_gl__smooth_grey, &ssgi_gl__smooth_colour, NULL };
+static const ssgi_gl__row *const ssgi_gl__smooth_rows[] = { &ssgi_gl__c_axis, SSGI_GL__READS, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__levels_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
+
+static const ssgi_gl__chunk *const ssgi_gl__sum_chunks[] = {
+    SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__sum_adds, &ssgi_gl__sum_shares, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__sum_levels, &ssgi_gl__sum_occludes, &ssgi_gl__sum_hides,
+    &ssgi_gl__sum_brings, &ssgi_gl__sum_mirrors, &ssgi_gl__sum_scatters, NULL };
+static const ssgi_gl__row *const ssgi_gl__sum_rows[] = {
+    &ssgi_gl__c_levels, SSGI_GL__READS, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__open_tex, &ssgi_gl__levels_tex, &ssgi_gl__sum_ao_out, &ssgi_gl__sum_light_out, &ssgi_gl__sum_bounce_out,
+    &ssgi_gl__sum_specular_out, &ssgi_gl__sum_scatter_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__blur_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), SSGI_GL__SH, SSGI_GL__SH_ADD, SSGI_GL__VECTOR_TYPE, &ssgi_gl__vectors_none, SSGI_GL__LOAD, SSGI_GL__STORE, &ssgi_gl__blur_head, &ssgi_gl__blur_full_grey, &ssgi_gl__blur_full_colour, &ssgi_gl__blur_half_grey,
@@ -2394,22 +2877,33 @@ static const ssgi_gl__row *const ssgi_gl__blur_rows[] = {
 
 typedef struct ssgi_gl__pass {
     const char *name;
-    int pass, search;                       /* the desc that it is for; search -1: any */
-    const ssgi_gl__chunk *const *chunks[SSGI_GL_STAGES];
+    int pass, variant;                      /* the desc that it is for; variant: of search or tessellate; -1: any */
+    const ssgi_gl__chunk *const *chunks[SSGI_GL_STAGES];        /* NULL: the pass has no such stage */
     const ssgi_gl__row *const *rows[SSGI_GL_STAGES];
 } ssgi_gl__pass;
 
+#define SSGI_GL__PLAIN_PASS(name) { ssgi_gl__vertex_chunks, ssgi_gl__##name##_chunks, NULL, NULL, NULL }, { ssgi_gl__vertex_rows, ssgi_gl__##name##_rows, NULL, NULL, NULL }
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    { "ssao", SSGI_GL_SSAO, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__ssao_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__ssao_rows } },
-    { "hsao", SSGI_GL_HSAO, SSGI_GL_SLICES, { ssgi_gl__vertex_chunks, ssgi_gl__slices_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__slices_rows } },
-    { "hsao", SSGI_GL_HSAO, SSGI_GL_MARCH,  { ssgi_gl__vertex_chunks, ssgi_gl__march_chunks },  { ssgi_gl__vertex_rows, ssgi_gl__march_rows } },
-    { "ssdo", SSGI_GL_SSDO, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__ssdo_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__ssdo_rows } },
-    { "s3ho", SSGI_GL_S3HO, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__s3ho_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__s3ho_rows } },
-    { "lights", SSGI_GL_LIGHTS, -1,         { ssgi_gl__vertex_chunks, ssgi_gl__lights_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__lights_rows } },
-    { "senders", SSGI_GL_SENDERS, -1,       { ssgi_gl__vertex_chunks, ssgi_gl__senders_chunks }, { ssgi_gl__vertex_rows, ssgi_gl__senders_rows } },
-    { "shade", SSGI_GL_SHADE, -1,           { ssgi_gl__vertex_chunks, ssgi_gl__shade_chunks },  { ssgi_gl__vertex_rows, ssgi_gl__shade_rows } },
-    { "field", SSGI_GL_FIELD, -1,           { ssgi_gl__caster_chunks, ssgi_gl__field_chunks }, { ssgi_gl__caster_rows, ssgi_gl__field_rows } },
-    { "blur", SSGI_GL_BLUR, -1,             { ssgi_gl__vertex_chunks, ssgi_gl__blur_chunks },   { ssgi_gl__vertex_rows, ssgi_gl__blur_rows } }
+    { "ssao", SSGI_GL_SSAO, -1, SSGI_GL__PLAIN_PASS(ssao) },
+    { "hsao", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL__PLAIN_PASS(slices) },
+    { "hsao", SSGI_GL_HSAO, SSGI_GL_MARCH, SSGI_GL__PLAIN_PASS(march) },
+    { "ssdo", SSGI_GL_SSDO, -1, SSGI_GL__PLAIN_PASS(ssdo) },
+    { "s3ho", SSGI_GL_S3HO, -1, SSGI_GL__PLAIN_PASS(s3ho) },
+    { "lights", SSGI_GL_LIGHTS, -1, SSGI_GL__PLAIN_PASS(lights) },
+    { "senders", SSGI_GL_SENDERS, -1, SSGI_GL__PLAIN_PASS(senders) },
+    { "shade", SSGI_GL_SHADE, -1, SSGI_GL__PLAIN_PASS(shade) },
+    { "field", SSGI_GL_FIELD, -1, { ssgi_gl__caster_chunks, ssgi_gl__field_chunks, NULL, NULL, NULL }, { ssgi_gl__caster_rows, ssgi_gl__field_rows, NULL, NULL, NULL } },
+    { "surfels", SSGI_GL_SURFELS, 0, { ssgi_gl__buffer_chunks, NULL, NULL, NULL, NULL }, { ssgi_gl__buffer_rows, NULL, NULL, NULL, NULL } },
+    { "surfels", SSGI_GL_SURFELS, 1, { ssgi_gl__patch_vertex_chunks, NULL, ssgi_gl__patch_control_chunks, ssgi_gl__patch_points_chunks, NULL },
+                                     { ssgi_gl__patch_vertex_rows, NULL, ssgi_gl__patch_control_rows, ssgi_gl__patch_points_rows, NULL } },
+    { "shuffle", SSGI_GL_SHUFFLE, -1, SSGI_GL__PLAIN_PASS(shuffle) },
+    { "splat", SSGI_GL_SPLAT, 0, { ssgi_gl__splat_vertex_chunks, ssgi_gl__splat_chunks, NULL, NULL, NULL }, { ssgi_gl__splat_vertex_rows, ssgi_gl__splat_rows, NULL, NULL, NULL } },
+    { "splat", SSGI_GL_SPLAT, 1, { ssgi_gl__patch_vertex_chunks, ssgi_gl__splat_chunks, ssgi_gl__patch_control_chunks, ssgi_gl__patch_points_chunks, ssgi_gl__splat_geometry_chunks },
+                                 { ssgi_gl__patch_vertex_rows, ssgi_gl__splat_rows, ssgi_gl__patch_control_rows, ssgi_gl__patch_points_rows, ssgi_gl__splat_geometry_rows } },
+    { "unshuffle", SSGI_GL_UNSHUFFLE, -1, SSGI_GL__PLAIN_PASS(unshuffle) },
+    { "smooth", SSGI_GL_SMOOTH, -1, SSGI_GL__PLAIN_PASS(smooth) },
+    { "sum", SSGI_GL_SUM, -1, SSGI_GL__PLAIN_PASS(sum) },
+    { "blur", SSGI_GL_BLUR, -1, SSGI_GL__PLAIN_PASS(blur) }
 };
 enum { SSGI_GL__ROWS = (int)(sizeof ssgi_gl__passes / sizeof ssgi_gl__passes[0]) };
 
@@ -2417,7 +2911,7 @@ static const ssgi_gl__pass *ssgi_gl__find(const ssgi_gl_desc *d)
 {
     int i;
     for (i = 0; i < SSGI_GL__ROWS; ++i)
-        if (ssgi_gl__passes[i].pass == d->pass && (ssgi_gl__passes[i].search < 0 || ssgi_gl__passes[i].search == d->search)) return &ssgi_gl__passes[i];
+        if (ssgi_gl__passes[i].pass == d->pass && (ssgi_gl__passes[i].variant < 0 || ssgi_gl__passes[i].variant == (d->pass == SSGI_GL_HSAO ? d->search : d->tessellate))) return &ssgi_gl__passes[i];
     return NULL;
 }
 
@@ -2475,12 +2969,26 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(eight_bits, 1, "0 or 1"),
     SSGI_GL__F(cap, SSGI_GL_CAP_TABLE, "SSGI_GL_CAP_CLOSED or _TABLE"),
     SSGI_GL__F(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS_NONE, _TEXTURE or _CUSTOM"),
+    SSGI_GL__F(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT_OCCLUSION, _LIGHT, _BOUNCE, _SPECULAR or _SCATTER"),
+    SSGI_GL__F(levels, SSGI_SPLAT_LEVELS, "0..7"),
+    SSGI_GL__F(fixed, 1, "0 or 1"),
+    SSGI_GL__F(tessellate, 1, "0 or 1"),
+    SSGI_GL__F(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS_COLOUR, _LIGHTS or _CUSTOM"),
+    SSGI_GL__F(enlarge, 1, "0 or 1"),
+    SSGI_GL__F(overlap, 1, "0 or 1"),
+    SSGI_GL__F(axis, 1, "0 or 1"),
     SSGI_GL__F(half, 1, "0 or 1"),
     SSGI_GL__F(colour, SSGI_GL_VECTORS, "SSGI_GL_GREY, _COLOUR or _VECTORS"),
     SSGI_GL__F(filter, SSGI_GL_GAUSSIAN, "SSGI_GL_BILATERAL or SSGI_GL_GAUSSIAN"),
     SSGI_GL__F(filter_radius, 4, "0..4"),
     SSGI_GL__F(filter_normals, 1, "0 or 1"),
     SSGI_GL__F(lines, 1, "0 or 1")
+};
+
+typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings, halves, tessellation; } ssgi_gl__dialect;    /* halves: packHalf2x16 */
+static const ssgi_gl__dialect ssgi_gl__dialects[] = {
+    { "330", "#version 330 core\n", 0, 0, 0, 0 }, { "410", "#version 410 core\n", 0, 0, 0, 1 }, { "450", "#version 450 core\n", 0, 1, 1, 1 },
+    { "300es", "#version 300 es\n", 1, 0, 1, 0 }, { "310es", "#version 310 es\n", 1, 1, 1, 0 }, { "320es", "#version 320 es\n", 1, 1, 1, 1 }
 };
 
 static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
@@ -2520,6 +3028,10 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
     if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
         return ssgi_gl__bad(why, "desc.receiver: hidden layers need their normals");
+    if (desc->tessellate && (desc->pass == SSGI_GL_SURFELS || desc->pass == SSGI_GL_SPLAT) && !ssgi_gl__dialects[desc->dialect].tessellation)
+        return ssgi_gl__bad(why, "desc.tessellate: needs a dialect with tessellation and geometry shaders: SSGI_GL_410, _450 or _320ES");
+    if (!desc->fetch && desc->sends == SSGI_GL_SENDS_CUSTOM)
+        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_surfel when sends is CUSTOM");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM || desc->objects == SSGI_GL_OBJECTS_CUSTOM))
         return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object when depth, normal or objects is CUSTOM");
     return SSGI_OK;
@@ -2537,7 +3049,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     ssgi_result r = ssgi_gl_check(desc, why);
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    if (desc->pass == SSGI_GL_FIELD) return SSGI_OK;        /* nothing in it trades cost for accuracy: the bake does */
+    if (desc->pass >= SSGI_GL_FIELD && desc->pass <= SSGI_GL_SUM) return SSGI_OK;        /* what trades cost for accuracy is not in the text: bakes, sizes of surfels, epsilon */
     c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO || desc->pass == SSGI_GL_SHADE ? 3 : desc->pass == SSGI_GL_LIGHTS ? 4 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
     desc->half = c->half;
     desc->steps = c->steps;
@@ -2565,16 +3077,11 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.steps) d.steps = d.pass == SSGI_GL_HSAO ? 6 : 1;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     if (!d.bands) d.bands = d.pass == SSGI_GL_SSDO ? 3 : 4;
+    if (!d.levels) d.levels = 4;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
     return d;
 }
-
-typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings, halves; } ssgi_gl__dialect;    /* halves: packHalf2x16 */
-static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", 0, 0, 0 }, { "410", "#version 410 core\n", 0, 0, 0 }, { "450", "#version 450 core\n", 0, 1, 1 },
-    { "300es", "#version 300 es\n", 1, 0, 1 }, { "310es", "#version 310 es\n", 1, 1, 1 }, { "320es", "#version 320 es\n", 1, 1, 1 }
-};
 
 static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
 {
@@ -2597,11 +3104,13 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
     const int sized = blur || hsao || points || shade, hidden = d->receiver && (d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_LIGHTS || d->pass == SSGI_GL_SENDERS);
     const int dotted = (d->pass == SSGI_GL_S3HO && d->shaded) || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_SH) || (shade && d->shading == SSGI_GL_SHADING_HARMONICS);
     const int exact = d->exact && dotted && (d->pass == SSGI_GL_SSDO || d->transfer != SSGI_GL_TRANSFER_REFLECTED), lamps = shade && d->lamps && d->shading != SSGI_GL_SHADING_BENT;
-    const int normals = blur ? d->filter == SSGI_GL_BILATERAL : !shade || exact, depth = !blur || d->half || stored || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
+    const int deep = d->pass >= SSGI_GL_SURFELS && d->pass <= SSGI_GL_SUM, placed = d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_SMOOTH;
+    const int normals = blur ? d->filter == SSGI_GL_BILATERAL : deep ? placed || (d->pass == SSGI_GL_SUM && d->effect == SSGI_GL_EFFECT_LIGHT) : !shade || exact;
+    const int depth = deep ? placed || d->pass == SSGI_GL_SUM : !blur || d->half || stored || (normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH);
     ssgi_gl__set s = { { 0, 0, 0, 0 } };
     uint64_t f = (d->orthographic ? SSGI_GL__ORTHOGRAPHIC : SSGI_GL__PERSPECTIVE) | (hidden ? SSGI_GL__HIDDEN : SSGI_GL__FIRST) | (sized && d->half ? SSGI_GL__HALF : SSGI_GL__FULL);
     if (depth || normals) f |= SSGI_GL__GBUFFER;
-    if (!shade || lamps || exact) f |= SSGI_GL__POSITION;
+    if (deep ? normals : !shade || lamps || exact) f |= SSGI_GL__POSITION;
     if (depth) f |= depth_kind[d->depth];
     if (normals) {
         f |= SSGI_GL__NORMALS | normal_kind[d->normal];
@@ -2649,6 +3158,30 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         ssgi_gl__add(&s, (d->storage ? SSGI_GL__CUBES : SSGI_GL__ATLAS | (d->eight_bits ? SSGI_GL__BITS8 : SSGI_GL__BITS16)) | (d->measure ? SSGI_GL__ANGLE_KEPT : SSGI_GL__VECTOR_KEPT)
                      | (d->cap ? SSGI_GL__CAP_TABLE : SSGI_GL__CAP_CLOSED) | (d->objects ? SSGI_GL__OBJECTS | (d->objects == SSGI_GL_OBJECTS_CUSTOM ? SSGI_GL__O_CUSTOM : SSGI_GL__O_TEXTURE) : 0));
         break;
+    case SSGI_GL_SURFELS: case SSGI_GL_SHUFFLE: case SSGI_GL_SPLAT: case SSGI_GL_UNSHUFFLE: case SSGI_GL_SMOOTH: case SSGI_GL_SUM: {
+        static const uint64_t effect_kind[] = { SSGI_GL__OCCLUDES | SSGI_GL__FORM | SSGI_GL__GREY, SSGI_GL__HIDES | SSGI_GL__FORM | SSGI_GL__COLOUR, SSGI_GL__BRINGS | SSGI_GL__FORM | SSGI_GL__COLOUR,
+                                                SSGI_GL__MIRRORS | SSGI_GL__FORM | SSGI_GL__COLOUR, SSGI_GL__SCATTERS | SSGI_GL__COLOUR };
+        const int splat = d->pass == SSGI_GL_SPLAT, made = d->pass == SSGI_GL_SURFELS || splat, lit = d->sends == SSGI_GL_SENDS_LIGHTS && (d->tessellate || !splat) && made;
+        if (d->pass != SSGI_GL_SURFELS && d->pass != SSGI_GL_SHUFFLE) ssgi_gl__add(&s, effect_kind[d->effect]);
+        if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_UNSHUFFLE) ssgi_gl__add(&s, d->fixed ? SSGI_GL__REGULAR : SSGI_GL__RANDOM);
+        if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
+        if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__SHARES : SSGI_GL__ADDS_UP);
+        if (d->pass == SSGI_GL_SMOOTH) ssgi_gl__add(&s, SSGI_GL__BILATERAL | (d->filter_normals ? SSGI_GL__F_NORMALS : 0));
+        if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (d->sends == SSGI_GL_SENDS_CUSTOM && (d->tessellate || !splat) ? SSGI_GL__S_CUSTOM : 0));
+        if (lit && (d->shadow == SSGI_GL_SHADOW_MAP || d->shadow == SSGI_GL_SHADOW_FILL)) ssgi_gl__add(&s, SSGI_GL__MAPS_READ);
+        if (lit && d->environment) {
+            ssgi_gl__add(&s, SSGI_GL__I_MAP);
+            f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;
+        }
+        if (splat && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__E_MAP);
+        if (d->pass == SSGI_GL_SUM && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__I_MAP);
+        if ((splat || d->pass == SSGI_GL_SUM) && d->effect == SSGI_GL_EFFECT_LIGHT) f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;
+        if (splat && d->effect == SSGI_GL_EFFECT_SPECULAR) f |= SSGI_GL__TOWARD;
+        if (d->pass == SSGI_GL_SHUFFLE) f |= SSGI_GL__OCTAHEDRON;
+        if (placed) f |= SSGI_GL__INSIDE;
+        if (d->pass == SSGI_GL_SMOOTH) f |= SSGI_GL__PROJECT;
+        break;
+    }
     default:
         ssgi_gl__add(&s, (d->filter == SSGI_GL_GAUSSIAN ? SSGI_GL__GAUSSIAN : SSGI_GL__BILATERAL) | content_kind[d->colour]);
         if (!stored) ssgi_gl__add(&s, SSGI_GL__PLAIN);
@@ -2726,6 +3259,12 @@ SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
     case SSGI_GL_LIGHTS: return n + 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + (ssgi_gl__has(&s, SSGI_GL__SEGMENTS) ? d.samples * test : 0) + d.accumulate;
     case SSGI_GL_SENDERS: return n + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_LIGHT) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_DIRECT) ? 1 : 0);
     case SSGI_GL_SHADE: return n + vectors + open + (ssgi_gl__has(&s, SSGI_GL__LAMPS) ? 3 : 0) + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0);
+    case SSGI_GL_SURFELS: return ssgi_gl__has(&s, SSGI_GL__S_LIT) ? 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) : 0;
+    case SSGI_GL_SHUFFLE: return n;
+    case SSGI_GL_SPLAT: return ssgi_gl__has(&s, SSGI_GL__E_MAP) ? 2 : 1;
+    case SSGI_GL_UNSHUFFLE: return 1;
+    case SSGI_GL_SMOOTH: return n + 1 + (d.levels > 1 ? 1 << (d.levels - 1) : 0) * (2 + (ssgi_gl__has(&s, SSGI_GL__F_NORMALS) ? f & SSGI_GL__N_DEPTH ? 4 : 1 : 0));
+    case SSGI_GL_SUM: return n + d.levels + open;
     case SSGI_GL_FIELD: return n + (d.storage ? 2 : 4) + d.cap + (d.objects ? 1 : 0);
     default: {
         const int side = 2 * d.filter_radius + 1, tap = d.colour == SSGI_GL_VECTORS ? vectors + 1 : 1;
@@ -2795,23 +3334,28 @@ static void ssgi_gl__put_kernel(ssgi_gl__text *t, int samples)
     ssgi_gl__put(t, "));\n");
 }
 
+static int ssgi_gl__row_of(const ssgi_gl__pass *pass, int stage, const ssgi_gl__set *features, const char *name)
+{
+    const ssgi_gl__row *const *row = pass->rows[stage];
+    for (; row && *row; ++row) if (ssgi_gl__has(features, (*row)->need) && !strcmp((*row)->io.name, name)) return 1;
+    return 0;
+}
+
 /* Rows of a stage that exist in this variant, or of all, each once; slots are given in the order of all, the fragment stage's first. */
 static int ssgi_gl__collect(const ssgi_gl__pass *pass, int stage, const ssgi_gl_desc *d, const ssgi_gl__set *features, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, textures = 0, outputs = 0, s;
-    for (s = SSGI_GL_STAGES - 1; s >= 0; --s) {
-        const ssgi_gl__row *const *row, *const *other;
-        for (row = pass->rows[s]; *row; ++row) {
+    static const int order[SSGI_GL_STAGES] = { SSGI_GL_FRAGMENT, SSGI_GL_GEOMETRY, SSGI_GL_TESS_EVALUATION, SSGI_GL_TESS_CONTROL, SSGI_GL_VERTEX };
+    int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0, 0, 0, 0, 0, 0 }, s, k;
+    for (s = 0; s < SSGI_GL_STAGES; ++s) {
+        const ssgi_gl__row *const *row;
+        for (row = pass->rows[order[s]]; row && *row; ++row) {
             ssgi_gl_io io = (*row)->io;
             if (!ssgi_gl__has(features, (*row)->need)) continue;
-            if (io.kind == SSGI_GL_TEXTURE) io.slot = textures++;       /* no stage reads another's textures */
-            if (io.kind == SSGI_GL_OUTPUT) io.slot = outputs++;
+            for (k = 0; k < s && !ssgi_gl__row_of(pass, order[k], features, io.name); ++k) {}
+            if (k < s) continue;                                /* an earlier stage has it */
             if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(d, io.offset); io.offset = 0; }
-            if (stage != SSGI_GL_STAGES && stage != s && (io.kind != SSGI_GL_PARAM || !pass->rows[stage][0])) continue;     /* a block has all members of both stages in either */
-            if (s == SSGI_GL_VERTEX) {
-                for (other = pass->rows[SSGI_GL_FRAGMENT]; *other && !(ssgi_gl__has(features, (*other)->need) && !strcmp((*other)->io.name, io.name)); ++other) {}
-                if (*other) continue;
-            }
+            else if (io.kind != SSGI_GL_PARAM) io.slot = slots[io.kind]++;
+            if (stage != SSGI_GL_STAGES && (io.kind == SSGI_GL_PARAM ? !pass->rows[stage] || !pass->rows[stage][0] : !ssgi_gl__row_of(pass, stage, features, io.name))) continue;     /* a block has all members in every stage */
             if (n < capacity) out[n] = io;
             ++n;
         }
@@ -2821,7 +3365,7 @@ static int ssgi_gl__collect(const ssgi_gl__pass *pass, int stage, const ssgi_gl_
 
 static size_t ssgi_gl__size_of(const char *type)
 {
-    static const struct size { const char *type; size_t bytes; } sizes[] = { { "float", 4 }, { "int", 4 }, { "ivec2", 8 }, { "vec4", 16 }, { "mat3", 48 },
+    static const struct size { const char *type; size_t bytes; } sizes[] = { { "float", 4 }, { "int", 4 }, { "ivec2", 8 }, { "vec4", 16 }, { "mat3", 48 }, { "mat4", 64 },
                                                                             { "vec4[12]", 192 }, { "mat4[4]", 256 }, { "vec4[4]", 64 } };
     size_t i = 0;
     while (strcmp(sizes[i].type, type)) ++i;        /* the rows above have no others */
@@ -2886,7 +3430,9 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d.dialect];
     const ssgi_gl__set features = ssgi_gl__features(&d);
     ssgi_gl_io io[SSGI_GL_MAX_IO];
-    int n = ssgi_gl__collect(pass, stage, &d, &features, io, SSGI_GL_MAX_IO), i;
+    int n, i;
+    if (!pass->chunks[stage]) return;
+    n = ssgi_gl__collect(pass, stage, &d, &features, io, SSGI_GL_MAX_IO);
 
     ssgi_gl__put(t, d.version ? d.version : dialect->version);
     if (d.version && *d.version && d.version[strlen(d.version) - 1] != '\n') ssgi_gl__put(t, "\n");
@@ -2913,13 +3459,14 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage
     ssgi_gl__put_block(t, io, n, 0, dialect->bindings);
     ssgi_gl__put_block(t, io, n, 1, dialect->bindings);
     for (i = 0; i < n; ++i) {
-        if (io[i].kind != SSGI_GL_TEXTURE && io[i].kind != SSGI_GL_OUTPUT) continue;
-        if (io[i].kind == SSGI_GL_OUTPUT || dialect->bindings) {
-            ssgi_gl__put(t, io[i].kind == SSGI_GL_OUTPUT ? "layout(location = " : "layout(binding = ");
+        const int located = io[i].kind == SSGI_GL_OUTPUT || io[i].kind == SSGI_GL_ATTRIBUTE;
+        if (io[i].kind == SSGI_GL_PARAM || io[i].kind == SSGI_GL_CONSTANT) continue;
+        if (located || (io[i].kind == SSGI_GL_TEXTURE && dialect->bindings)) {
+            ssgi_gl__put(t, located ? "layout(location = " : "layout(binding = ");
             ssgi_gl__put_int(t, io[i].slot);
             ssgi_gl__put(t, ") ");
         }
-        ssgi_gl__put(t, io[i].kind == SSGI_GL_OUTPUT ? "out " : "uniform ");
+        ssgi_gl__put(t, io[i].kind == SSGI_GL_TEXTURE ? "uniform " : io[i].kind == SSGI_GL_ATTRIBUTE ? "in " : "out ");
         ssgi_gl__put(t, io[i].type);
         ssgi_gl__put(t, " ");
         ssgi_gl__put(t, io[i].name);
@@ -2927,7 +3474,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl_desc *desc, int stage
         ssgi_gl__put(t, io[i].format);
         ssgi_gl__put(t, "\n");
     }
-    if (d.fetch && stage == SSGI_GL_FRAGMENT) {
+    if (d.fetch && stage == (ssgi_gl__has(&features, SSGI_GL__S_CUSTOM) ? d.tessellate ? SSGI_GL_TESS_EVALUATION : SSGI_GL_VERTEX : SSGI_GL_FRAGMENT)) {
         ssgi_gl__put(t, "\n");
         ssgi_gl__put(t, d.fetch);
         ssgi_gl__put(t, "\n");
@@ -3085,7 +3632,41 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.lambda = 4.0f;
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
+    f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
+    f.epsilon = 0.02f;
+    f.exponent = 32.0f;
     *frame = f;
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why)
+{
+    float scale[4];
+    int size[2], i;
+    ssgi_result r;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    for (i = 0; mesh_to_view && i < 16; ++i)
+        if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR)) return ssgi_gl__bad(why, "mesh_to_view: must be finite");
+    r = ssgi_surfel_scale(scale, desc, view, why);
+    if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
+    if (r != SSGI_OK) return r;
+    memcpy(frame->surfel, scale, sizeof scale);
+    memcpy(frame->level, size, sizeof size);
+    if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
+{
+    int c;
+    if (!frame || !dipole) return ssgi_gl__bad(why, "frame, dipole: must not be NULL");
+    if (!(unit > 0.0f && unit < SSGI_FAR)) return ssgi_gl__bad(why, "unit: must be > 0 and finite");
+    for (c = 0; c < 3; ++c) {
+        frame->dipole[c] = (float)dipole->above[c] * unit;
+        frame->dipole[4 + c] = (float)dipole->below[c] * unit;
+        frame->dipole[8 + c] = (float)dipole->fading[c] / unit;
+        frame->dipole[12 + c] = 0.25f * (float)dipole->albedo[c];       /* pi r^2 over 4 pi */
+    }
     return SSGI_OK;
 }
 

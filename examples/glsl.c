@@ -18,6 +18,7 @@ static const char custom[] =
     "uniform sampler2D my_gbuffer;\n"
     "float ssgi_custom_depth(ivec2 texel, int layer) { return layer == 0 ? texelFetch(my_gbuffer, texel, 0).w : 0.0; }\n"
     "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n"
+    "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n"
     "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n";
 
 typedef struct choice { const char *name; size_t offset; int value; } choice;
@@ -37,7 +38,9 @@ static const choice choices[] = {
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
     CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO),
     CHOICE("cubemaps", storage, SSGI_GL_STORAGE_CUBE), CHOICE("angle", measure, SSGI_FIELD_SOLID_ANGLE), CHOICE("8bit", eight_bits, 1), CHOICE("table", cap, SSGI_GL_CAP_TABLE),
-    CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM), CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
+    CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM), CHOICE("light", effect, SSGI_GL_EFFECT_LIGHT), CHOICE("bounce", effect, SSGI_GL_EFFECT_BOUNCE), CHOICE("specular", effect, SSGI_GL_EFFECT_SPECULAR), CHOICE("scatter", effect, SSGI_GL_EFFECT_SCATTER), CHOICE("fixed", fixed, 1),
+    CHOICE("tessellate", tessellate, 1), CHOICE("lit", sends, SSGI_GL_SENDS_LIGHTS), CHOICE("custom", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("share", overlap, 1), CHOICE("vertical", axis, 1),
+    CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
 enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 1 << 14 };
@@ -58,11 +61,11 @@ static int write_file(const char *path, char *text, size_t n)
 /* The texts of a desc that none before was: vertex stage, fragment stage, functions alone. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
-    static const char *const endings[] = { "vert", "frag", "glsl" };
-    for (int kind = 0; kind < 3; ++kind) {
+    static const char *const endings[] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
+    for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
         const int alone = kind == SSGI_GL_STAGES;
         const size_t n = !alone ? ssgi_gl_emit(NULL, 0, d, kind) : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d) : 0;
-        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(alone ? 0 : d->dialect)) * 3 + (uint64_t)kind;
+        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(alone ? 0 : d->dialect)) * 8 + (uint64_t)kind;
         char path[1024], *text = n && files < MOST ? malloc(n + 1) : NULL;
         int i = 0;
         if (!n || files >= MOST) continue;

@@ -10,31 +10,31 @@
 /* ---- >>functions -------------------------------------------------------------------------------------------- */
 
 /* Every GL function that the kit loads, by the contexts that must have it. One that the context lacks is NULL.
-   CORE: all contexts (GL 4.3, GLES 3.0). ES31: from GLES 3.1 on, and desktop. DESKTOP: never in GLES, save for
+   CORE: all contexts (GL 4.3, GLES 3.0). ES31: from GLES 3.1 (PatchParameteri: 3.2) on, and desktop. DESKTOP: never in GLES, save for
    glClipControl and glGetQueryObjectui64v, taken there from EXT_clip_control and EXT_disjoint_timer_query. */
 #define KIT_GL_CORE(X) \
-    X(ActiveTexture, ACTIVETEXTURE) X(AttachShader, ATTACHSHADER) X(BeginQuery, BEGINQUERY) X(BindBuffer, BINDBUFFER) \
+    X(ActiveTexture, ACTIVETEXTURE) X(AttachShader, ATTACHSHADER) X(BeginQuery, BEGINQUERY) X(BeginTransformFeedback, BEGINTRANSFORMFEEDBACK) X(BindBuffer, BINDBUFFER) \
     X(BindBufferBase, BINDBUFFERBASE) X(BindFramebuffer, BINDFRAMEBUFFER) X(BindTexture, BINDTEXTURE) X(BindVertexArray, BINDVERTEXARRAY) \
     X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, CLEARBUFFERFV) \
     X(ClearBufferuiv, CLEARBUFFERUIV) X(ColorMask, COLORMASK) \
     X(CompileShader, COMPILESHADER) X(CreateProgram, CREATEPROGRAM) X(CreateShader, CREATESHADER) X(DeleteBuffers, DELETEBUFFERS) \
     X(DeleteFramebuffers, DELETEFRAMEBUFFERS) X(DeleteProgram, DELETEPROGRAM) X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) \
-    X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X(BlendFunc, BLENDFUNC) \
-    X(DrawArrays, DRAWARRAYS) X(DrawArraysInstanced, DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) \
+    X(DeleteQueries, DELETEQUERIES) X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X(BlendFunc, BLENDFUNC) \
+    X(DrawArrays, DRAWARRAYS) X(DrawArraysInstanced, DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) X(EndTransformFeedback, ENDTRANSFORMFEEDBACK) \
     X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
     X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) \
     X(GenVertexArrays, GENVERTEXARRAYS) X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) \
     X(GetActiveUniformsiv, GETACTIVEUNIFORMSIV) X(GetError, GETERROR) X(GetFragDataLocation, GETFRAGDATALOCATION) \
     X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, GETINTEGERV) X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
     X(GetProgramiv, GETPROGRAMIV) X(GetShaderInfoLog, GETSHADERINFOLOG) X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) X(GetStringi, GETSTRINGI) \
-    X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) X(GetUniformiv, GETUNIFORMIV) \
+    X(GetQueryObjectuiv, GETQUERYOBJECTUIV) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) X(GetUniformiv, GETUNIFORMIV) \
     X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) \
-    X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) \
+    X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) \
     X(Uniform1f, UNIFORM1F) X(Uniform1i, UNIFORM1I) \
     X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) X(UseProgram, USEPROGRAM) \
-    X(VertexAttribPointer, VERTEXATTRIBPOINTER) X(Viewport, VIEWPORT)
+    X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
-    X(MemoryBarrier, MEMORYBARRIER)
+    X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
 #define KIT_GL_DESKTOP(X) \
     X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
 #if defined(__GNUC__)
@@ -191,6 +191,8 @@ typedef struct kit_pass {
     GLuint             cube[2];            /* field: of its casters, when fields are cube maps */
     int                instances;          /* field: casters drawn at once, blended over what is there; the first such pass clears */
     int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
+    GLuint             array, capture;     /* surfels, splat: vertex array; what transform feedback writes */
+    int                patches[2], splits; /* triangles, small ones and behind them those that are split, as patches; 0: surfels of a buffer, all of the run's */
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
     uint64_t           key;                /* equal ones share their program */
@@ -212,6 +214,9 @@ typedef struct kit_run {
     ssgi_gl_views cameras;
     GLuint        fields, cap;             /* field: all shapes' fields as one array; the table of caps */
     int           casters;
+    size_t        surfels;                 /* that the splats' buffer holds */
+    double        splat_pixels;            /* predicted, all splats of the first splat pass */
+    GLuint        shuffled, arrays[3], buffers[3], query;
     size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
     float        *equirect, harmonics[48]; /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
@@ -227,7 +232,7 @@ double kit_run_ms(const kit_run *run);     /* sum over the passes of the last ti
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);
 
-/* Compiles both stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
+/* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
 int    kit_dialect(void);
 

@@ -53,6 +53,7 @@ static const row two_sided_row = { { "two_sided", "1: senders shine from both si
 static const row nearest_row   = { { "nearest", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(nearest) };
 static const row gain_row      = { { "gain", "area of patches and discs, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME, FRAMED(gain) };
 static const row shadows_row   = { { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space", "segment map fill none", 2, 0, 3, 1 }, LIGHTS, DESC(shadow) };
+static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 }, LIGHTS, DESC(shadow) };
 static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
 static const row solid_row     = { { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row steepest_row  = { { "steepest", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(steepest) };
@@ -88,6 +89,23 @@ static const row draw_row      = { { "draw", "casters instanced, or each by a dr
 static const row own_row       = { { "own", "1: casters shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row casters_row   = { { "casters", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
 
+static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.02, 1e-4, 1, 0 }, PLAN, 0 };
+static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
+static const row levels_row    = { { "levels", "each doubles the reach", NULL, 4, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
+static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
+static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
+static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
+static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid none", 0, 0, 2, 1 }, PLAN, 0 };
+static const row fixed_row     = { { "fixed", "1: the same pixel of every block goes to a sub-buffer, 0: by chance", NULL, 0, 0, 1, 1 }, GATHER, DESC(fixed) };
+static const row enlarge_row   = { { "enlarge", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(enlarge) };
+static const row overlap_row   = { { "overlap", "where surfels hide each other their form factors are added, or taken as shares", "add share", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
+static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row likeness_row  = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 }, GATHER, DESC(filter_normals) };
+static const row exponent_row  = { { "exponent", "of the lobe", NULL, 32, 0, 10000, 0 }, FRAME, FRAMED(exponent) };
+static const row sky_row       = { { "sky", "1: --env lights surfels, too, as if nothing stood before them", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row material_row  = { { "material", "published constants of scattering", "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1 }, PLAN, 0 };
+static const row unit_row      = { { "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0 }, PLAN, 0 };
+
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
@@ -97,6 +115,8 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
+#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &shrink_row, &fixed_row, &enlarge_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
       { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
@@ -113,6 +133,10 @@ static const plan plans[] = {
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
     { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
+    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS, &hard_row } },
+    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS } },
+    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS, &exponent_row } },
+    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS, &material_row, &unit_row } },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
       { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &casters_row, &normal_row } }
 };
@@ -127,10 +151,10 @@ int kit_method_at(kit_method *method, int i)
     m.name = plans[i].name;
     m.about = plans[i].about;
     m.between = plans[i].pass == SSGI_GL_FIELD;
-    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO;
+    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO || (plans[i].pass == SSGI_GL_SPLAT && plans[i].search);
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
-    desc.search = plans[i].search;
+    if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;
     desc.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     ssgi_gl_preset(&desc, plans[i].preset, NULL);
     for (; plans[i].rows[m.count]; ++m.count) {            /* what the preset sets, the setting starts from */
@@ -212,23 +236,32 @@ int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_300ES : SSGI_GL_330; }
 
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
 {
-    static const GLenum stages[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    char *text[SSGI_GL_STAGES] = { NULL, NULL };
-    const char *source[SSGI_GL_STAGES], *why = "";
+    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+    char *text[SSGI_GL_STAGES];
+    const char *source[SSGI_GL_STAGES], *captured[3], *why = "";
+    GLenum stages[SSGI_GL_STAGES];
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     GLuint program = 0, block;
+    int count = 0, captures = 0, failed = 0;
     if (ssgi_gl_check(desc, &why) != SSGI_OK) { kit_fail(err, "%s", why); return 0; }
-    for (int s = 0; s < SSGI_GL_STAGES; ++s) {
-        size_t n = ssgi_gl_emit(NULL, 0, desc, s) + 1;
-        text[s] = malloc(n);
-        if (!text[s]) { kit_fail(err, "out of memory"); break; }
-        ssgi_gl_emit(text[s], n, desc, s);
-        source[s] = text[s];
+    for (int s = 0; s < SSGI_GL_STAGES && !failed; ++s) {
+        const size_t n = ssgi_gl_emit(NULL, 0, desc, s);
+        if (!n) continue;
+        text[count] = malloc(n + 1);
+        failed = !text[count];
+        if (failed) break;
+        ssgi_gl_emit(text[count], n + 1, desc, s);
+        source[count] = text[count];
+        stages[count++] = kinds[s];
     }
-    if (text[0] && text[1]) program = kit_program(source, stages, SSGI_GL_STAGES, err);
-    free(text[0]);
-    free(text[1]);
+    if (failed) kit_fail(err, "out of memory"); else program = kit_program(source, stages, count, err);
+    for (int i = 0; i < count; ++i) free(text[i]);
     if (!program) return 0;
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) if (io[i].kind == SSGI_GL_CAPTURE && desc->pass == SSGI_GL_SURFELS) captured[captures++] = io[i].name;
+    if (captures) {
+        glTransformFeedbackVaryings(program, captures, captured, GL_INTERLEAVED_ATTRIBS);
+        glLinkProgram(program);
+    }
     glUseProgram(program);
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
         if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
@@ -261,7 +294,9 @@ static GLuint keep(kit_run *run, GLuint texture)
 static GLenum target_format(const making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
 {
     const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
-    if (desc->pass == SSGI_GL_FIELD && kit_gl_is_es()) return GL_R16F;         /* blended */
+    if ((desc->pass == SSGI_GL_FIELD || (desc->pass == SSGI_GL_SPLAT && !strcmp(out->type, "float"))) && kit_gl_is_es()) return GL_R16F;         /* blended */
+    if (desc->pass == SSGI_GL_SPLAT && kit_gl_is_es()) return GL_RGBA16F;
+    if (desc->pass == SSGI_GL_SHUFFLE) return GL_RGBA32UI;
     if (!strcmp(out->type, "float")) return GL_R32F;
     if (!strcmp(out->type, "vec2")) return GL_RG32F;
     if (!strcmp(out->type, "uvec4")) return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
@@ -276,7 +311,7 @@ static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer
     static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
     kit_run *run = m->run;
     kit_pass *p = &run->pass[run->passes];
-    const int half = desc->half && desc->pass != SSGI_GL_BLUR;
+    const int half = desc->half && desc->pass != SSGI_GL_BLUR, levelled = desc->pass >= SSGI_GL_SHUFFLE && desc->pass <= SSGI_GL_SMOOTH;
     const uint64_t key = ssgi_gl_key(desc);
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     int outputs = 0;
@@ -287,13 +322,14 @@ static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer
     p->frame = frame;
     p->source = source;
     p->vectors = -1;
-    p->width = half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
-    p->height = half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
+    p->width = levelled ? run->frame.level[0] : half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
+    p->height = levelled ? run->frame.level[1] * desc->levels : half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
     for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
     if (!p->program) p->program = kit_pass_program(desc, m->err);
     if (!p->program) return NULL;
     p->key = key;
     ++run->passes;
+    if (desc->pass == SSGI_GL_SURFELS) return p;                    /* draws nothing */
     glGenFramebuffers(1, &p->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) {
@@ -309,7 +345,7 @@ static kit_pass *add_pass(making *m, const ssgi_gl_desc *desc, const kit_gbuffer
     glDrawBuffers(outputs, attachment);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
     if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS) for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
-    run->fetches += ssgi_gl_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    if (desc->pass != SSGI_GL_SPLAT) run->fetches += ssgi_gl_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
 
@@ -993,6 +1029,204 @@ static int open_field(making *m, const float picture[16])
     return failed ? -1 : 0;
 }
 
+/* ---- >>deep: surfels, and the passes that splat them ------------------------------------------------------------------- */
+
+/* A vertex array of vec3 or vec4 attributes, interleaved. */
+static GLuint array_of(GLuint buffer, int attributes, int components, GLuint divisor)
+{
+    GLuint array;
+    GLint was;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    for (GLuint i = 0; i < (GLuint)attributes; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, components, GL_FLOAT, GL_FALSE, attributes * components * 4, (const void *)(size_t)(i * (GLuint)components * 4));
+        glVertexAttribDivisor(i, divisor);
+    }
+    glBindVertexArray((GLuint)was);
+    return array;
+}
+
+static GLuint buffer_of(const void *data, size_t size)
+{
+    GLuint buffer;
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)size, data, GL_STATIC_DRAW);
+    return buffer;
+}
+
+/* The scene's triangles for patches, 9 floats a vertex: small ones first, then those that ask for splits. */
+static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view, const float picture[16], int grey, int patches[2])
+{
+    const kit_mesh *mesh = &scene->mesh;
+    const ssgi_splat splat = { 0 };
+    float *vertices = malloc(27 * mesh->triangles * sizeof *vertices);
+    unsigned char *large = malloc(mesh->triangles + 1);
+    size_t n = 0;
+    patches[0] = patches[1] = 0;
+    for (size_t t = 0; t < mesh->triangles && vertices && large; ++t) {
+        ssgi_surfel_cost cost = { 0 };
+        ssgi_surfel_source source = { .position = mesh->position + 9 * t, .triangles = 1 };
+        memcpy(source.to_view, picture, sizeof source.to_view);
+        ssgi_surfels_predict(&cost, d, &splat, view, &source, NULL);
+        large[t] = cost.splits > 1;
+        ++patches[large[t]];
+    }
+    for (int group = 0; group < 2 && vertices && large; ++group)
+        for (size_t t = 0; t < mesh->triangles; ++t)
+            for (size_t k = 0; k < 3 && large[t] == group; ++k, ++n) {
+                memcpy(vertices + 9 * n, mesh->position + 9 * t + 3 * k, 3 * sizeof *vertices);
+                memcpy(vertices + 9 * n + 3, mesh->normal + 9 * t + 3 * k, 3 * sizeof *vertices);
+                for (size_t c = 0; c < 3; ++c) vertices[9 * n + 6 + c] = grey ? 1 : mesh->albedo[3 * t + c];
+            }
+    if (!large) { free(vertices); vertices = NULL; }
+    free(large);
+    return vertices;
+}
+
+/* splat .. sum of one effect; *out: what comes out. */
+static int add_splats(making *m, const kit_pass *from, int effect, GLuint *out)
+{
+    kit_run *run = m->run;
+    ssgi_gl_desc d = m->gather;
+    kit_pass *p;
+    GLuint levels;
+    d.effect = effect;
+    if (effect == SSGI_GL_EFFECT_OCCLUSION || effect == SSGI_GL_EFFECT_LIGHT) d.sends = SSGI_GL_SENDS_COLOUR;
+    p = add_pass(m, &d, run->gbuffer, 0, 0, 0, 0);
+    if (!p) return -1;
+    p->lights = m->rows[0];
+    p->array = from->array;
+    memcpy(p->patches, from->patches, sizeof p->patches);
+    p->splits = from->splits;
+    levels = p->target[0];
+    for (int i = SSGI_GL_UNSHUFFLE; i <= SSGI_GL_SUM; ++i)
+        for (d.axis = 0; d.axis < (i == SSGI_GL_SMOOTH ? 2 : 1); ++d.axis) {
+            if (i == SSGI_GL_SMOOTH && (d.levels < 2 || !(kit_method_value(m->method, "smooth") > 0))) continue;
+            d.pass = i;
+            p = add_pass(m, &d, run->gbuffer, 0, levels, 0, 0);
+            if (!p) return -1;
+            levels = p->target[0];
+        }
+    *out = levels;
+    return 0;
+}
+
+static int open_deep(making *m, const ssgi_view *view, const float picture[16])
+{
+    static const kit_lighting dark;
+    kit_run *run = m->run;
+    kit_gbuffer *g = run->gbuffer;
+    const kit_scene *scene = m->world->scene;
+    const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "still"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink") };
+    const ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
+    const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
+    const kit_world world = { scene, lighting };
+    ssgi_surfel_cost cost;
+    kit_pass from = { 0 }, *p;
+    const char *why = "";
+    float *vertices;
+    ssgi_surfel *surfels = NULL;
+    size_t count[2] = { 0, 0 };
+    int patches[2], failed = 0, direct = 0, lamps_count = 0;
+    GLuint light = 0, bounce = 0;
+    if (!scene) return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene", m->method->name);
+    if (way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
+    if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
+    m->world = &world;
+    if (lit) {
+        const int all_dark = !lighting->env.data;
+        sphere all, middle;
+        lamp *lamps;
+        rotation_of(run->frame.rotation, picture, NULL);
+        m->gather.environment = all_dark || !(kit_method_value(m->method, "sky") > 0 || effect == SSGI_GL_EFFECT_LIGHT) ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_MAP;
+        if (m->gather.environment && add_environment(m)) return -1;
+        if (seen(g, &all, &middle, m->err)) return -1;
+        lamps = lamps_new(m, &all, &lamps_count, &direct);
+        if (!lamps) return -1;
+        failed = add_atlas(m, lamps, lamps_count);
+        m->rows[0] = failed ? 0 : keep(run, direct ? rows_of(lamps, 0, direct, picture) : kit_texture(8, 1, GL_RGBA32F, NULL));
+        free(lamps);
+        run->frame.lights = direct;
+        m->gather.shadow = m->lights.shadow;
+        m->gather.sends = SSGI_GL_SENDS_LIGHTS;
+        if (failed) return -1;
+    }
+    vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
+    for (int pass = 0; pass < 2 && vertices && !failed; ++pass)             /* counts, then surfels */
+        for (int group = 0; group < 2 && !failed; ++group) {
+            const float *first = vertices + 27 * (group ? patches[0] : 0);
+            ssgi_surfel_source source = { .position = first, .normal = first + 3, .colour = first + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = (size_t)patches[group] };
+            memcpy(source.to_view, picture, sizeof source.to_view);
+            if (pass && !group) surfels = malloc((count[0] + count[1] + 1) * sizeof *surfels);
+            failed = (pass && !surfels) || ssgi_surfels(pass ? surfels + (group ? count[0] : 0) : NULL, pass ? count[group] : 0, &count[group], &d, view, &source, &why) != SSGI_OK;
+        }
+    if (!vertices || failed) { free(vertices); free(surfels); return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory"); }
+    run->surfels = count[0] + count[1];
+    ssgi_splat_predict(&cost, &splat, view, surfels, run->surfels, NULL);
+    for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
+    run->fetches += run->splat_pixels / ((double)view->width * view->height);
+    if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
+    else run->buffers[0] = buffer_of(surfels, (run->surfels + 1) * sizeof *surfels);
+    run->arrays[0] = array_of(run->buffers[0], 3, way ? 3 : 4, way ? 0 : 1);
+    if (way == 1 || lit) run->buffers[1] = buffer_of(NULL, (run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
+    free(vertices);
+    free(surfels);
+    m->gather.tessellate = way > 0;
+    if (way) m->gather.dialect = kit_gl_is_es() ? SSGI_GL_320ES : SSGI_GL_410;
+    from.array = run->arrays[0];
+    if (way) memcpy(from.patches, patches, sizeof patches);
+    from.splits = d.splits;
+    if (way == 1 || (lit && !way)) {                        /* surfels come out of a pass: from patches, or lit */
+        ssgi_gl_desc made = m->gather;
+        made.pass = SSGI_GL_SURFELS;
+        if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
+        p = add_pass(m, &made, g, 0, 0, 0, 0);
+        if (!p) return -1;
+        p->lights = m->rows[0];
+        p->array = way ? run->arrays[0] : run->arrays[2];
+        memcpy(p->patches, from.patches, sizeof p->patches);
+        p->splits = d.splits;
+        p->capture = run->buffers[1];
+        run->arrays[1] = from.array = array_of(run->buffers[1], 3, 4, 1);
+        from.patches[0] = from.patches[1] = 0;
+        m->gather.tessellate = 0;
+        if (way) glGenQueries(1, &run->query);
+    }
+    {
+        ssgi_gl_desc shuffle = m->gather;
+        shuffle.pass = SSGI_GL_SHUFFLE;
+        p = add_pass(m, &shuffle, g, 0, 0, 0, 0);
+        if (!p) return -1;
+        run->shuffled = p->target[0];
+    }
+    if (effect == SSGI_GL_EFFECT_LIGHT) {
+        if (lighting->env.data && add_splats(m, &from, SSGI_GL_EFFECT_LIGHT, &light)) return -1;
+        if (direct) {
+            ssgi_gl_desc lights = m->lights;
+            lights.accumulate = light != 0;
+            p = add_pass(m, &lights, g, 0, light, 0, 0);
+            if (!p) return -1;
+            p->lights = m->rows[0];
+            light = p->target[0];
+        }
+        if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, &bounce)) return -1;
+    } else if (effect == SSGI_GL_EFFECT_SCATTER) {
+        const ssgi_material *material = ssgi_material_of((int)kit_method_value(m->method, "material"));
+        ssgi_dipole dipole;
+        ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
+        ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);
+        failed = add_splats(m, &from, effect, &light);
+    } else failed = add_splats(m, &from, effect, &light);
+    run->light = light;
+    run->bounce = bounce;
+    return failed ? -1 : 0;
+}
+
 int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
 {
     static const kit_world nothing;
@@ -1011,7 +1245,7 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     run->frame.origin[0] = g->viewport[0];
     run->frame.origin[1] = g->viewport[1];
     m.gather.pass = m.plan->pass;
-    m.gather.search = m.plan->search;
+    if (m.plan->pass == SSGI_GL_SPLAT) m.gather.effect = m.plan->search; else m.gather.search = m.plan->search;
     m.gather.dialect = kit_dialect();
     m.gather.orthographic = view.orthographic;
     m.gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
@@ -1026,10 +1260,12 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     if (m.gather.views && !m.world->scene) return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
     if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
     kit_camera_matrices(&g->camera, picture, projection);
-    if (run->lit) {
+    if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
         failed = open_lit(&m, picture);
     } else if (m.gather.pass == SSGI_GL_FIELD) {
         failed = open_field(&m, picture);
+    } else if (m.gather.pass == SSGI_GL_SPLAT) {
+        failed = open_deep(&m, &view, picture);
     } else {
         kit_pass *p;
         sphere all, middle;
@@ -1083,9 +1319,46 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
         { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
         { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
         { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
-        { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
+}
+
+/* Makes surfels or splats them, from patches or from a buffer. */
+static void draw_surfels(kit_run *run, const kit_pass *p)
+{
+    const int capture = p->capture != 0, counted = capture && run->query;
+    GLint was;
+    GLuint written = 0;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
+    glBindVertexArray(p->array);
+    if (capture) {
+        glEnable(GL_RASTERIZER_DISCARD);
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, p->capture);
+        if (counted) glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, run->query);
+        glBeginTransformFeedback(GL_POINTS);
+    } else {
+        glClearBufferfv(GL_COLOR, 0, (const GLfloat[4]) { 0, 0, 0, 0 });
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    if (p->desc.tessellate) {
+        glPatchParameteri(GL_PATCH_VERTICES, 3);
+        if (p->patches[0]) glDrawArrays(GL_PATCHES, 0, 3 * p->patches[0]);
+        if (p->patches[1]) glDrawArraysInstanced(GL_PATCHES, 3 * p->patches[0], 3 * p->patches[1], p->splits * p->splits);
+    } else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
+    else glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * p->desc.levels, (GLsizei)run->surfels);
+    if (capture) {
+        glEndTransformFeedback();
+        if (counted) {
+            glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+            glGetQueryObjectuiv(run->query, GL_QUERY_RESULT, &written);
+            run->surfels = written;
+        }
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+        glDisable(GL_RASTERIZER_DISCARD);
+    } else glDisable(GL_BLEND);
+    glBindVertexArray((GLuint)was);
 }
 
 void kit_run_draw(kit_run *run, int timed)
@@ -1104,7 +1377,8 @@ void kit_run_draw(kit_run *run, int timed)
             }
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-        if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
+        if (p->desc.pass >= SSGI_GL_SHUFFLE && p->desc.pass <= SSGI_GL_SMOOTH) glViewport(0, 0, p->width, p->height);
+        else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
         glUseProgram(p->program);
         if (timed && !p->aside) kit_timer_begin();
@@ -1114,7 +1388,8 @@ void kit_run_draw(kit_run *run, int timed)
             glBlendFunc(GL_DST_COLOR, GL_ZERO);
             glDrawArraysInstanced(GL_TRIANGLES, 0, 6, p->instances);
             glDisable(GL_BLEND);
-        } else glDrawArrays(GL_TRIANGLES, 0, 3);
+        } else if (p->array) draw_surfels(run, p);
+        else glDrawArrays(GL_TRIANGLES, 0, 3);
         if (timed && !p->aside) p->ms = kit_timer_end();
     }
     glActiveTexture(GL_TEXTURE0);
@@ -1177,6 +1452,9 @@ void kit_run_close(kit_run *run)
     }
     for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
     glDeleteTextures(run->textures, run->texture);
+    glDeleteVertexArrays(3, run->arrays);
+    glDeleteBuffers(3, run->buffers);
+    if (run->query) glDeleteQueries(1, &run->query);
     glDeleteBuffers(KIT_FRAMES, run->block);
     free(run->equirect);
     memset(run, 0, sizeof *run);
