@@ -394,6 +394,9 @@ typedef struct ssgi_surfel_desc {
     float still;                    /* [limit: 0..1]  0: surfels are jittered by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 1: not at all */
     int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
     int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
+    float aside;                    /* [units: radii per distance] [limit: 0..1] [default: 0.1]  how much surfels grow with their distance from what the camera sees: nothing near them is shaded; below 1e-3: not, as published */
+    int   every;                    /* [limit: 0..1]  0: of triangles smaller than 3 surfels a chance share is taken, enlarged to the wanted radius: cost and reach no longer follow how fine a mesh is; 1: all, as published */
+    float most;                     /* [units: view] [limit: >= 0] [default: no end]  triangles farther than this from what the camera sees give no surfels: a radius of occlusion */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -407,11 +410,16 @@ typedef struct ssgi_surfel_source {
     float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's transpose */
 } ssgi_surfel_source;
 
-/* Radius of a surfel at a view depth: s tan(alpha/2) (|depth - near| + near) [DSS14 3.1]: on the screen s/2 picture heights; behind the near plane they grow again. Orthographic: s/2 heights everywhere. */
+/* Radius of a surfel at a view depth: s tan(alpha/2) (|depth - near| + near) [DSS14 3.1]: on the screen s/2 picture heights; behind the near plane they grow again. Orthographic: s/2 heights everywhere.
+   ssgi_surfel_desc.aside adds to it outside of the frustum. */
 SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
+/* Depth of the near plane, which the projection implies. */
+SSGI_DEF float ssgi_view_near(const ssgi_view *view);
+/* How far a point of view space lies outside of the frustum: of its sides and its near plane, the farthest. 0 inside. */
+SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, still, splits, defaults in place. Outputs are untouched when something is wrong. */
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, still, splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
 
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
    give none. seed depends on the triangle's number and the place in it alone. Outputs are untouched when something is wrong. */
@@ -424,14 +432,16 @@ SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double
 /* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). GLSL twin: ssgi_form_factor. */
 SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3]);
 
-/* Pixels that a sphere covers: exact bounds x0, y0, x1, y1 [units: pixels, of the picture, clipped to it]. 0: none, and bounds are untouched. Around the eye: all. */
-SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius);
+/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1 [units: pixels, of the picture, clipped to it], exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched.
+   front [units: view] [limit: > 0 when perspective]: the near plane's depth, or of the nearest thing seen. GLSL twin: ssgi_sphere. */
+SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front);
 
 /* How surfels are splatted; what ssgi_gl_splat_set takes, too. */
 typedef struct ssgi_splat {
     float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.02] what is less is left to the next level, or out */
     float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts: a radius of occlusion */
     float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
+    float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
     int   levels;                   /* [limit: 0..7] [default: 4] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -2103,9 +2113,30 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
 /* r = scale * (|depth - near| + near), scale alone when orthographic. */
 static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
 {
-    const double d = (double)view->depth[0] + (double)view->depth[1] * (double)(1.0f - view->clear);
     out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
-    out[1] = view->orthographic ? 0.0 : 1.0 / d;
+    out[1] = (double)ssgi_view_near(view);
+}
+
+SSGI_DEF float ssgi_view_near(const ssgi_view *view)
+{
+    const float d = view->depth[0] + view->depth[1] * (1.0f - view->clear);
+    return view->orthographic ? d : 1.0f / d;
+}
+
+SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
+{
+    const double z = -point[2];
+    double most = 0.0, d;
+    int axis, side;
+    for (axis = 0; axis < 2; ++axis)
+        for (side = 0; side < 2; ++side) {
+            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];    /* per depth */
+            const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
+            d = view->orthographic ? sign * (point[axis] - edge) : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
+            if (d > most) most = d;
+        }
+    d = (double)ssgi_view_near(view) - z;
+    return d > most ? d : most;
 }
 
 static double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
@@ -2132,6 +2163,7 @@ typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
     double area, radius;
     int    level;
+    uint32_t key;
 } ssgi__patch;
 
 static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
@@ -2189,11 +2221,11 @@ static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_make
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
-/* Part i of n * n, its level and radius, its corners moved off the edges. Twin of the tessellation control shader. */
-static void ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
+/* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it. Twin of the tessellation control shader. */
+static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, uint32_t triangle, int n, int part)
 {
     int row = (int)sqrt((double)part), place, c, i, k;
-    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, perimeter = 0.0, f;
+    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent = 0.0, aside, wanted, share, f;
     if (row * row > part) --row;
     place = part - row * row;
     for (c = 0; c < 3; ++c) {
@@ -2209,8 +2241,22 @@ static void ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const
         }
     }
     p->area = whole->area / ((double)n * n);
-    p->level = ssgi_tess_level(p->area, ssgi__surfel_radius(m->scale, m->view->orthographic, -(p->at[0][2] + p->at[1][2] + p->at[2][2]) / 3.0));
-    p->radius = sqrt(p->area / (3.14159265358979323846 * ssgi_tess_count(p->level)));
+    for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
+    aside = ssgi_view_aside(m->view, middle);
+    wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
+    p->key = triangle + (uint32_t)part * 0x9e3779b9u;
+    p->level = ssgi_tess_level(p->area, wanted);
+    share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
+    if (m->desc.every || share > 1.0) share = 1.0;
+    if ((double)(ssgi__hash(p->key ^ 0x68e31da4u) >> 8) / 16777216.0 >= share) return 0;
+    for (c = 0; c < 3; ++c) {
+        double d[3];
+        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
+        d[0] = sqrt(ssgi__dot(d, d));
+        if (d[0] > extent) extent = d[0];
+    }
+    if (m->desc.most > 0.0f && aside - extent > (double)m->desc.most) return 0;
+    p->radius = sqrt(p->area / (share * 3.14159265358979323846 * ssgi_tess_count(p->level)));
     for (c = 0; c < 3; ++c) {
         double d[3];
         for (i = 0; i < 3; ++i) d[i] = p->at[(c + 2) % 3][i] - p->at[(c + 1) % 3][i];
@@ -2227,12 +2273,13 @@ static void ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const
         if (m->desc.shrink == SSGI_SHRINK_CENTROID) f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
         for (i = 0; i < 3; ++i) p->at[c][i] = centre[i] + f * d[i];
     }
+    return 1;
 }
 
 /* Twin of the tessellation evaluation shader. */
-static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, uint32_t key, int ring, const int place[3])
+static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring, const int place[3])
 {
-    const uint32_t h = ssgi__hash(ssgi__hash(key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)), h2 = ssgi__hash(h);
+    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)), h2 = ssgi__hash(h);
     const double away = (1.0 - (double)m->desc.still) * p->radius * sqrt((double)(h2 >> 16) / 65536.0), angle = 6.28318530717958647693 * (double)(h2 & 65535u) / 65536.0;
     double u[3], v[3], n[3], at[3], normal[3], colour[3], w[3];
     int i, k;
@@ -2270,24 +2317,30 @@ static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_de
     if (!(desc->still >= 0.0f && desc->still <= 1.0f)) return ssgi__bad(why, "desc.still: must be 0..1");
     if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
     if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_NONE) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE, _CENTROID or _NONE");
+    if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
+    if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
+    if (!(desc->most >= 0.0f && ssgi__finite(desc->most))) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
     *out = *desc;
+    if (!(out->aside > 0.0f)) out->aside = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.02f;
     if (!out->splits) out->splits = 8;
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
 {
     ssgi_surfel_desc d;
     double s[2];
     const ssgi_result r = ssgi__surfel_desc(&d, desc, view, why);
     if (r != SSGI_OK) return r;
-    if (!scale) return ssgi__bad(why, "scale: must not be NULL");
+    if (!scale || !more) return ssgi__bad(why, "scale, more: must not be NULL");
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
     scale[2] = d.still;
     scale[3] = (float)d.splits;
+    more[0] = d.aside;
+    more[1] = (float)d.every;
     return SSGI_OK;
 }
 
@@ -2332,14 +2385,14 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         splits = ssgi__surfel_splits(&whole, &m);
         if (splits > m.desc.splits) splits = m.desc.splits;
         for (part = 0; part < splits * splits; ++part) {
-            ssgi__surfel_part(&p, &m, &whole, splits, part);
+            if (!ssgi__surfel_part(&p, &m, &whole, (uint32_t)t, splits, part)) continue;
             if (n >= capacity) { n += (size_t)ssgi_tess_count(p.level); continue; }
             for (ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
                 for (i = 0; i < points; ++i, ++n) {
                     int place[3];
                     ssgi__tess_lattice(place, segments, i);
-                    if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, (uint32_t)t + (uint32_t)part * 0x9e3779b9u, ring, place);
+                    if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, ring, place);
                 }
             }
         }
@@ -2375,24 +2428,26 @@ SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float po
     return near > 0.0f && far > 0.0f ? r2 * near * far / (d2 * (d2 + r2)) : 0.0f;
 }
 
-SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius)
+SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
 {
-    const double z = -(double)centre[2], r = (double)radius, off = z * z - r * r;
+    const double z = -(double)centre[2], r = (double)radius, near = (double)front, chord = r * r - (near - z) * (near - z);
     const int size[2] = { view->width, view->height };
     float out[4];
     int axis, side;
-    if (!view->orthographic && !(z + r > 0.0)) return 0;
+    if (!(z + r > near)) return 0;
     for (axis = 0; axis < 2; ++axis) {
+        const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (side = 0; side < 2; ++side) {
-            const double c = (double)centre[axis], e = side ? r : -r;
-            double tangent = c + e;
-            if (!view->orthographic) tangent = z > r ? (c * z + e * sqrt(c * c + off)) / off : 0.0;
-            end[side] = !view->orthographic && z <= r ? (side ? size[axis] : 0.0) : tangent * (double)view->project[axis] + (double)view->project[2 + axis];
+            const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
+            double slope = x + e;
+            if (!view->orthographic)
+                slope = off > 0.0 && depth * t > near * (x * x + z * z) ? (x * t + z * e) / depth : (x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0)) / near;
+            end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
         for (side = 0; side < 2; ++side) {
-            const double x = end[(view->project[axis] < 0.0f && z > r) != (side != 0)];
-            out[axis + 2 * side] = (float)(x < 0.0 ? 0.0 : x > size[axis] ? size[axis] : x);
+            const double p = end[(view->project[axis] < 0.0f) != (side != 0)];
+            out[axis + 2 * side] = (float)(p < 0.0 ? 0.0 : p > size[axis] ? size[axis] : p);
         }
         if (!(out[axis] < out[axis + 2])) return 0;
     }
@@ -2407,12 +2462,14 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
     if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f))) return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
     if (!(splat->most >= 0.0f && ssgi__finite(splat->most))) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
     if (!(splat->brightest >= 0.0f && ssgi__finite(splat->brightest))) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
+    if (!(splat->front >= 0.0f && ssgi__finite(splat->front))) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
     if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.02f;
     if (!(s->most > 0.0f)) s->most = SSGI_FAR;
     if (!(s->brightest > 0.0f)) s->brightest = 1.0f;
     if (!s->levels) s->levels = 4;
+    if (!(s->front > 0.0f)) s->front = ssgi_view_near(view);
     return SSGI_OK;
 }
 
@@ -2437,7 +2494,7 @@ static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, cons
         double shell[2];
         float b[4];
         ssgi_surfel_shell(shell, reach, l, (double)s->most);
-        if (!(shell[1] > shell[0]) || !ssgi_sphere_bounds(b, view, centre, (float)shell[1])) continue;
+        if (!(shell[1] > shell[0]) || !ssgi_sphere_bounds(b, view, centre, (float)shell[1], s->front)) continue;
         cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l))) * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
     }
 }
@@ -2462,7 +2519,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
         if (n > m.desc.splits) n = m.desc.splits;
         for (part = 0; part < n * n; ++part) {
             float centre[3];
-            ssgi__surfel_part(&p, &m, &whole, n, part);
+            if (!ssgi__surfel_part(&p, &m, &whole, (uint32_t)t, n, part)) continue;
             for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
             cost->surfels += (size_t)ssgi_tess_count(p.level);
             ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, ssgi_tess_count(p.level));

@@ -156,6 +156,9 @@ enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius,
        SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
        SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe about the mirrored view direction, cos^frame.exponent, normalised: times your specular reflectance */
        SSGI_GL_EFFECT_SCATTER };     /* radiance that leaves a translucent surface: the dipole over what surfels receive (frame.dipole) */
+/* desc.overlap: where surfels hide each other, for nobody looks whether they do */
+enum { SSGI_GL_OVERLAP_SHARE = 0,    /* as if each hid its share of what the others leave: 1 - exp(-sum of form factors) */
+       SSGI_GL_OVERLAP_ADD };        /* form factors add up, to 1 at most, as published */
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
 enum { SSGI_GL_SENDS_COLOUR = 0,     /* the colour that they had */
        SSGI_GL_SENDS_LIGHTS,         /* colour times irradiance over pi by t_ssgi_lights, shadowed when desc.shadow is MAP or FILL, else open; and by the environment, open, when desc.environment is not NONE */
@@ -216,7 +219,7 @@ typedef struct ssgi_gl_desc {
     int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
     int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int enlarge;            /* splat   [limit: 0..1]  levels make up for being drawn to 1 pixel of 4^level by: 0: weight; 1: the radius, the paper's, which is too dark by up to 1/3 at epsilon .1 */
-    int overlap;            /* sum     [limit: 0..1]  where surfels hide each other: 0: form factors add up, to 1 at most; 1: as if each hid its share of what is left, 1 - exp(-sum) */
+    int overlap;            /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;               /* smooth  [limit: 0..1]  0: along x; 1: along y */
     int half;               /* all but lights, senders, field, surfels .. sum   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
     int colour;             /* blur   SSGI_GL_GREY .. */
@@ -308,6 +311,9 @@ typedef struct ssgi_gl_frame {
     float   surfel[4];      /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];       /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];     /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float   more[2];        /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
+    float   front;          /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the nearest depth seen, of the last frame, say, saves most of what stands around the eye */
+    float   gap_;
     float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.02]: form factor, or that times what it sends */
     float   exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];       /* [units: texels]  of one level: ssgi_splat_size */
@@ -317,7 +323,7 @@ typedef struct ssgi_gl_frame {
 /* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units: view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets what surfels are made with: view, desc and mesh_to_view as in ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict tells how many it asks for. */
+/* Sets what surfels are made with: view, desc (but shrink, and frame.radius in place of most) and mesh_to_view as in ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict tells how many it asks for. */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why);
 
 /* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
@@ -653,11 +659,14 @@ SSGI_GL__HALVES(green0, SSGI_GL__RGB, "green0", "the same of green")
 SSGI_GL__HALVES(green1, SSGI_GL__RGB | SSGI_GL__V3, "green1", "the same of green")
 SSGI_GL__HALVES(blue0, SSGI_GL__RGB, "blue0", "the same of blue")
 SSGI_GL__HALVES(blue1, SSGI_GL__RGB | SSGI_GL__V3, "blue1", "the same of blue")
+static const ssgi_gl__row ssgi_gl__wide_unproject = SSGI_GL__P(SSGI_GL__TESSELLATED, "unproject", "vec4", unproject, "view xy / depth per pixel");
 static const ssgi_gl__row ssgi_gl__surfel_row  = SSGI_GL__P(SSGI_GL__TESSELLATED, "surfel", "vec4", surfel, "view radius per depth; near plane; stillness; splits");
 static const ssgi_gl__row ssgi_gl__mesh_row    = SSGI_GL__P(SSGI_GL__TESSELLATED, "mesh", "mat4", mesh, "mesh to view");
 static const ssgi_gl__row ssgi_gl__dipole_row  = SSGI_GL__P(SSGI_GL__SCATTERS, "dipole", "vec4[4]", dipole, "z_r, z_v, sigma_tr, alpha'/4");
 static const ssgi_gl__row ssgi_gl__epsilon     = SSGI_GL__P(0, "epsilon", "float", epsilon, "");
 static const ssgi_gl__row ssgi_gl__exponent    = SSGI_GL__P(SSGI_GL__MIRRORS, "exponent", "float", exponent, "");
+static const ssgi_gl__row ssgi_gl__front_row   = SSGI_GL__P(0, "front", "float", front, "view units");
+static const ssgi_gl__row ssgi_gl__more_row   = SSGI_GL__P(SSGI_GL__TESSELLATED, "more", "vec2", more, "radii per distance; 1: no triangle stands for others");
 static const ssgi_gl__row ssgi_gl__level_row   = SSGI_GL__P(0, "level", "ivec2", level, "texels of a level");
 static const ssgi_gl__row ssgi_gl__shuffled_tex = { 0, { "t_ssgi_shuffled", SSGI_GL_TEXTURE, "usampler2D", 0, 0, "what shuffle wrote: RGBA32UI" } };
 static const ssgi_gl__row ssgi_gl__levels_tex  = SSGI_GL__T(0, "levels", "what splat, unshuffle or smooth wrote, in this order: R32F or R16F for occlusion, else RGBA32F or RGBA16F");
@@ -2061,19 +2070,25 @@ static const ssgi_gl__chunk ssgi_gl__shade_albedo = { __LINE__ + 1, SSGI_GL__ALB
 /* ==== >>field: casters whose occlusion was baked ================================================================= */
 
 static const ssgi_gl__chunk ssgi_gl__sphere_perspective = { __LINE__ + 1, SSGI_GL__PERSPECTIVE,
-    "// pixels that a sphere spans: tangents from the eye, in the planes of x and of y; around the eye all, behind it nothing\n"
+    "// pixels that a sphere spans deeper than the front: slopes of its tangents in the planes of x and of y, or where it meets the front; empty behind it\n"
     "vec4 ssgi_sphere(vec4 at)\n"
     "{\n"
-    "    if (at.z + at.w >= 0.0) return at.z - at.w < 0.0 ? vec4(0.0, 0.0, u_ssgi_size) : vec4(0.0);\n"
-    "    float off = at.z * at.z - at.w * at.w;\n"
-    "    vec2 middle = -at.xy * at.z, side = at.w * sqrt(max(at.xy * at.xy + off, 0.0));\n"
-    "    vec4 t = vec4(middle - side, middle + side) / off * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
-    "    return vec4(min(t.xy, t.zw), max(t.xy, t.zw));\n"
+    "    float near = u_ssgi_front, z = -at.z, r = at.w, chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
+    "    if (z + r <= near) return vec4(0.0);\n"
+    "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0)), a = z * t + x * r, b = z * t - x * r;\n"
+    "    vec2 from = (x - chord) / near, to = (x + chord) / near;\n"
+    "    if (off.x > 0.0 && a.x * t.x > near * cc.x) from.x = (x.x * t.x - z * r) / a.x;\n"
+    "    if (off.y > 0.0 && a.y * t.y > near * cc.y) from.y = (x.y * t.y - z * r) / a.y;\n"
+    "    if (off.x > 0.0 && b.x * t.x > near * cc.x) to.x = (x.x * t.x + z * r) / b.x;\n"
+    "    if (off.y > 0.0 && b.y * t.y > near * cc.y) to.y = (x.y * t.y + z * r) / b.y;\n"
+    "    vec4 p = vec4(from, to) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__sphere_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
-    "// pixels that a sphere spans\n"
+    "// pixels that a sphere spans, if it reaches beyond the front\n"
     "vec4 ssgi_sphere(vec4 at)\n"
     "{\n"
+    "    if (at.w - at.z <= u_ssgi_front) return vec4(0.0);\n"
     "    vec4 t = vec4(at.xy - at.w, at.xy + at.w) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "    return vec4(min(t.xy, t.zw), max(t.xy, t.zw));\n"
     "}\n" };
@@ -2254,6 +2269,14 @@ static const ssgi_gl__chunk ssgi_gl__patch_vertex = { __LINE__ + 1, SSGI_GL__TES
     "    v_ssgi_part = float(gl_InstanceID); // part of splits * splits\n"
     "}\n" };
 
+static const ssgi_gl__chunk ssgi_gl__patch_hash = { __LINE__ + 1, SSGI_GL__TESSELLATED,
+    "uint ssgi_hash(uint x)\n"
+    "{\n"
+    "    x = x * 747796405u + 2891336453u;\n"
+    "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
+    "    return (x >> 22) ^ x;\n"
+    "}\n" };
+
 static const ssgi_gl__chunk ssgi_gl__patch_levels = { __LINE__ + 1, SSGI_GL__TESSELLATED,
     "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
@@ -2279,11 +2302,26 @@ static const ssgi_gl__chunk ssgi_gl__patch_radius_perspective = { __LINE__ + 1, 
     "float ssgi_surfel_radius(float depth)\n"
     "{\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y);\n"
+    "}\n"
+    "\n"
+    "// how far outside of the frustum\n"
+    "float ssgi_aside(vec3 P)\n"
+    "{\n"
+    "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a, low = min(a, b), high = max(a, b);\n"
+    "    vec2 d = max((low * -P.z - P.xy) * inversesqrt(1.0 + low * low), (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
+    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__patch_radius_orthographic = { __LINE__ + 1, SSGI_GL__TESSELLATED | SSGI_GL__ORTHOGRAPHIC,
     "float ssgi_surfel_radius(float depth)\n"
     "{\n"
     "    return u_ssgi_surfel.x;\n"
+    "}\n"
+    "\n"
+    "// how far outside of what is seen\n"
+    "float ssgi_aside(vec3 P)\n"
+    "{\n"
+    "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a, d = max(min(a, b) - P.xy, P.xy - max(a, b));\n"
+    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TESSELLATED,
     "void main()\n"
@@ -2300,18 +2338,21 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "        vec3 w = ssgi_part(part, n, c);\n"
     "        at[c] = v_ssgi_position[0] * w.x + v_ssgi_position[1] * w.y + v_ssgi_position[2] * w.z;\n"
     "    }\n"
-    "    float area = whole / float(n * n);\n"
-    "    r = ssgi_surfel_radius(-(at[0].z + at[1].z + at[2].z) / 3.0);\n"
-    "    float discs = area / (3.14159265 * r * r);\n"
+    "    vec3 middle = (at[0] + at[1] + at[2]) / 3.0;\n"
+    "    float area = whole / float(n * n), aside = ssgi_aside(middle);\n"
+    "    empty = empty || aside - max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle))) > u_ssgi_radius;\n"
+    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_more.x * aside;\n"
+    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2654435769u;\n"
+    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_more.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    empty = empty || float(ssgi_hash(key ^ 1759714724u) >> 8) / 16777216.0 >= share; // another stands for it\n"
     "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
-    "    r = sqrt(area / (3.14159265 * float(ssgi_tess_count(level)))); // together they have the area\n"
+    "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // together they have the area\n"
     "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
     "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter, w = ssgi_part(part, n, gl_InvocationID); // of the inscribed circle: discs end at the edges\n"
     "    v_ssgi_corner[gl_InvocationID] = centre + inset * (at[gl_InvocationID] - centre);\n"
     "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
     "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
-    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2654435769u;\n"
     "    v_ssgi_patch = vec4(r, level, key >> 16, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
@@ -2332,12 +2373,6 @@ static const ssgi_gl__chunk ssgi_gl__patch_points = { __LINE__ + 1, SSGI_GL__TES
     "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
-    "uint ssgi_hash(uint x)\n"
-    "{\n"
-    "    x = x * 747796405u + 2891336453u;\n"
-    "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
-    "    return (x >> 22) ^ x;\n"
-    "}\n"
     "void main()\n"
     "{\n"
     "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
@@ -2815,7 +2850,7 @@ static const ssgi_gl__row *const ssgi_gl__senders_rows[] = {
 #define SSGI_GL__FIELD_OF &ssgi_gl__field_texel16, &ssgi_gl__field_texel8, &ssgi_gl__field_atlas, &ssgi_gl__field_cubes, &ssgi_gl__cap_closed, &ssgi_gl__cap_whole, &ssgi_gl__cap_table, &ssgi_gl__field_at, \
                         &ssgi_gl__field_head, &ssgi_gl__field_vector, &ssgi_gl__field_vector_closed, &ssgi_gl__field_vector_table, &ssgi_gl__field_angle, &ssgi_gl__field_tail
 static const ssgi_gl__chunk *const ssgi_gl__caster_chunks[] = { SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__caster_main, NULL };
-static const ssgi_gl__row *const ssgi_gl__caster_rows[] = { &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__casters_tex, NULL };
+static const ssgi_gl__row *const ssgi_gl__caster_rows[] = { &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__casters_tex, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__field_chunks[] = {
     &ssgi_gl__field_in, SSGI_GL__FETCH, &ssgi_gl__object_texture, &ssgi_gl__object_custom, SSGI_GL__FIELD_OF, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__field_main, &ssgi_gl__field_own,
     &ssgi_gl__field_end, &ssgi_gl__lights_end, NULL };
@@ -2827,13 +2862,13 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 #define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
 #define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
-#define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
+#define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
 static const ssgi_gl__chunk *const ssgi_gl__patch_vertex_chunks[] = { &ssgi_gl__patch_vertex, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh_row, &ssgi_gl__in_position, &ssgi_gl__in_normal, &ssgi_gl__in_colour, NULL };
-static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
-static const ssgi_gl__row *const ssgi_gl__patch_control_rows[] = { &ssgi_gl__surfel_row, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_hash, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
+static const ssgi_gl__row *const ssgi_gl__patch_control_rows[] = { &ssgi_gl__wide_unproject, &ssgi_gl__frame_size, &ssgi_gl__radius, &ssgi_gl__surfel_row, &ssgi_gl__more_row, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_points_chunks[] = {
-    &ssgi_gl__far, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };
+    &ssgi_gl__far, &ssgi_gl__patch_hash, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_points_rows[] = { &ssgi_gl__surfel_row, SSGI_GL__SENT_ROWS, &ssgi_gl__kept0, &ssgi_gl__kept1, &ssgi_gl__kept2, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__buffer_chunks[] = {
     &ssgi_gl__far, SSGI_GL__SENT, &ssgi_gl__buffer_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__buffer_kept, NULL };
@@ -2975,7 +3010,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(tessellate, 1, "0 or 1"),
     SSGI_GL__F(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS_COLOUR, _LIGHTS or _CUSTOM"),
     SSGI_GL__F(enlarge, 1, "0 or 1"),
-    SSGI_GL__F(overlap, 1, "0 or 1"),
+    SSGI_GL__F(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP_SHARE or _ADD"),
     SSGI_GL__F(axis, 1, "0 or 1"),
     SSGI_GL__F(half, 1, "0 or 1"),
     SSGI_GL__F(colour, SSGI_GL_VECTORS, "SSGI_GL_GREY, _COLOUR or _VECTORS"),
@@ -3165,7 +3200,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         if (d->pass != SSGI_GL_SURFELS && d->pass != SSGI_GL_SHUFFLE) ssgi_gl__add(&s, effect_kind[d->effect]);
         if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_UNSHUFFLE) ssgi_gl__add(&s, d->fixed ? SSGI_GL__REGULAR : SSGI_GL__RANDOM);
         if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
-        if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__SHARES : SSGI_GL__ADDS_UP);
+        if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__ADDS_UP : SSGI_GL__SHARES);
         if (d->pass == SSGI_GL_SMOOTH) ssgi_gl__add(&s, SSGI_GL__BILATERAL | (d->filter_normals ? SSGI_GL__F_NORMALS : 0));
         if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (d->sends == SSGI_GL_SENDS_CUSTOM && (d->tessellate || !splat) ? SSGI_GL__S_CUSTOM : 0));
         if (lit && (d->shadow == SSGI_GL_SHADOW_MAP || d->shadow == SSGI_GL_SHADOW_FILL)) ssgi_gl__add(&s, SSGI_GL__MAPS_READ);
@@ -3365,7 +3400,7 @@ static int ssgi_gl__collect(const ssgi_gl__pass *pass, int stage, const ssgi_gl_
 
 static size_t ssgi_gl__size_of(const char *type)
 {
-    static const struct size { const char *type; size_t bytes; } sizes[] = { { "float", 4 }, { "int", 4 }, { "ivec2", 8 }, { "vec4", 16 }, { "mat3", 48 }, { "mat4", 64 },
+    static const struct size { const char *type; size_t bytes; } sizes[] = { { "float", 4 }, { "int", 4 }, { "ivec2", 8 }, { "vec2", 8 }, { "vec4", 16 }, { "mat3", 48 }, { "mat4", 64 },
                                                                             { "vec4[12]", 192 }, { "mat4[4]", 256 }, { "vec4[4]", 64 } };
     size_t i = 0;
     while (strcmp(sizes[i].type, type)) ++i;        /* the rows above have no others */
@@ -3633,6 +3668,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
+    f.front = ssgi_view_near(view);
     f.epsilon = 0.02f;
     f.exponent = 32.0f;
     *frame = f;
@@ -3641,16 +3677,17 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why)
 {
-    float scale[4];
+    float scale[4], more[2];
     int size[2], i;
     ssgi_result r;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
     for (i = 0; mesh_to_view && i < 16; ++i)
         if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR)) return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    r = ssgi_surfel_scale(scale, desc, view, why);
+    r = ssgi_surfel_scale(scale, more, desc, view, why);
     if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
     if (r != SSGI_OK) return r;
     memcpy(frame->surfel, scale, sizeof scale);
+    memcpy(frame->more, more, sizeof more);
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
     return SSGI_OK;

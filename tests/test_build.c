@@ -151,7 +151,7 @@ static void compile_time(void)
         t = spent() - t;
         best = t < best ? t : best;
     }
-    CHECK(best < 3.0, "both implementations at -O2: %.2f s", best);
+    CHECK(best < 5.0, "both implementations at -O2: %.2f s", best);
     t_note("both implementations at -O2: %.2f s", best);
 }
 
@@ -248,7 +248,7 @@ void test_build(void)
     if (!mkdtemp(folder)) { CHECK(0, "no temporary folder"); return; }
     shell(text, sizeof text, "cp '%s/ssgi.h' '%s/ssgi_gl.h' .", getenv("PWD"), getenv("PWD"));
     RUN("both headers compile without a warning and link, as C99, C11, C++11 and C++17, whole and static", compilers);
-    RUN("a file with both implementations compiles in under 3 s at -O2", compile_time);
+    RUN("a file with both implementations compiles in under 5 s at -O2", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
     RUN("a million random inputs neither crash nor trip a sanitizer", fuzz);
     RUN("render answers bad input with one line, status 2 and no file", command_line);

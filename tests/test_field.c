@@ -499,7 +499,7 @@ static void same_bytes(void)
     uint32_t index[3 * 256];
     torus.triangles = 0;
     add_round(&torus, 0.4, 16, 8);
-    ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 64 };
+    ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16 };
     const ssgi_field several = baked(0, &d, &torus);
     d.parallel = backwards;
     const ssgi_field reversed = baked(1, &d, &torus);
@@ -525,7 +525,7 @@ static void same_bytes(void)
 static void own_rays(void)
 {
     double half[3] = { 1, 0.5, 0.25 };
-    ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64 };
+    ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 32 };
     const ssgi_field ours = baked(0, &d, box_mesh(half));
     d.hit = box_hit;
     d.user = half;
@@ -536,7 +536,7 @@ static void own_rays(void)
     const ssgi_field none = baked(1, &d, box_mesh(half));
     CHECK(apart(&none, &none, 1) < 1e-3 && seen(&none, point_at(none.centre, 1.5, cube), half) < 1e-4, "rays that hit nothing: occlusion %g", seen(&none, point_at(none.centre, 1.5, cube), half));
     double radius = 1, worst = 0, wrong = 0;
-    d = (ssgi_field_desc){ .resolution = 4, .radii = 8, .rays = 1024, .hit = porous_hit, .user = &radius };
+    d = (ssgi_field_desc){ .resolution = 4, .radii = 8, .rays = 256, .hit = porous_hit, .user = &radius };
     const ssgi_field porous = baked(2, &d, ball_mesh());
     for (int i = 0; i < 500; ++i) {                      /* the cap of the whole ball, half covered */
         double w[3];
@@ -575,7 +575,7 @@ static void progress(void)
     CHECK(l.calls > 20 && !l.descends && l.last >= 1, "with an error: %d calls, %d descend, the last is %g", l.calls, l.descends, (double)l.last);
     const size_t size = ssgi_field_bake_size(&d, m->triangles);
     void *work = malloc(size);
-    for (int most = 1; work && most < l.calls; most += 7) {
+    for (int most = 1; work && most < l.calls; most += 1 + l.calls / 4) {
         ssgi_field f, was;
         const char *why = "";
         memset(&was, 0x5a, sizeof was);
@@ -650,7 +650,7 @@ static void degenerate(void)
     static const struct { const char *name; float position[9]; } few[] = { { "a triangle", { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f } }, { "a needle", { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 } } };
     static const double flat[3] = { 1, 0.7, 0 };
     static mesh casters[4], m;
-    const ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 64 };
+    const ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16 };
     for (int c = 0; c < 4; ++c) {
         const char *name = c < 2 ? few[c].name : c == 2 ? "a flat box" : "a cube";
         casters[c].triangles = 0;
@@ -662,7 +662,7 @@ static void degenerate(void)
             const float scale = k == 0 ? ldexpf(1, -13) : k == 1 ? ldexpf(1, 17) : 1, far_away = k == 2 ? 1e5f : 0;
             m.triangles = casters[c].triangles;
             for (size_t i = 0; i < 9 * m.triangles; ++i) m.position[i] = casters[c].position[i] * scale + far_away;
-            if (c == 1 && k == 2) continue;              /* nothing is left of its width */
+            if ((c == 1 && k == 2) || (c == 2 && k < 2)) continue;      /* nothing is left of its width; the others tell */
             const ssgi_field f = baked(1, &d, &m);
             CHECK(sane(&f), "%s, scaled by %g, %g away: not in [0,1]", name, (double)scale, (double)far_away);
             if (k < 2) CHECK(!memcmp(place[0], place[1], ssgi_field_size(4, 16)) && plain.p95 == f.p95 && plain.inside == f.inside && f.radius == plain.radius * scale, "%s, scaled by %g, is another field", name, (double)scale);
@@ -692,7 +692,7 @@ static double leaves(const mesh *m, const double w[3])
 static void hulls(void)
 {
     const mesh *const shapes[2] = { ball_mesh(), box_mesh(cube) };
-    const ssgi_field_desc d = { .resolution = 48, .radii = 4, .rays = 16, .hit = nothing_hit };
+    const ssgi_field_desc d = { .resolution = 24, .radii = 4, .rays = 16, .hit = nothing_hit };
     for (int i = 0; i < 2; ++i) {
         const ssgi_field f = baked(i, &d, shapes[i]);
         double worst = 0, creases = 0;
@@ -709,12 +709,12 @@ static void hulls(void)
             if (i && largest[1] > 0.9 * largest[0]) creases = fmax(creases, off);
             else worst = fmax(worst, off);
         }
-        CHECK(worst < 0.0025 && creases < 0.015, "%s: hull off by %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
+        CHECK(worst < 0.0037 && creases < 0.034, "%s: hull off by %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
         t_note("%s's hull: off by up to %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
     }
     double half[3] = { 1, 1, 1 }, contact = 1;
     for (int measure = 0; measure < 2; ++measure) {
-        const ssgi_field_desc touch = { .rays = 64, .measure = measure, .hit = box_hit, .user = half };
+        const ssgi_field_desc touch = { .resolution = 8, .rays = 64, .measure = measure, .hit = box_hit, .user = half };
         const ssgi_field f = baked(0, &touch, shapes[1]);
         for (int k = 0; k < 600; ++k) {                  /* on a face, not near its edges, looking at it */
             double p[3] = { uniform(-0.7, 0.7), uniform(-0.7, 0.7), uniform(-0.7, 0.7) }, normal[3] = { 0, 0, 0 };
@@ -731,7 +731,7 @@ static void wanted_error(void)
 {
     static const int sizes[4] = { 4, 4, 8, 8 }, radii[4] = { 6, 12, 6, 12 };
     double half[3] = { 1, 0.5, 0.25 };
-    ssgi_field_desc d = { .rays = 32, .hit = box_hit, .user = half };
+    ssgi_field_desc d = { .rays = 16, .hit = box_hit, .user = half };
     unsigned char *file[4];
     size_t size[4];
     float p95[4];
@@ -742,10 +742,12 @@ static void wanted_error(void)
         size[i] = bytes_of(&file[i], &f);
         p95[i] = f.p95;
     }
-    for (int i = 0; i < 5; ++i) {                        /* what the i-th has: the first that has it, with the same bytes as if it had been asked for; what none has: one of them, with its error */
+    for (int i = 0, before = -1; i < 5; ++i) {           /* what the i-th has: the first that has it, with the same bytes as if it had been asked for; what none has: one of them, with its error */
         int first = 0;
         d.error = i < 4 ? p95[i] + 1e-4f : 1e-6f;
         while (first < 4 && p95[first] > d.error) ++first;
+        if (first == before) continue;
+        before = first;
         const ssgi_field f = baked(0, &d, box_mesh(half));
         for (int k = 0; i == 4 && k < 4; ++k) if (sizes[k] == f.resolution && radii[k] == f.radii) first = k;
         unsigned char *bytes;
@@ -762,7 +764,7 @@ static void ball_on_plane(void)
 {
     double radius = 1, worst[2] = { 0, 0 };
     for (int measure = 0; measure < 2; ++measure) {
-        const ssgi_field_desc d = { .resolution = 8, .rays = 256, .measure = measure, .hit = ball_hit, .user = &radius };
+        const ssgi_field_desc d = { .resolution = 8, .rays = measure ? 64 : 256, .measure = measure, .hit = ball_hit, .user = &radius };
         const ssgi_field f = baked(0, &d, ball_mesh());
         const double up[3] = { 0, 0, 1 };
         for (int i = 0; i <= 600; ++i) {
@@ -770,19 +772,19 @@ static void ball_on_plane(void)
             worst[measure] = fmax(worst[measure], fabs(seen(&f, point_at(NULL, 1, p), up) - pow(1 + rho * rho, -1.5)));
         }
     }
-    CHECK(worst[SSGI_FIELD_VECTOR] < 0.01 && worst[SSGI_FIELD_SOLID_ANGLE] < 0.05, "off by %.4f, by solid angle %.4f", worst[0], worst[1]);
+    CHECK(worst[SSGI_FIELD_VECTOR] < 0.012 && worst[SSGI_FIELD_SOLID_ANGLE] < 0.05, "off by %.4f, by solid angle %.4f", worst[0], worst[1]);
     t_note("a ball on a plane: occlusion off by up to %.4f, by solid angle %.4f", worst[0], worst[1]);
 }
 
 static void eight_bits(void)
 {
     double half[3] = { 1, 0.5, 0.25 };
-    ssgi_field_desc d = { .resolution = 8, .rays = 64, .hit = box_hit, .user = half };
+    ssgi_field_desc d = { .resolution = 4, .radii = 6, .rays = 32, .hit = box_hit, .user = half };
     const ssgi_field wide = baked(0, &d, box_mesh(half));
     d.bits = 8;
     const ssgi_field narrow = baked(1, &d, box_mesh(half));
     const double off = apart(&wide, &narrow, 1);
-    CHECK(off < 0.02 && !memcmp(wide.low, narrow.low, sizeof wide.low) && !memcmp(wide.span, narrow.span, sizeof wide.span), "8 bits against 16: off by %g", off);
+    CHECK(off < 0.012 && !memcmp(wide.low, narrow.low, sizeof wide.low) && !memcmp(wide.span, narrow.span, sizeof wide.span), "8 bits against 16: off by %g", off);
     t_note("8 bits against 16: occlusion differs by up to %.4f", off);
 }
 

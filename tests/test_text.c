@@ -53,7 +53,7 @@ static int  chosen(const ssgi_gl_desc *d, int k) { return (get(d, choices[k].off
 
 static ssgi_gl_desc plain_desc(int t)      /* of the table's pass t: nothing chosen yet */
 {
-    ssgi_gl_desc d = { .pass = ssgi_gl__passes[t].pass, .search = ssgi_gl__passes[t].search > 0, .samples = 4, .directions = 2, .fetch = FETCH };
+    ssgi_gl_desc d = { .pass = ssgi_gl__passes[t].pass, .search = ssgi_gl__passes[t].pass == SSGI_GL_HSAO && ssgi_gl__passes[t].variant > 0, .tessellate = ssgi_gl__passes[t].pass != SSGI_GL_HSAO && ssgi_gl__passes[t].variant > 0, .samples = 4, .directions = 2, .fetch = FETCH };
     for (int k = 0; k < CHOICES; ++k) choose(&d, k, 0);
     return d;
 }
@@ -67,10 +67,10 @@ static uint64_t content(const ssgi_gl_desc *desc)
     const ssgi_gl__pass *pass = ssgi_gl__find(&d);
     uint64_t hash = 1;
     for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
-        for (const ssgi_gl__row *const *r = pass->rows[stage]; *r; ++r)
+        for (const ssgi_gl__row *const *r = pass->rows[stage]; r && *r; ++r)
             if (ssgi_gl__has(&features, (*r)->need))
                 hash = (hash ^ (uint64_t)(uintptr_t)*r ^ (uint64_t)((*r)->io.kind == SSGI_GL_CONSTANT ? get(&d, (*r)->io.offset) : 0) << 56) * 0x9e3779b97f4a7c15u;
-        for (const ssgi_gl__chunk *const *c = pass->chunks[stage]; *c; ++c)
+        for (const ssgi_gl__chunk *const *c = pass->chunks[stage]; c && *c; ++c)
             if (ssgi_gl__has(&features, (*c)->need)) hash = (hash ^ (uint64_t)(*c)->line) * 0x9e3779b97f4a7c15u;
     }
     return hash | 1;

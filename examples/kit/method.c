@@ -93,12 +93,15 @@ static const row size_row      = { { "size", "s: diameter of a surfel, in pictur
 static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
 static const row levels_row    = { { "levels", "each doubles the reach", NULL, 4, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
+static const row aside_row     = { { "aside", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
+static const row front_row     = { { "front", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
 static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
 static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid none", 0, 0, 2, 1 }, PLAN, 0 };
 static const row fixed_row     = { { "fixed", "1: the same pixel of every block goes to a sub-buffer, 0: by chance", NULL, 0, 0, 1, 1 }, GATHER, DESC(fixed) };
 static const row enlarge_row   = { { "enlarge", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(enlarge) };
-static const row overlap_row   = { { "overlap", "where surfels hide each other their form factors are added, or taken as shares", "add share", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
+static const row overlap_row   = { { "overlap", "where surfels hide each other: form factors as shares of what is left, or added", "share add", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row likeness_row  = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 }, GATHER, DESC(filter_normals) };
 static const row exponent_row  = { { "exponent", "of the lobe", NULL, 32, 0, 10000, 0 }, FRAME, FRAMED(exponent) };
@@ -115,7 +118,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &shrink_row, &fixed_row, &enlarge_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, &every_row, &front_row, &shrink_row, &fixed_row, &enlarge_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
@@ -1115,6 +1118,19 @@ static int add_splats(making *m, const kit_pass *from, int effect, GLuint *out)
     return 0;
 }
 
+/* The least depth that the G-buffer shows, a little less; stays where it shows nothing. */
+static int nearest_of(float *front, const kit_gbuffer *g, kit_error *err)
+{
+    kit_image frame;
+    float least = INFINITY;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    const float *z = kit_image_channel(&frame, "Z");
+    for (int i = 0; i < frame.width * frame.height; ++i) if (z[i] > 0 && z[i] < least) least = z[i];
+    if (least < INFINITY) *front = fmaxf(0.999f * least, *front);
+    kit_image_free(&frame);
+    return 0;
+}
+
 static int open_deep(making *m, const ssgi_view *view, const float picture[16])
 {
     static const kit_lighting dark;
@@ -1122,8 +1138,9 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     kit_gbuffer *g = run->gbuffer;
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "still"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink") };
-    const ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "still"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
+                                 fmaxf((float)kit_method_value(m->method, "aside"), 1e-6f), (int)kit_method_value(m->method, "every"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
+    ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { scene, lighting };
     ssgi_surfel_cost cost;
@@ -1138,6 +1155,8 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     if (way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
     if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
     m->world = &world;
+    if (kit_method_value(m->method, "front") > 0 && nearest_of(&run->frame.front, g, m->err)) return -1;
+    splat.front = run->frame.front;
     if (lit) {
         const int all_dark = !lighting->env.data;
         sphere all, middle;
