@@ -390,7 +390,7 @@ enum { SSGI_SHRINK_INCENTRE = 0,    /* scaled about the centre of the inscribed 
        SSGI_SHRINK_NONE };
 
 typedef struct ssgi_surfel_desc {
-    float size;                     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.02]  diameter of a surfel facing the viewer: the paper's s */
+    float size;                     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the viewer: the paper's s */
     float still;                    /* [limit: 0..1]  0: surfels are jittered by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 1: not at all */
     int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
     int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
@@ -438,11 +438,11 @@ SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const fl
 
 /* How surfels are splatted; what ssgi_gl_splat_set takes, too. */
 typedef struct ssgi_splat {
-    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.02] what is less is left to the next level, or out */
+    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
     float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts: a radius of occlusion */
     float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
     float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
-    int   levels;                   /* [limit: 0..7] [default: 4] every level doubles the reach, at about the same cost */
+    int   levels;                   /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
 
@@ -2322,7 +2322,7 @@ static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_de
     if (!(desc->most >= 0.0f && ssgi__finite(desc->most))) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
     *out = *desc;
     if (!(out->aside > 0.0f)) out->aside = 0.1f;
-    if (!(out->size > 0.0f)) out->size = 0.02f;
+    if (!(out->size > 0.0f)) out->size = 0.015f;
     if (!out->splits) out->splits = 8;
     return SSGI_OK;
 }
@@ -2465,10 +2465,10 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
     if (!(splat->front >= 0.0f && ssgi__finite(splat->front))) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
     if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
     *s = *splat;
-    if (!(s->epsilon > 0.0f)) s->epsilon = 0.02f;
+    if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
     if (!(s->most > 0.0f)) s->most = SSGI_FAR;
     if (!(s->brightest > 0.0f)) s->brightest = 1.0f;
-    if (!s->levels) s->levels = 4;
+    if (!s->levels) s->levels = 5;
     if (!(s->front > 0.0f)) s->front = ssgi_view_near(view);
     return SSGI_OK;
 }

@@ -214,11 +214,12 @@ typedef struct ssgi_gl_desc {
     int cap;                /* field  SSGI_GL_CAP_CLOSED .. */
     int objects;            /* field  SSGI_GL_OBJECTS_NONE .. */
     int effect;             /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;             /* shuffle .. sum   [limit: 0..7] [default: 4]  each doubles the reach; smoothing of the last takes 2^levels + 1 taps along each axis */
+    int levels;             /* shuffle .. sum   [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^levels + 1 taps along each axis */
     int fixed;              /* shuffle .. sum   [limit: 0..1]  which pixel of a block goes to which sub-buffer: 0: by chance, another way in each block; 1: the same everywhere */
     int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
     int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int enlarge;            /* splat   [limit: 0..1]  levels make up for being drawn to 1 pixel of 4^level by: 0: weight; 1: the radius, the paper's, which is too dark by up to 1/3 at epsilon .1 */
+    int near;               /* splat   [limit: 0..16]  points over a surfel's disc, for pixels within 4 of its radii, where its centre alone finds too little: half at 1/3 radius from a wall; 0, 1: the centre, as published */
     int overlap;            /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;               /* smooth  [limit: 0..1]  0: along x; 1: along y */
     int half;               /* all but lights, senders, field, surfels .. sum   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
@@ -314,7 +315,7 @@ typedef struct ssgi_gl_frame {
     float   more[2];        /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
     float   front;          /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the nearest depth seen, of the last frame, say, saves most of what stands around the eye */
     float   gap_;
-    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.02]: form factor, or that times what it sends */
+    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what it sends */
     float   exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];       /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
@@ -492,6 +493,7 @@ extern "C" {
 /* word 0 in surfels .. sum, beside MAPS_READ, GREY, COLOUR and BILATERAL */
 #define SSGI_GL__RANDOM          SSGI_GL__OWN(0, 1) /* layout */
 #define SSGI_GL__REGULAR         SSGI_GL__OWN(0, 2)
+#define SSGI_GL__NEAR            SSGI_GL__OWN(0, 2) /* splat: surfels at hand are looked at more closely */
 #define SSGI_GL__FORM            SSGI_GL__OWN(0, 5) /* effects: by the form factor, which are */
 #define SSGI_GL__OCCLUDES        SSGI_GL__OWN(0, 6)
 #define SSGI_GL__HIDES           SSGI_GL__OWN(0, 7)
@@ -689,6 +691,7 @@ static const ssgi_gl__row ssgi_gl__kept0       = { 0, { "v_ssgi_surfel0", SSGI_G
 static const ssgi_gl__row ssgi_gl__kept1       = { 0, { "v_ssgi_surfel1", SSGI_GL_CAPTURE, "vec4", 0, 0, "normal, seed" } };
 static const ssgi_gl__row ssgi_gl__kept2       = { 0, { "v_ssgi_surfel2", SSGI_GL_CAPTURE, "vec4", 0, 0, "colour" } };
 static const ssgi_gl__row ssgi_gl__c_levels    = SSGI_GL__C(0, "SSGI_LEVELS", levels);
+static const ssgi_gl__row ssgi_gl__c_near      = SSGI_GL__C(SSGI_GL__NEAR, "SSGI_NEAR", near);
 static const ssgi_gl__row ssgi_gl__c_axis      = SSGI_GL__C(0, "SSGI_AXIS", axis);
 static const ssgi_gl__row ssgi_gl__c_samples   = SSGI_GL__C(0, "SSGI_SAMPLES", samples);
 static const ssgi_gl__row ssgi_gl__c_directions = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
@@ -2525,10 +2528,26 @@ static const ssgi_gl__chunk ssgi_gl__splat_normal = { __LINE__ + 1, SSGI_GL__FOR
     "    vec2 e = (vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0);\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    n.xy -= vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0) * max(-n.z, 0.0);\n"
-    "    float near = dot(v, n), away = -dot(v, v_ssgi_turned.xyz);\n"
-    "    if (!(near > 0.0 && away > 0.0)) discard; // fronts alone: backs would count what is closed twice\n" };
+    "    n *= inversesqrt(dot(n, n));\n"
+    "    float near = dot(v, n), away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w, form = max(near, 0.0) / (max(dd, 1e-30) * (dd + rr));\n"
+    "    if (!(away > 0.0)) discard; // fronts alone: backs would count what is closed twice\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_near = { __LINE__ + 1, SSGI_GL__NEAR | SSGI_GL__FORM,
+    "    if (dd < 16.0 * rr) { // the disc as smaller ones, which may rise above the horizon where its centre does not\n"
+    "        vec3 m = v_ssgi_turned.xyz, a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
+    "        vec2 turn = vec2(1.0, 0.0);\n"
+    "        form = 0.0;\n"
+    "        for (int i = 0; i < SSGI_NEAR; ++i) {\n"
+    "            vec2 o = turn * sqrt((float(i) + 0.5) / float(SSGI_NEAR) * rr);\n"
+    "            vec3 w = v + a * o.x + b * o.y;\n"
+    "            float ww = dot(w, w);\n"
+    "            form += max(dot(w, n), 0.0) / (max(ww, 1e-30) * (ww + rr / float(SSGI_NEAR)));\n"
+    "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // by the golden angle\n"
+    "        }\n"
+    "        form /= float(SSGI_NEAR);\n"
+    "    }\n" };
 static const ssgi_gl__chunk ssgi_gl__splat_form = { __LINE__ + 1, SSGI_GL__FORM,
-    "    float form = v_ssgi_turned.w * v_ssgi_at.w * near * away * inversesqrt(dot(n, n)) / (max(dd, 1e-30) * (dd + v_ssgi_at.w));\n" };
+    "    form *= v_ssgi_turned.w * rr * away;\n"
+    "    if (!(form > 0.0)) discard;\n" };
 static const ssgi_gl__chunk ssgi_gl__splat_soft = { __LINE__ + 1, SSGI_GL__SOFT,
     "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0);\n" };
 static const ssgi_gl__chunk ssgi_gl__splat_occludes = { __LINE__ + 1, SSGI_GL__OCCLUDES,
@@ -2882,10 +2901,10 @@ static const ssgi_gl__row *const ssgi_gl__splat_vertex_rows[] = { SSGI_GL__SHELL
 static const ssgi_gl__chunk *const ssgi_gl__splat_geometry_chunks[] = { &ssgi_gl__splat_geometry_in, SSGI_GL__SHELL, &ssgi_gl__splat_geometry, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_geometry_rows[] = { SSGI_GL__SHELL_ROWS, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__splat_chunks[] = {
-    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
+    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_near, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
     &ssgi_gl__splat_hides, &ssgi_gl__splat_brings, &ssgi_gl__splat_mirrors, &ssgi_gl__splat_scatters, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_rows[] = {
-    &ssgi_gl__soft_radius, &ssgi_gl__rotation, &ssgi_gl__dipole_row, &ssgi_gl__exponent, &ssgi_gl__shuffled_tex, &ssgi_gl__map_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
+    &ssgi_gl__c_near, &ssgi_gl__soft_radius, &ssgi_gl__rotation, &ssgi_gl__dipole_row, &ssgi_gl__exponent, &ssgi_gl__shuffled_tex, &ssgi_gl__map_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__unshuffle_chunks[] = { &ssgi_gl__deal_random, &ssgi_gl__deal_fixed, &ssgi_gl__unshuffle_main, &ssgi_gl__unshuffle_grey, &ssgi_gl__unshuffle_colour, NULL };
 static const ssgi_gl__row *const ssgi_gl__unshuffle_rows[] = { &ssgi_gl__frame_size, &ssgi_gl__level_row, &ssgi_gl__levels_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
@@ -3010,6 +3029,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(tessellate, 1, "0 or 1"),
     SSGI_GL__F(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS_COLOUR, _LIGHTS or _CUSTOM"),
     SSGI_GL__F(enlarge, 1, "0 or 1"),
+    SSGI_GL__F(near, 16, "0..16"),
     SSGI_GL__F(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP_SHARE or _ADD"),
     SSGI_GL__F(axis, 1, "0 or 1"),
     SSGI_GL__F(half, 1, "0 or 1"),
@@ -3112,7 +3132,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.steps) d.steps = d.pass == SSGI_GL_HSAO ? 6 : 1;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     if (!d.bands) d.bands = d.pass == SSGI_GL_SSDO ? 3 : 4;
-    if (!d.levels) d.levels = 4;
+    if (!d.levels) d.levels = 5;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
     return d;
@@ -3199,7 +3219,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         const int splat = d->pass == SSGI_GL_SPLAT, made = d->pass == SSGI_GL_SURFELS || splat, lit = d->sends == SSGI_GL_SENDS_LIGHTS && (d->tessellate || !splat) && made;
         if (d->pass != SSGI_GL_SURFELS && d->pass != SSGI_GL_SHUFFLE) ssgi_gl__add(&s, effect_kind[d->effect]);
         if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_UNSHUFFLE) ssgi_gl__add(&s, d->fixed ? SSGI_GL__REGULAR : SSGI_GL__RANDOM);
-        if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
+        if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->near > 1 && d->effect != SSGI_GL_EFFECT_SCATTER ? SSGI_GL__NEAR : 0) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
         if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__ADDS_UP : SSGI_GL__SHARES);
         if (d->pass == SSGI_GL_SMOOTH) ssgi_gl__add(&s, SSGI_GL__BILATERAL | (d->filter_normals ? SSGI_GL__F_NORMALS : 0));
         if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (d->sends == SSGI_GL_SENDS_CUSTOM && (d->tessellate || !splat) ? SSGI_GL__S_CUSTOM : 0));
@@ -3669,7 +3689,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
     f.front = ssgi_view_near(view);
-    f.epsilon = 0.02f;
+    f.epsilon = 0.1f;
     f.exponent = 32.0f;
     *frame = f;
     return SSGI_OK;

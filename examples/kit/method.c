@@ -89,10 +89,11 @@ static const row draw_row      = { { "draw", "casters instanced, or each by a dr
 static const row own_row       = { { "own", "1: casters shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row casters_row   = { { "casters", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
 
-static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.02, 1e-4, 1, 0 }, PLAN, 0 };
-static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
-static const row levels_row    = { { "levels", "each doubles the reach", NULL, 4, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
+static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 }, PLAN, 0 };
+static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
+static const row levels_row    = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
+static const row near_row      = { { "near", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(near) };
 static const row aside_row     = { { "aside", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
 static const row front_row     = { { "front", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
@@ -118,7 +119,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, &every_row, &front_row, &shrink_row, &fixed_row, &enlarge_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, &every_row, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
