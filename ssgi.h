@@ -2417,24 +2417,24 @@ SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double
 SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
 {
     const float r2 = surfel->radius * surfel->radius;
-    float v[3], d2 = 0.0f, near = 0.0f, far = 0.0f;
+    float v[3], d2 = 0.0f, above = 0.0f, before = 0.0f;
     int k;
     for (k = 0; k < 3; ++k) {
         v[k] = surfel->position[k] - position[k];
         d2 += v[k] * v[k];
-        near += v[k] * normal[k];
-        far -= v[k] * surfel->normal[k];
+        above += v[k] * normal[k];
+        before -= v[k] * surfel->normal[k];
     }
-    return near > 0.0f && far > 0.0f ? r2 * near * far / (d2 * (d2 + r2)) : 0.0f;
+    return above > 0.0f && before > 0.0f ? r2 * above * before / (d2 * (d2 + r2)) : 0.0f;
 }
 
 SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
 {
-    const double z = -(double)centre[2], r = (double)radius, near = (double)front, chord = r * r - (near - z) * (near - z);
+    const double z = -(double)centre[2], r = (double)radius, begin = (double)front, chord = r * r - (begin - z) * (begin - z);
     const int size[2] = { view->width, view->height };
     float out[4];
     int axis, side;
-    if (!(z + r > near)) return 0;
+    if (!(z + r > begin)) return 0;
     for (axis = 0; axis < 2; ++axis) {
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
@@ -2442,7 +2442,7 @@ SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const fl
             const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
             double slope = x + e;
             if (!view->orthographic)
-                slope = off > 0.0 && depth * t > near * (x * x + z * z) ? (x * t + z * e) / depth : (x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0)) / near;
+                slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : (x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0)) / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
         for (side = 0; side < 2; ++side) {

@@ -219,7 +219,7 @@ typedef struct ssgi_gl_desc {
     int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
     int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int enlarge;            /* splat   [limit: 0..1]  levels make up for being drawn to 1 pixel of 4^level by: 0: weight; 1: the radius, the paper's, which is too dark by up to 1/3 at epsilon .1 */
-    int near;               /* splat   [limit: 0..16]  points over a surfel's disc, for pixels within 4 of its radii, where its centre alone finds too little: half at 1/3 radius from a wall; 0, 1: the centre, as published */
+    int closely;            /* splat   [limit: 0..16]  points over a surfel's disc, for pixels within 4 of its radii, where its centre alone finds too little: half at 1/3 radius from a wall; 0, 1: the centre, as published */
     int overlap;            /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;               /* smooth  [limit: 0..1]  0: along x; 1: along y */
     int half;               /* all but lights, senders, field, surfels .. sum   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into targets of half size (rounded up); blur brings it to full size */
@@ -691,7 +691,7 @@ static const ssgi_gl__row ssgi_gl__kept0       = { 0, { "v_ssgi_surfel0", SSGI_G
 static const ssgi_gl__row ssgi_gl__kept1       = { 0, { "v_ssgi_surfel1", SSGI_GL_CAPTURE, "vec4", 0, 0, "normal, seed" } };
 static const ssgi_gl__row ssgi_gl__kept2       = { 0, { "v_ssgi_surfel2", SSGI_GL_CAPTURE, "vec4", 0, 0, "colour" } };
 static const ssgi_gl__row ssgi_gl__c_levels    = SSGI_GL__C(0, "SSGI_LEVELS", levels);
-static const ssgi_gl__row ssgi_gl__c_near      = SSGI_GL__C(SSGI_GL__NEAR, "SSGI_NEAR", near);
+static const ssgi_gl__row ssgi_gl__c_near      = SSGI_GL__C(SSGI_GL__NEAR, "SSGI_NEAR", closely);
 static const ssgi_gl__row ssgi_gl__c_axis      = SSGI_GL__C(0, "SSGI_AXIS", axis);
 static const ssgi_gl__row ssgi_gl__c_samples   = SSGI_GL__C(0, "SSGI_SAMPLES", samples);
 static const ssgi_gl__row ssgi_gl__c_directions = SSGI_GL__C(0, "SSGI_DIRECTIONS", directions);
@@ -3029,7 +3029,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__F(tessellate, 1, "0 or 1"),
     SSGI_GL__F(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS_COLOUR, _LIGHTS or _CUSTOM"),
     SSGI_GL__F(enlarge, 1, "0 or 1"),
-    SSGI_GL__F(near, 16, "0..16"),
+    SSGI_GL__F(closely, 16, "0..16"),
     SSGI_GL__F(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP_SHARE or _ADD"),
     SSGI_GL__F(axis, 1, "0 or 1"),
     SSGI_GL__F(half, 1, "0 or 1"),
@@ -3219,7 +3219,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         const int splat = d->pass == SSGI_GL_SPLAT, made = d->pass == SSGI_GL_SURFELS || splat, lit = d->sends == SSGI_GL_SENDS_LIGHTS && (d->tessellate || !splat) && made;
         if (d->pass != SSGI_GL_SURFELS && d->pass != SSGI_GL_SHUFFLE) ssgi_gl__add(&s, effect_kind[d->effect]);
         if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_UNSHUFFLE) ssgi_gl__add(&s, d->fixed ? SSGI_GL__REGULAR : SSGI_GL__RANDOM);
-        if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->near > 1 && d->effect != SSGI_GL_EFFECT_SCATTER ? SSGI_GL__NEAR : 0) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
+        if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->closely > 1 && d->effect != SSGI_GL_EFFECT_SCATTER ? SSGI_GL__NEAR : 0) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
         if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__ADDS_UP : SSGI_GL__SHARES);
         if (d->pass == SSGI_GL_SMOOTH) ssgi_gl__add(&s, SSGI_GL__BILATERAL | (d->filter_normals ? SSGI_GL__F_NORMALS : 0));
         if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (d->sends == SSGI_GL_SENDS_CUSTOM && (d->tessellate || !splat) ? SSGI_GL__S_CUSTOM : 0));
