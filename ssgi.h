@@ -395,7 +395,7 @@ typedef struct ssgi_surfel_desc {
     int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
     int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
     float aside;                    /* [units: radii per distance] [limit: 0..1] [default: 0.1]  how much surfels grow with their distance from what the camera sees: nothing near them is shaded; below 1e-3: not, as published */
-    int   every;                    /* [limit: 0..1]  0: of triangles smaller than 3 surfels a chance share is taken, enlarged to the wanted radius: cost and reach no longer follow how fine a mesh is; 1: all, as published */
+    int   every;                    /* [limit: 0..1]  0: of triangles smaller than 3 surfels a share is taken, enlarged to the wanted radius: cost and reach no longer follow how fine a mesh is; 1: all, as published */
     float most;                     /* [units: view] [limit: >= 0] [default: no end]  triangles farther than this from what the camera sees give no surfels: a radius of occlusion */
 } ssgi_surfel_desc;
 
@@ -2244,11 +2244,11 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
     aside = ssgi_view_aside(m->view, middle);
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
-    p->key = triangle + (uint32_t)part * 0x9e3779b9u;
+    p->key = triangle + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
-    if ((double)(ssgi__hash(p->key ^ 0x68e31da4u) >> 8) / 16777216.0 >= share) return 0;
+    if ((double)(p->key * 0x9e3779b9u >> 8) / 16777216.0 >= share) return 0;      /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
     for (c = 0; c < 3; ++c) {
         double d[3];
         for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];

@@ -2345,9 +2345,9 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "    float area = whole / float(n * n), aside = ssgi_aside(middle);\n"
     "    empty = empty || aside - max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle))) > u_ssgi_radius;\n"
     "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_more.x * aside;\n"
-    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2654435769u;\n"
+    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2246822507u;\n"
     "    float discs = area / (3.14159265 * r * r), share = u_ssgi_more.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
-    "    empty = empty || float(ssgi_hash(key ^ 1759714724u) >> 8) / 16777216.0 >= share; // another stands for it\n"
+    "    empty = empty || float((key * 2654435769u) >> 8) / 16777216.0 >= share; // another stands for it\n"
     "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
     "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // together they have the area\n"
     "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
@@ -2565,8 +2565,9 @@ static const ssgi_gl__chunk ssgi_gl__splat_mirrors = { __LINE__ + 1, SSGI_GL__MI
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (lobe * v_ssgi_turned.w * v_ssgi_at.w * away * inversesqrt(max(dd, 1e-30)) / (dd + v_ssgi_at.w)), form);\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__splat_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
-    "    vec3 a = inversesqrt(dd + u_ssgi_dipole[0].xyz * u_ssgi_dipole[0].xyz), b = inversesqrt(dd + u_ssgi_dipole[1].xyz * u_ssgi_dipole[1].xyz), s = u_ssgi_dipole[2].xyz;\n"
-    "    vec3 R = u_ssgi_dipole[0].xyz * (s + a) * exp(-s / a) * a * a + u_ssgi_dipole[1].xyz * (s + b) * exp(-s / b) * b * b;\n"
+    "    // a deeper source is the same one blurred, by as much: surfels wider than the source is deep would show as dots\n"
+    "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0), y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
+    "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z), R = y * (s + a) * exp(s * (h - 1.0 / a)) * a * a + z * (s + b) * exp(s * (h - 1.0 / b)) * b * b;\n"
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
     "}\n" };
 
@@ -2884,7 +2885,7 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 #define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
 static const ssgi_gl__chunk *const ssgi_gl__patch_vertex_chunks[] = { &ssgi_gl__patch_vertex, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh_row, &ssgi_gl__in_position, &ssgi_gl__in_normal, &ssgi_gl__in_colour, NULL };
-static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_hash, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
+static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_control_rows[] = { &ssgi_gl__wide_unproject, &ssgi_gl__frame_size, &ssgi_gl__radius, &ssgi_gl__surfel_row, &ssgi_gl__more_row, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_points_chunks[] = {
     &ssgi_gl__far, &ssgi_gl__patch_hash, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };

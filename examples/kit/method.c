@@ -97,6 +97,7 @@ static const row near_row      = { { "closely", "points over a surfel, for pixel
 static const row aside_row     = { { "aside", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
 static const row front_row     = { { "front", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row each_row      = { { "every", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
 static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
 static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid none", 0, 0, 2, 1 }, PLAN, 0 };
@@ -119,7 +120,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, &every_row, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every) &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
@@ -137,10 +138,10 @@ static const plan plans[] = {
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
     { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
-    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS, &hard_row } },
-    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS } },
-    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS, &exponent_row } },
-    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS, LIT_SURFELS, &material_row, &unit_row } },
+    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&every_row), &hard_row } },
+    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&every_row), LIT_SURFELS } },
+    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&every_row), LIT_SURFELS, &exponent_row } },
+    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS(&each_row), LIT_SURFELS, &material_row, &unit_row } },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
       { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &casters_row, &normal_row } }
 };
@@ -720,7 +721,7 @@ static int add_environment(making *m)
         failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why) != SSGI_OK
                  || (kit_method_value(m->method, "dering") > 0 && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
     if (!failed && mapped)
-        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, (float)(2 * PI / m->gather.samples), &why) != SSGI_OK
+        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, m->gather.samples ? (float)(2 * PI / m->gather.samples) : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */, &why) != SSGI_OK
                  || !(run->environment = keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, rgba(four, map, SIZE))));
     for (int k = 0; k < slices && !failed && open_too; ++k) {
         failed = ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why) != SSGI_OK;
@@ -1204,6 +1205,7 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     if (way == 1 || (lit && !way)) {                        /* surfels come out of a pass: from patches, or lit */
         ssgi_gl_desc made = m->gather;
         made.pass = SSGI_GL_SURFELS;
+        if (!(kit_method_value(m->method, "sky") > 0)) made.environment = SSGI_GL_ENVIRONMENT_NONE;
         if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
         p = add_pass(m, &made, g, 0, 0, 0, 0);
         if (!p) return -1;
