@@ -422,7 +422,7 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
 
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
-   give none. seed depends on the triangle's number and the place in it alone. Outputs are untouched when something is wrong. */
+   give none. seed depends on the numbers of the triangle's vertices and the place in it alone. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* Distance beyond which what a surfel brings stays below epsilon: r sqrt(brightest / epsilon - 1), brightest the largest component of what it sends (1 for occlusion); 0 when that is below epsilon [DSS14 3.2, 4]. */
@@ -2178,9 +2178,11 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
 {
     const ssgi_surfel_source *s = m->source;
     double a[3], b[3], n[3], v[3];
+    uint32_t id[3];
     int corner, i, k;
     for (corner = 0; corner < 3; ++corner) {
         const size_t vertex = s->index ? s->index[3 * triangle + (size_t)corner] : 3 * triangle + (size_t)corner;
+        id[corner] = (uint32_t)vertex & 0xffffffu;
         ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
         for (i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
@@ -2194,6 +2196,7 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
             for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__dot(m->normals[i], v);
         }
     }
+    p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;      /* of vertices: numbers of primitives are not to be relied on */
     for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
     ssgi__cross(n, a, b);
     p->area = 0.5 * ssgi__normalise(n);
@@ -2222,7 +2225,7 @@ static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_make
 }
 
 /* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it. Twin of the tessellation control shader. */
-static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, uint32_t triangle, int n, int part)
+static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place, c, i, k;
     double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent = 0.0, aside, wanted, share, f;
@@ -2244,7 +2247,7 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
     aside = ssgi_view_aside(m->view, middle);
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
-    p->key = triangle + (uint32_t)part * 0x85ebca6bu;
+    p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
@@ -2385,7 +2388,7 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         splits = ssgi__surfel_splits(&whole, &m);
         if (splits > m.desc.splits) splits = m.desc.splits;
         for (part = 0; part < splits * splits; ++part) {
-            if (!ssgi__surfel_part(&p, &m, &whole, (uint32_t)t, splits, part)) continue;
+            if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
             if (n >= capacity) { n += (size_t)ssgi_tess_count(p.level); continue; }
             for (ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
@@ -2519,7 +2522,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
         if (n > m.desc.splits) n = m.desc.splits;
         for (part = 0; part < n * n; ++part) {
             float centre[3];
-            if (!ssgi__surfel_part(&p, &m, &whole, (uint32_t)t, n, part)) continue;
+            if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
             for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
             cost->surfels += (size_t)ssgi_tess_count(p.level);
             ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, ssgi_tess_count(p.level));

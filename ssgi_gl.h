@@ -2261,7 +2261,7 @@ static const ssgi_gl__chunk ssgi_gl__field_end = { __LINE__ + 1, 0,
 /* Twins of >>surfels in ssgi.h. */
 static const ssgi_gl__chunk ssgi_gl__patch_vertex = { __LINE__ + 1, SSGI_GL__TESSELLATED,
     "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
-    "out float v_ssgi_part;\n"
+    "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
     "void main()\n"
     "{\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
@@ -2269,7 +2269,7 @@ static const ssgi_gl__chunk ssgi_gl__patch_vertex = { __LINE__ + 1, SSGI_GL__TES
     "    v_ssgi_position = (u_ssgi_mesh * vec4(a_ssgi_position, 1.0)).xyz;\n"
     "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
     "    v_ssgi_colour = a_ssgi_colour;\n"
-    "    v_ssgi_part = float(gl_InstanceID); // part of splits * splits\n"
+    "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
     "}\n" };
 
 static const ssgi_gl__chunk ssgi_gl__patch_hash = { __LINE__ + 1, SSGI_GL__TESSELLATED,
@@ -2283,7 +2283,7 @@ static const ssgi_gl__chunk ssgi_gl__patch_hash = { __LINE__ + 1, SSGI_GL__TESSE
 static const ssgi_gl__chunk ssgi_gl__patch_levels = { __LINE__ + 1, SSGI_GL__TESSELLATED,
     "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
-    "in float v_ssgi_part[];\n"
+    "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch out vec4 v_ssgi_patch; // radius, level, key in two halves\n"
     "\n"
@@ -2334,7 +2334,7 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z)), nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
     "    if (nearest >= 0.0) nearest = max(nearest, u_ssgi_surfel.y);\n"
     "    float r = ssgi_surfel_radius(nearest);\n"
-    "    int n = int(clamp(ceil(sqrt(whole / (3.14159265 * 3169.0 * r * r)) - 1e-5), 1.0, u_ssgi_surfel.w)), part = int(v_ssgi_part[0] + 0.5);\n"
+    "    int n = int(clamp(ceil(sqrt(whole / (3.14159265 * 3169.0 * r * r)) - 1e-5), 1.0, u_ssgi_surfel.w)), part = int(v_ssgi_part[0].x + 0.5);\n"
     "    bool empty = part >= n * n || !(whole > 0.0 && whole < SSGI_FAR);\n"
     "    part = min(part, n * n - 1);\n"
     "    for (int c = 0; c < 3; ++c) {\n"
@@ -2345,7 +2345,8 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "    float area = whole / float(n * n), aside = ssgi_aside(middle);\n"
     "    empty = empty || aside - max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle))) > u_ssgi_radius;\n"
     "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_more.x * aside;\n"
-    "    uint key = uint(gl_PrimitiveID) + uint(part) * 2246822507u;\n"
+    "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
+    "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
     "    float discs = area / (3.14159265 * r * r), share = u_ssgi_more.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
     "    empty = empty || float((key * 2654435769u) >> 8) / 16777216.0 >= share; // another stands for it\n"
     "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
@@ -2397,6 +2398,11 @@ static const ssgi_gl__chunk ssgi_gl__points_sent_lit = { __LINE__ + 1, SSGI_GL__
     "    colour *= ssgi_surfel_light(P, n);\n" };
 static const ssgi_gl__chunk ssgi_gl__points_sent_custom = { __LINE__ + 1, SSGI_GL__S_CUSTOM,
     "    colour = ssgi_custom_surfel(P, n, colour);\n" };
+static const ssgi_gl__chunk ssgi_gl__nothing = { __LINE__ + 1, 0,
+    "// nothing is drawn; GLES wants the stage\n"
+    "void main()\n"
+    "{\n"
+    "}\n" };
 static const ssgi_gl__chunk ssgi_gl__patch_kept = { __LINE__ + 1, SSGI_GL__TESSELLATED,
     "    v_ssgi_surfel0 = vec4(P, v_ssgi_patch.x);\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
@@ -2883,6 +2889,7 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 #define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
 #define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
+static const ssgi_gl__chunk *const ssgi_gl__nothing_chunks[] = { &ssgi_gl__nothing, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_vertex_chunks[] = { &ssgi_gl__patch_vertex, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh_row, &ssgi_gl__in_position, &ssgi_gl__in_normal, &ssgi_gl__in_colour, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
@@ -2948,9 +2955,9 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { "senders", SSGI_GL_SENDERS, -1, SSGI_GL__PLAIN_PASS(senders) },
     { "shade", SSGI_GL_SHADE, -1, SSGI_GL__PLAIN_PASS(shade) },
     { "field", SSGI_GL_FIELD, -1, { ssgi_gl__caster_chunks, ssgi_gl__field_chunks, NULL, NULL, NULL }, { ssgi_gl__caster_rows, ssgi_gl__field_rows, NULL, NULL, NULL } },
-    { "surfels", SSGI_GL_SURFELS, 0, { ssgi_gl__buffer_chunks, NULL, NULL, NULL, NULL }, { ssgi_gl__buffer_rows, NULL, NULL, NULL, NULL } },
-    { "surfels", SSGI_GL_SURFELS, 1, { ssgi_gl__patch_vertex_chunks, NULL, ssgi_gl__patch_control_chunks, ssgi_gl__patch_points_chunks, NULL },
-                                     { ssgi_gl__patch_vertex_rows, NULL, ssgi_gl__patch_control_rows, ssgi_gl__patch_points_rows, NULL } },
+    { "surfels", SSGI_GL_SURFELS, 0, { ssgi_gl__buffer_chunks, ssgi_gl__nothing_chunks, NULL, NULL, NULL }, { ssgi_gl__buffer_rows, ssgi_gl__vertex_rows, NULL, NULL, NULL } },
+    { "surfels", SSGI_GL_SURFELS, 1, { ssgi_gl__patch_vertex_chunks, ssgi_gl__nothing_chunks, ssgi_gl__patch_control_chunks, ssgi_gl__patch_points_chunks, NULL },
+                                     { ssgi_gl__patch_vertex_rows, ssgi_gl__vertex_rows, ssgi_gl__patch_control_rows, ssgi_gl__patch_points_rows, NULL } },
     { "shuffle", SSGI_GL_SHUFFLE, -1, SSGI_GL__PLAIN_PASS(shuffle) },
     { "splat", SSGI_GL_SPLAT, 0, { ssgi_gl__splat_vertex_chunks, ssgi_gl__splat_chunks, NULL, NULL, NULL }, { ssgi_gl__splat_vertex_rows, ssgi_gl__splat_rows, NULL, NULL, NULL } },
     { "splat", SSGI_GL_SPLAT, 1, { ssgi_gl__patch_vertex_chunks, ssgi_gl__splat_chunks, ssgi_gl__patch_control_chunks, ssgi_gl__patch_points_chunks, ssgi_gl__splat_geometry_chunks },

@@ -1150,7 +1150,6 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     const char *why = "";
     float *vertices;
     ssgi_surfel *surfels = NULL;
-    size_t count[2] = { 0, 0 };
     int patches[2], failed = 0, direct = 0, lamps_count = 0;
     GLuint light = 0, bounce = 0;
     if (!scene) return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene", m->method->name);
@@ -1178,16 +1177,13 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
         if (failed) return -1;
     }
     vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
-    for (int pass = 0; pass < 2 && vertices && !failed; ++pass)             /* counts, then surfels */
-        for (int group = 0; group < 2 && !failed; ++group) {
-            const float *first = vertices + 27 * (group ? patches[0] : 0);
-            ssgi_surfel_source source = { .position = first, .normal = first + 3, .colour = first + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = (size_t)patches[group] };
-            memcpy(source.to_view, picture, sizeof source.to_view);
-            if (pass && !group) surfels = malloc((count[0] + count[1] + 1) * sizeof *surfels);
-            failed = (pass && !surfels) || ssgi_surfels(pass ? surfels + (group ? count[0] : 0) : NULL, pass ? count[group] : 0, &count[group], &d, view, &source, &why) != SSGI_OK;
-        }
+    for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
+        ssgi_surfel_source source = { .position = vertices, .normal = vertices + 3, .colour = vertices + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = scene->mesh.triangles };
+        memcpy(source.to_view, picture, sizeof source.to_view);
+        if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
+        failed = (pass && !surfels) || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
+    }
     if (!vertices || failed) { free(vertices); free(surfels); return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory"); }
-    run->surfels = count[0] + count[1];
     ssgi_splat_predict(&cost, &splat, view, surfels, run->surfels, NULL);
     for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
@@ -1398,7 +1394,7 @@ void kit_run_draw(kit_run *run, int timed)
                 glBindTexture(strstr(io[k].type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io[k].type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, texture_of(run, p, io[k].name));
             }
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
-        glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);     /* surfels: any complete one, which a context without a surface has not */
         if (p->desc.pass >= SSGI_GL_SHUFFLE && p->desc.pass <= SSGI_GL_SMOOTH) glViewport(0, 0, p->width, p->height);
         else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
