@@ -379,7 +379,7 @@ typedef struct ssgi_surfel {
 
 /* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
 SSGI_DEF int ssgi_tess_count(int level);
-/* Their barycentric coordinates, 3 a point, as OpenGL's tessellator has them but for its rounding (2e-5); in an order of ours: rings inwards. uvw: [limit: 3 ssgi_tess_count(level) floats]. Returns the count. */
+/* Their barycentric coordinates, 3 a point, as OpenGL's tessellator has them but for its rounding (Mesa's: level / 2^17); in an order of ours: rings inwards. uvw: [limit: 3 ssgi_tess_count(level) floats]. Returns the count. */
 SSGI_DEF int ssgi_tess_points(float *uvw, int level);
 /* The level at which that many discs of this radius have the triangle's area, 1..64; small triangles get 1, for level 0 would drop them. More than 3169 discs need triangles split (ssgi_surfel_desc.splits). */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
@@ -2156,7 +2156,7 @@ typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
     ssgi_surfel_desc desc;
-    double scale[2], normals[3][3];
+    double scale[2], normals[3][3], side;       /* side: -1 where the mesh is mirrored */
 } ssgi__surfel_maker;
 
 typedef struct ssgi__patch {
@@ -2200,7 +2200,7 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
     for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
     ssgi__cross(n, a, b);
     p->area = 0.5 * ssgi__normalise(n);
-    for (corner = 0; corner < 3 && !s->normal; ++corner) memcpy(p->normal[corner], n, sizeof n);
+    for (corner = 0; corner < 3 && !s->normal; ++corner) for (i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
@@ -2301,7 +2301,7 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     ssgi__normalise(n);
     ssgi__normalise(u);
     ssgi__cross(v, n, u);
-    if (!(ssgi__normalise(normal) > 0.0)) memcpy(normal, n, sizeof n);
+    if (!(ssgi__normalise(normal) > 0.0)) for (i = 0; i < 3; ++i) normal[i] = m->side * n[i];
     for (i = 0; i < 3; ++i) {
         out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
         out->normal[i] = (float)normal[i];
@@ -2369,7 +2369,8 @@ static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_de
     }
     determinant = m->normals[0][0] * a[0][0] + m->normals[1][0] * a[0][1] + m->normals[2][0] * a[0][2];
     if (!(determinant > 0.0 || determinant < 0.0)) return ssgi__bad(why, "source.to_view: must be invertible");
-    for (k = 0; k < 9 && determinant < 0.0; ++k) m->normals[k / 3][k % 3] = -m->normals[k / 3][k % 3];
+    m->side = determinant < 0.0 ? -1.0 : 1.0;
+    for (k = 0; k < 9; ++k) m->normals[k / 3][k % 3] *= m->side;
     return SSGI_OK;
 }
 
@@ -2443,9 +2444,9 @@ SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const fl
         double end[2];
         for (side = 0; side < 2; ++side) {
             const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
-            double slope = x + e;
-            if (!view->orthographic)
-                slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : (x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0)) / begin;
+            const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);    /* where it meets the front */
+            double slope = z < begin ? cut : x + e;
+            if (!view->orthographic) slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
         for (side = 0; side < 2; ++side) {

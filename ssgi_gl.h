@@ -714,8 +714,9 @@ static const ssgi_gl__chunk ssgi_gl__triangle = { __LINE__ + 1, 0,
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__far = { __LINE__ + 1, 0,
-    "const float SSGI_FAR = 1e18; // the view depth of nothing\n" };
+#define SSGI_GL__FAR_TEXT "const float SSGI_FAR = 1e18; // the view depth of nothing\n"
+static const ssgi_gl__chunk ssgi_gl__far = { __LINE__, 0, SSGI_GL__FAR_TEXT };
+static const ssgi_gl__chunk ssgi_gl__map_far = { __LINE__, SSGI_GL__MAPS_READ, SSGI_GL__FAR_TEXT };
 
 static const ssgi_gl__chunk ssgi_gl__decode_perspective = { __LINE__ + 1, SSGI_GL__D_WINDOW | SSGI_GL__PERSPECTIVE,
     "float ssgi_decode(float d)\n"
@@ -979,13 +980,16 @@ static const ssgi_gl__chunk ssgi_gl__unpack_normal = { __LINE__ + 1, SSGI_GL__NO
     "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
     "}\n" };
 
-static const ssgi_gl__chunk ssgi_gl__octahedron = { __LINE__ + 1, SSGI_GL__OCTAHEDRON,
-    "// a direction on the octahedral map's square, [-1,1]\n"
-    "vec2 ssgi_octahedral(vec3 d)\n"
-    "{\n"
-    "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
-    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
-    "}\n" };
+#define SSGI_GL__OCTAHEDRON_TEXT \
+    "// a direction on the octahedral map's square, [-1,1]\n" \
+    "vec2 ssgi_octahedral(vec3 d)\n" \
+    "{\n" \
+    "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n" \
+    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n" \
+    "}\n"
+static const ssgi_gl__chunk ssgi_gl__octahedron = { __LINE__, SSGI_GL__OCTAHEDRON, SSGI_GL__OCTAHEDRON_TEXT };
+static const ssgi_gl__chunk ssgi_gl__octahedron_open = { __LINE__, SSGI_GL__I_MAP, SSGI_GL__OCTAHEDRON_TEXT };     /* of stages that read the irradiance map; the environment */
+static const ssgi_gl__chunk ssgi_gl__octahedron_map = { __LINE__, SSGI_GL__E_MAP, SSGI_GL__OCTAHEDRON_TEXT };
 
 static const ssgi_gl__chunk ssgi_gl__pack = { __LINE__ + 1, 0,
     "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
@@ -2088,11 +2092,12 @@ static const ssgi_gl__chunk ssgi_gl__sphere_perspective = { __LINE__ + 1, SSGI_G
     "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__sphere_orthographic = { __LINE__ + 1, SSGI_GL__ORTHOGRAPHIC,
-    "// pixels that a sphere spans, if it reaches beyond the front\n"
+    "// pixels that a sphere spans deeper than the front\n"
     "vec4 ssgi_sphere(vec4 at)\n"
     "{\n"
     "    if (at.w - at.z <= u_ssgi_front) return vec4(0.0);\n"
-    "    vec4 t = vec4(at.xy - at.w, at.xy + at.w) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "    float off = max(u_ssgi_front + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
+    "    vec4 t = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "    return vec4(min(t.xy, t.zw), max(t.xy, t.zw));\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__caster_main = { __LINE__ + 1, 0,
@@ -2382,7 +2387,7 @@ static const ssgi_gl__chunk ssgi_gl__patch_points = { __LINE__ + 1, SSGI_GL__TES
     "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
     "    vec3 u = v_ssgi_corner[1] - v_ssgi_corner[0], v = v_ssgi_corner[2] - v_ssgi_corner[0], n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
     "    vec3 flat_ = normalize(cross(u, v)), colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
-    "    n = dot(n, n) > 0.0 ? normalize(n) : flat_;\n"
+    "    n = dot(n, n) > 0.0 ? normalize(n) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
     "    // which point of the tessellator's rings this is: the same number on every machine\n"
     "    float ring = floor(min(w.x, min(w.y, w.z)) * 1.5 * v_ssgi_patch.y + 0.5);\n"
     "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
@@ -2789,7 +2794,8 @@ static const ssgi_gl__chunk ssgi_gl__blur_colour = { __LINE__ + 1, SSGI_GL__COLO
 #define SSGI_GL__LOOP   &ssgi_gl__points_turn, &ssgi_gl__points_pick, &ssgi_gl__points_map, &ssgi_gl__points_loop, \
                         &ssgi_gl__points_constant, &ssgi_gl__points_fetched, &ssgi_gl__points_single, &ssgi_gl__points_several
 #define SSGI_GL__LENGTH &ssgi_gl__kernel, &ssgi_gl__length_uniform, &ssgi_gl__length_square, &ssgi_gl__length_cube
-#define SSGI_GL__READS  &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size, &ssgi_gl__target
+#define SSGI_GL__PLACES &ssgi_gl__unproject, &ssgi_gl__decode_row, &ssgi_gl__origin, &ssgi_gl__size
+#define SSGI_GL__READS  SSGI_GL__PLACES, &ssgi_gl__target
 #define SSGI_GL__MAPS   &ssgi_gl__depth_tex, &ssgi_gl__layers_tex, &ssgi_gl__normal_tex, &ssgi_gl__normals_tex, &ssgi_gl__noise_tex
 #define SSGI_GL__SH     &ssgi_gl__sh_struct, &ssgi_gl__sh_struct3, &ssgi_gl__sh_struct4, &ssgi_gl__sh_struct_end, &ssgi_gl__sh_basis, &ssgi_gl__sh_basis2, &ssgi_gl__sh_basis3, &ssgi_gl__sh_basis4, \
                         &ssgi_gl__sh_basis_end, &ssgi_gl__sh_zonal, &ssgi_gl__sh_zonal3, &ssgi_gl__sh_zonal4, &ssgi_gl__sh_zonal_end
@@ -2884,7 +2890,7 @@ static const ssgi_gl__chunk *const ssgi_gl__field_chunks[] = {
 static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi_gl__rotation, SSGI_GL__MAPS, SSGI_GL__FIELD_MAPS, &ssgi_gl__objects_tex, &ssgi_gl__factor_out, NULL };
 
 /* The shading of surfels is the loop of lights over their own points. */
-#define SSGI_GL__SENT   &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__shadow_map, &ssgi_gl__surfel_lit, &ssgi_gl__surfel_lit_open, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_map, &ssgi_gl__lights_tail, &ssgi_gl__surfel_lit_end
+#define SSGI_GL__SENT   &ssgi_gl__map_far, &ssgi_gl__octahedron_open, &ssgi_gl__open, &ssgi_gl__shadow_map, &ssgi_gl__surfel_lit, &ssgi_gl__surfel_lit_open, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_map, &ssgi_gl__lights_tail, &ssgi_gl__surfel_lit_end
 #define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
 #define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
@@ -2895,21 +2901,21 @@ static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh
 static const ssgi_gl__chunk *const ssgi_gl__patch_control_chunks[] = { &ssgi_gl__far, &ssgi_gl__patch_levels, SSGI_GL__PROJECTIONS(patch_radius), &ssgi_gl__patch_control, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_control_rows[] = { &ssgi_gl__wide_unproject, &ssgi_gl__frame_size, &ssgi_gl__radius, &ssgi_gl__surfel_row, &ssgi_gl__more_row, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_points_chunks[] = {
-    &ssgi_gl__far, &ssgi_gl__patch_hash, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };
+    &ssgi_gl__patch_hash, SSGI_GL__SENT, &ssgi_gl__patch_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__patch_kept, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_points_rows[] = { &ssgi_gl__surfel_row, SSGI_GL__SENT_ROWS, &ssgi_gl__kept0, &ssgi_gl__kept1, &ssgi_gl__kept2, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__buffer_chunks[] = {
-    &ssgi_gl__far, SSGI_GL__SENT, &ssgi_gl__buffer_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__buffer_kept, NULL };
+    SSGI_GL__SENT, &ssgi_gl__buffer_points, &ssgi_gl__points_sent_lit, &ssgi_gl__points_sent_custom, &ssgi_gl__buffer_kept, NULL };
 static const ssgi_gl__row *const ssgi_gl__buffer_rows[] = { SSGI_GL__SENT_ROWS, &ssgi_gl__in_surfel0, &ssgi_gl__in_surfel1, &ssgi_gl__in_surfel2, &ssgi_gl__kept0, &ssgi_gl__kept1, &ssgi_gl__kept2, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__shuffle_chunks[] = { SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__deal_random, &ssgi_gl__deal_fixed, &ssgi_gl__shuffle_main, NULL };
-static const ssgi_gl__row *const ssgi_gl__shuffle_rows[] = { SSGI_GL__READS, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__shuffled_out, NULL };
+static const ssgi_gl__row *const ssgi_gl__shuffle_rows[] = { SSGI_GL__PLACES, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__shuffled_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__splat_vertex_chunks[] = { SSGI_GL__SHELL, &ssgi_gl__splat_vertex, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_vertex_rows[] = { SSGI_GL__SHELL_ROWS, &ssgi_gl__in_surfel0, &ssgi_gl__in_surfel1, &ssgi_gl__in_surfel2, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__splat_geometry_chunks[] = { &ssgi_gl__splat_geometry_in, SSGI_GL__SHELL, &ssgi_gl__splat_geometry, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_geometry_rows[] = { SSGI_GL__SHELL_ROWS, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__splat_chunks[] = {
-    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_near, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
+    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron_map, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_near, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
     &ssgi_gl__splat_hides, &ssgi_gl__splat_brings, &ssgi_gl__splat_mirrors, &ssgi_gl__splat_scatters, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_rows[] = {
     &ssgi_gl__c_near, &ssgi_gl__soft_radius, &ssgi_gl__rotation, &ssgi_gl__dipole_row, &ssgi_gl__exponent, &ssgi_gl__shuffled_tex, &ssgi_gl__map_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
@@ -2919,7 +2925,7 @@ static const ssgi_gl__row *const ssgi_gl__unshuffle_rows[] = { &ssgi_gl__frame_s
 
 static const ssgi_gl__chunk *const ssgi_gl__smooth_chunks[] = {
     SSGI_GL__FETCH, SSGI_GL__PROJECTIONS(footprint), SSGI_GL__PROJECTIONS(plane), &ssgi_gl__smooth_head, &ssgi_gl__smooth_normals, &ssgi_gl__smooth_tail, &ssgi_gl__smooth_grey, &ssgi_gl__smooth_colour, NULL };
-static const ssgi_gl__row *const ssgi_gl__smooth_rows[] = { &ssgi_gl__c_axis, SSGI_GL__READS, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__levels_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
+static const ssgi_gl__row *const ssgi_gl__smooth_rows[] = { &ssgi_gl__c_axis, SSGI_GL__PLACES, &ssgi_gl__rotation, &ssgi_gl__level_row, SSGI_GL__MAPS, &ssgi_gl__levels_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
 
 static const ssgi_gl__chunk *const ssgi_gl__sum_chunks[] = {
     SSGI_GL__FETCH, &ssgi_gl__octahedron, &ssgi_gl__open, &ssgi_gl__sum_adds, &ssgi_gl__sum_shares, &ssgi_gl__lights_head, &ssgi_gl__main_depth, &ssgi_gl__sum_levels, &ssgi_gl__sum_occludes, &ssgi_gl__sum_hides,
@@ -3224,13 +3230,13 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
     case SSGI_GL_SURFELS: case SSGI_GL_SHUFFLE: case SSGI_GL_SPLAT: case SSGI_GL_UNSHUFFLE: case SSGI_GL_SMOOTH: case SSGI_GL_SUM: {
         static const uint64_t effect_kind[] = { SSGI_GL__OCCLUDES | SSGI_GL__FORM | SSGI_GL__GREY, SSGI_GL__HIDES | SSGI_GL__FORM | SSGI_GL__COLOUR, SSGI_GL__BRINGS | SSGI_GL__FORM | SSGI_GL__COLOUR,
                                                 SSGI_GL__MIRRORS | SSGI_GL__FORM | SSGI_GL__COLOUR, SSGI_GL__SCATTERS | SSGI_GL__COLOUR };
-        const int splat = d->pass == SSGI_GL_SPLAT, made = d->pass == SSGI_GL_SURFELS || splat, lit = d->sends == SSGI_GL_SENDS_LIGHTS && (d->tessellate || !splat) && made;
+        const int splat = d->pass == SSGI_GL_SPLAT, made = d->pass == SSGI_GL_SURFELS || splat, sends = splat ? d->tessellate && d->effect > SSGI_GL_EFFECT_LIGHT : made, lit = sends && d->sends == SSGI_GL_SENDS_LIGHTS;
         if (d->pass != SSGI_GL_SURFELS && d->pass != SSGI_GL_SHUFFLE) ssgi_gl__add(&s, effect_kind[d->effect]);
         if (d->pass == SSGI_GL_SHUFFLE || d->pass == SSGI_GL_UNSHUFFLE) ssgi_gl__add(&s, d->fixed ? SSGI_GL__REGULAR : SSGI_GL__RANDOM);
         if (splat) ssgi_gl__add(&s, (d->enlarge ? SSGI_GL__ENLARGED : SSGI_GL__WEIGHTED) | (d->closely > 1 && d->effect != SSGI_GL_EFFECT_SCATTER ? SSGI_GL__NEAR : 0) | (d->effect == SSGI_GL_EFFECT_OCCLUSION && !d->hard ? SSGI_GL__SOFT : 0));
         if (d->pass == SSGI_GL_SUM) ssgi_gl__add(&s, d->overlap ? SSGI_GL__ADDS_UP : SSGI_GL__SHARES);
         if (d->pass == SSGI_GL_SMOOTH) ssgi_gl__add(&s, SSGI_GL__BILATERAL | (d->filter_normals ? SSGI_GL__F_NORMALS : 0));
-        if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (d->sends == SSGI_GL_SENDS_CUSTOM && (d->tessellate || !splat) ? SSGI_GL__S_CUSTOM : 0));
+        if (made) ssgi_gl__add(&s, (d->tessellate ? SSGI_GL__TESSELLATED : SSGI_GL__BUFFERED) | (lit ? SSGI_GL__S_LIT | SSGI_GL__LIGHT_ROWS : 0) | (sends && d->sends == SSGI_GL_SENDS_CUSTOM ? SSGI_GL__S_CUSTOM : 0));
         if (lit && (d->shadow == SSGI_GL_SHADOW_MAP || d->shadow == SSGI_GL_SHADOW_FILL)) ssgi_gl__add(&s, SSGI_GL__MAPS_READ);
         if (lit && d->environment) {
             ssgi_gl__add(&s, SSGI_GL__I_MAP);
@@ -3322,7 +3328,7 @@ SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
     case SSGI_GL_LIGHTS: return n + 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + (ssgi_gl__has(&s, SSGI_GL__SEGMENTS) ? d.samples * test : 0) + d.accumulate;
     case SSGI_GL_SENDERS: return n + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_LIGHT) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_DIRECT) ? 1 : 0);
     case SSGI_GL_SHADE: return n + vectors + open + (ssgi_gl__has(&s, SSGI_GL__LAMPS) ? 3 : 0) + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0);
-    case SSGI_GL_SURFELS: return ssgi_gl__has(&s, SSGI_GL__S_LIT) ? 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) : 0;
+    case SSGI_GL_SURFELS: return ssgi_gl__has(&s, SSGI_GL__S_LIT) ? 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + open : 0;
     case SSGI_GL_SHUFFLE: return n;
     case SSGI_GL_SPLAT: return ssgi_gl__has(&s, SSGI_GL__E_MAP) ? 2 : 1;
     case SSGI_GL_UNSHUFFLE: return 1;
@@ -3416,6 +3422,7 @@ static int ssgi_gl__collect(const ssgi_gl__pass *pass, int stage, const ssgi_gl_
             if (!ssgi_gl__has(features, (*row)->need)) continue;
             for (k = 0; k < s && !ssgi_gl__row_of(pass, order[k], features, io.name); ++k) {}
             if (k < s) continue;                                /* an earlier stage has it */
+            if (io.kind == SSGI_GL_CAPTURE && stage == SSGI_GL_STAGES && pass->rows[SSGI_GL_GEOMETRY]) continue;    /* it goes to the next stage */
             if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(d, io.offset); io.offset = 0; }
             else if (io.kind != SSGI_GL_PARAM) io.slot = slots[io.kind]++;
             if (stage != SSGI_GL_STAGES && (io.kind == SSGI_GL_PARAM ? !pass->rows[stage] || !pass->rows[stage][0] : !ssgi_gl__row_of(pass, stage, features, io.name))) continue;     /* a block has all members in every stage */

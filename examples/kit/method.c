@@ -1362,8 +1362,12 @@ static void draw_surfels(kit_run *run, const kit_pass *p)
     }
     if (p->desc.tessellate) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        if (p->patches[0]) glDrawArrays(GL_PATCHES, 0, 3 * p->patches[0]);
-        if (p->patches[1]) glDrawArraysInstanced(GL_PATCHES, 3 * p->patches[0], 3 * p->patches[1], p->splits * p->splits);
+        const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;      /* Mesa mixes up points beyond 65536 that one draw tessellates */
+        for (int first = 0, count; first < all; first += count) {
+            const int end = first < p->patches[0] ? p->patches[0] : all;
+            count = end - first < most ? end - first : most;
+            glDrawArraysInstanced(GL_PATCHES, 3 * first, 3 * count, first < p->patches[0] ? 1 : p->splits * p->splits);
+        }
     } else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
     else glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * p->desc.levels, (GLsizei)run->surfels);
     if (capture) {
