@@ -52,7 +52,7 @@ chart: build/report
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 
-TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_build
+TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 

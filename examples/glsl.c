@@ -3,7 +3,7 @@
       build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; in 450 two, too:
                                      FOLDER/hsao.450.half.thin.frag
 
-   One file a text: a choice that changes nothing makes no file: of a vertex stage, of the functions of fields (FOLDER/field.table.glsl: ssgi_gl_field), of a fragment stage.
+   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of fields alone: FOLDER/field.table.glsl (ssgi_gl_field).
    ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
       build/glsl-text --passes       the README's table of passes, from reflection */
@@ -38,8 +38,10 @@ static const choice choices[] = {
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
     CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO),
     CHOICE("cubemaps", storage, SSGI_GL_STORAGE_CUBE), CHOICE("angle", measure, SSGI_FIELD_SOLID_ANGLE), CHOICE("8bit", eight_bits, 1), CHOICE("table", cap, SSGI_GL_CAP_TABLE),
-    CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM), CHOICE("light", effect, SSGI_GL_EFFECT_LIGHT), CHOICE("bounce", effect, SSGI_GL_EFFECT_BOUNCE), CHOICE("specular", effect, SSGI_GL_EFFECT_SPECULAR), CHOICE("scatter", effect, SSGI_GL_EFFECT_SCATTER), CHOICE("fixed", fixed, 1),
-    CHOICE("tessellate", tessellate, 1), CHOICE("lit", sends, SSGI_GL_SENDS_LIGHTS), CHOICE("custom", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("near", closely, 4), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
+    CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM),
+    CHOICE("light", effect, SSGI_GL_EFFECT_LIGHT), CHOICE("bounce", effect, SSGI_GL_EFFECT_BOUNCE), CHOICE("specular", effect, SSGI_GL_EFFECT_SPECULAR),
+    CHOICE("scatter", effect, SSGI_GL_EFFECT_SCATTER), CHOICE("levels", levels, 6), CHOICE("fixed", fixed, 1), CHOICE("tessellate", tessellate, 1), CHOICE("lit", sends, SSGI_GL_SENDS_LIGHTS),
+    CHOICE("customlight", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
     CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
@@ -58,10 +60,10 @@ static int write_file(const char *path, char *text, size_t n)
     return bad ? -1 : 0;
 }
 
-/* The texts of a desc that none before was: vertex stage, fragment stage, functions alone. */
+/* The texts of a desc that none before was: of every stage, of functions alone. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
-    static const char *const endings[] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
+    static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
         const int alone = kind == SSGI_GL_STAGES;
         const size_t n = !alone ? ssgi_gl_emit(NULL, 0, d, kind) : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d) : 0;
@@ -75,7 +77,8 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
         while (i < files && seen[i] != key) ++i;
         if (text && i < files) { free(text); continue; }
         seen[files++] = key;
-        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".", alone ? "" : ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second, endings[kind]);
+        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".", alone ? "" : ssgi_gl_dialect_name(d->dialect),
+                 *first ? "." : "", first, *second ? "." : "", second, endings[kind]);
         if (write_file(path, text, n)) return -1;
     }
     return 0;
@@ -91,20 +94,23 @@ static void print_passes(void)
         { "`s3ho`, transfer, packed", { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 } }, { "`s3ho`, shaded", { .pass = SSGI_GL_S3HO, .shaded = 1 } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
         { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`shade`", { .pass = SSGI_GL_SHADE } },
         { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lamps = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`field`", { .pass = SSGI_GL_FIELD } },
-        { "`field`, cube maps, objects", { .pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .objects = SSGI_GL_OBJECTS_TEXTURE } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
+        { "`field`, cube maps, objects", { .pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .objects = SSGI_GL_OBJECTS_TEXTURE } },
+        { "`surfels`, from triangles", { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1 } }, { "`surfels`, lit", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_LIGHTS } },
+        { "`shuffle`", { .pass = SSGI_GL_SHUFFLE } }, { "`splat`, occlusion", { .pass = SSGI_GL_SPLAT } }, { "`splat`, light", { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT } },
+        { "`unshuffle`", { .pass = SSGI_GL_UNSHUFFLE } }, { "`smooth`", { .pass = SSGI_GL_SMOOTH } }, { "`sum`", { .pass = SSGI_GL_SUM } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
         { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS } }
     };
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
-        static const int kinds[] = { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT };
+        static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE }, { SSGI_GL_PARAM, SSGI_GL_PARAM }, { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         const int n = ssgi_gl_reflect(&rows[i].desc, io, SSGI_GL_MAX_IO);
         printf("| %s ", rows[i].title);
         for (size_t k = 0; k < 3; ++k) {
             const char *between = "| ";
             for (int r = 0; r < n; ++r) {
-                if (io[r].kind != kinds[k]) continue;
-                if (kinds[k] == SSGI_GL_OUTPUT) printf("%s`%s` %s: %s", between, io[r].name, io[r].type, io[r].format);
+                if (io[r].kind != kinds[k][0] && io[r].kind != kinds[k][1]) continue;
+                if (k == 2) printf("%s`%s` %s: %s", between, io[r].name, io[r].type, io[r].format);
                 else printf("%s`%s`", between, io[r].name);
                 between = ", ";
             }
@@ -130,7 +136,8 @@ int main(int argc, char **argv)
                     if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
                     memcpy((char *)&d + choices[b].offset, &choices[b].value, b ? sizeof(int) : 0);
                     memcpy((char *)&d + choices[a].offset, &choices[a].value, a ? sizeof(int) : 0);
-                    if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM) d.fetch = custom;
+                    if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM
+                        || (d.sends == SSGI_GL_SENDS_CUSTOM && (pass == SSGI_GL_SURFELS || pass == SSGI_GL_SPLAT))) d.fetch = custom;
                     if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
     for (int bands = 1; bands <= 4; ++bands) {

@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles and fields. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels and fields. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -45,13 +45,18 @@ static void descs(const uint8_t *data, size_t size)
         MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) && !ssgi_gl_fetches(&d) && !ssgi_gl_key(&d));
         return;
     }
-    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && ssgi_gl_fetches(&d) > 0 && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
+    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && (ssgi_gl_fetches(&d) > 0 || d.pass == SSGI_GL_SURFELS) && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
     if (sum % 8) return;
-    size_t n = ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT);
-    MUST(n > 200 && n < sizeof text && strlen(text) == n && ssgi_gl_key(&d));
+    size_t n = 0;
+    int stage = (int)(sum / 8 % SSGI_GL_STAGES);
+    for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all */
+        stage = (stage + 1) % SSGI_GL_STAGES;
+        n = ssgi_gl_emit(text, sizeof text, &d, stage);
+    }
+    MUST(n > 150 && n < sizeof text && strlen(text) == n && ssgi_gl_key(&d));
     const size_t room = sum * 97 % (n + 2);
     char *exact = (char *)malloc(room + 1);                /* ends where the room ends, so that a sanitizer sees a byte too far */
-    if (exact) MUST(ssgi_gl_emit(exact + 1, room, &d, SSGI_GL_FRAGMENT) == n && (!room || !exact[room]));
+    if (exact) MUST(ssgi_gl_emit(exact + 1, room, &d, stage) == n && (!room || !exact[room]));
     free(exact);
 }
 
@@ -132,6 +137,43 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
+/* Surfels of few triangles, wherever they lie and however they are moved, and what splatting them would cost. */
+static void surfels(const float *f, size_t count, const ssgi_view *view)
+{
+    static const float still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static ssgi_surfel made[256];
+    const int levels = (int)(count % 10) - 1;
+    ssgi_surfel_source source = { 0 };
+    ssgi_surfel_desc d = { 0 };
+    ssgi_splat splat = { 0 };
+    ssgi_surfel_cost cost;
+    ssgi_gl_frame frame;
+    const char *why = NULL;
+    size_t many = 0;
+    d.size = count % 3 ? 0.3f : fabsf(f[3]);
+    d.still = f[4];
+    d.splits = (int)(count % 4);
+    d.shrink = (int)(count % 5);
+    d.aside = count % 7 ? 0.1f : f[6];
+    d.every = (int)(count & 1);
+    splat.levels = levels;
+    source.position = f;
+    source.normal = count & 2 ? f + 3 : NULL;
+    source.triangles = count >= 21 ? 2 : 1;
+    memcpy(source.to_view, count & 4 ? f : still, sizeof still);
+    if (ssgi_surfels(made, 256, &many, &d, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
+    else for (size_t i = 0; i < many && i < 256; ++i) {
+        const float *p = made[i].position, *n = made[i].normal, side = fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f);
+        MUST(all_finite(p, 3) && made[i].radius > 0.0f && isfinite(made[i].radius) && side < 1e-5f && made[i].seed >= 0.0f && made[i].seed < 1.0f);
+        MUST(ssgi_surfel_form_factor(&made[i], f, n) >= 0.0f || !all_finite(f, 3));
+    }
+    if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
+    else MUST(cost.surfels == many);
+    if (ssgi_splat_predict(&cost, &splat, view, made, many < 256 ? many : 256, &why) != SSGI_OK) MUST(strchr(why, ':'));
+    else for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
+    if (ssgi_gl_surfels_set(&frame, view, &d, levels, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
+}
+
 /* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and loaded. */
 static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
 {
@@ -210,6 +252,7 @@ static void floats(const float *f, size_t count)
             }
             MUST(ssgi_radius_guess(&view, 1.0f, f, f + 3) > 0.0f);
             cameras(f, count, &view);
+            surfels(f, count, &view);
         } else MUST(why && !strncmp(why, "projection:", 11));
     }
     pictures(f, count);

@@ -23,5 +23,6 @@ void test_light(void);
 void test_vectors(void);
 void test_field(void);
 void test_casters(void);
+void test_surfels(void);
 void test_build(void);
 #endif

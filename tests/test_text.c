@@ -28,11 +28,13 @@ static const choice choices[] = {
     CHOICE(bounce, 4, 0, 1), CHOICE(bands, 4, 1, 1), CHOICE(packed, 2, 0, 1), CHOICE(transfer, 3, 0, 1), CHOICE(shaded, 2, 0, 1), CHOICE(shading, 4, 0, 1),
     CHOICE(lamps, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(exact, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
     CHOICE(radiance, 4, 0, 1), CHOICE(storage, 2, 0, 1), CHOICE(measure, 2, 0, 1), CHOICE(eight_bits, 2, 0, 1), CHOICE(cap, 2, 0, 1), CHOICE(objects, 3, 0, 1),
-    CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1)
+    CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1), CHOICE(effect, 5, 0, 1),
+    CHOICE(fixed, 2, 0, 1), CHOICE(sends, 3, 0, 1), CHOICE(enlarge, 2, 0, 1), CHOICE(closely, 2, 1, 3), CHOICE(overlap, 2, 0, 1), CHOICE(axis, 2, 0, 1)
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 10000, TIMES = 2, TEXT = 1 << 16, TOOLBOX = SSGI_GL_STAGES,
+enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), VALUES = 5, MOST = 1 << 13, POOL = 10000, TEXT = 1 << 16, TOOLBOX = SSGI_GL_STAGES, PROGRAM,
        WORDS = (int)(sizeof(ssgi_gl__set) / sizeof(uint64_t)) };
-#define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }"
+#define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
+    "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }"
 
 static ssgi_gl_desc variant[MOST];
 static int variants, first_of[SSGI_GL__ROWS + 1];         /* those of the table's pass t begin at first_of[t] */
@@ -53,7 +55,8 @@ static int  chosen(const ssgi_gl_desc *d, int k) { return (get(d, choices[k].off
 
 static ssgi_gl_desc plain_desc(int t)      /* of the table's pass t: nothing chosen yet */
 {
-    ssgi_gl_desc d = { .pass = ssgi_gl__passes[t].pass, .search = ssgi_gl__passes[t].pass == SSGI_GL_HSAO && ssgi_gl__passes[t].variant > 0, .tessellate = ssgi_gl__passes[t].pass != SSGI_GL_HSAO && ssgi_gl__passes[t].variant > 0, .samples = 4, .directions = 2, .fetch = FETCH };
+    const int pass = ssgi_gl__passes[t].pass, other = ssgi_gl__passes[t].variant > 0, hsao = pass == SSGI_GL_HSAO, patches = other && !hsao;
+    ssgi_gl_desc d = { .pass = pass, .search = other && hsao, .tessellate = patches, .dialect = patches ? SSGI_GL_410 : SSGI_GL_330, .samples = 4, .directions = 2, .fetch = FETCH };
     for (int k = 0; k < CHOICES; ++k) choose(&d, k, 0);
     return d;
 }
@@ -76,21 +79,23 @@ static uint64_t content(const ssgi_gl_desc *desc)
     return hash | 1;
 }
 
-/* The fields that matter in a desc, those of which another value gives another text, and how they are chosen: VALUES * field + value. */
+/* The fields that matter in a desc, those of which another value gives another text, and how they are chosen: VALUES * field + value, the first that gives this text. */
 typedef struct point { ssgi_gl_desc desc; uint64_t content; int place[CHOICES], places; } point;
 
 static void locate(point *p)
 {
     p->places = 0;
-    for (int k = 0; k < CHOICES; ++k)
-        for (int v = 0; v < choices[k].count; ++v) {
+    for (int k = 0; k < CHOICES; ++k) {
+        int same = -1, matters = 0;
+        for (int v = 0; v < choices[k].count && !(matters && same >= 0); ++v) {
             ssgi_gl_desc other = p->desc;
             choose(&other, k, v);
-            const uint64_t its = content(&other);
-            if (!its || its == p->content) continue;
-            p->place[p->places++] = VALUES * k + chosen(&p->desc, k);
-            break;
+            const uint64_t its = v == chosen(&p->desc, k) ? p->content : content(&other);
+            if (its == p->content && same < 0) same = v;
+            matters |= its && its != p->content;
         }
+        if (matters) p->place[p->places++] = VALUES * k + same;
+    }
 }
 
 /* Chooses at random, but for those whose bit is set in kept; 0 when nothing that is accepted was found. */
@@ -134,19 +139,20 @@ static void make_variants(void)
     static uint64_t taken[MOST];
     random_state = 1;
     for (int t = 0; t < SSGI_GL__ROWS; ++t) {
+        const int times = ssgi_gl__passes[t].chunks[SSGI_GL_VERTEX] == ssgi_gl__vertex_chunks ? 2 : 1;    /* programs of several stages take long */
         memset(covered, 0, sizeof covered);
         for (int i = 0; i < POOL; ++i) {
             random_point(&pool[i], t);
-            gain[i] = triples(&pool[i], TIMES, 0);
+            gain[i] = triples(&pool[i], times, 0);
         }
         for (int most = CHOICES * CHOICES * CHOICES / 6; most; --most)
             for (int i = 0; i < POOL; ++i) {
                 if (gain[i] != most) continue;
                 int v = first_of[t];
                 while (v < variants && taken[v] != pool[i].content) ++v;
-                gain[i] = v < variants ? 0 : triples(&pool[i], TIMES, 0);
+                gain[i] = v < variants ? 0 : triples(&pool[i], times, 0);
                 if (gain[i] < most || variants == MOST) continue;
-                triples(&pool[i], TIMES, 1);
+                triples(&pool[i], times, 1);
                 taken[variants] = pool[i].content;
                 variant[variants++] = pool[i].desc;
             }
@@ -157,16 +163,19 @@ static void make_variants(void)
 static const char *describe(const ssgi_gl_desc *d)
 {
     static _Thread_local char text[1000];
-    size_t n = (size_t)snprintf(text, sizeof text, "%s%s %s", ssgi_gl_pass_name(d->pass), d->pass == SSGI_GL_HSAO && d->search ? " march" : "", ssgi_gl_dialect_name(d->dialect));
+    size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass), d->pass == SSGI_GL_HSAO && d->search ? " march" : "", d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
     for (int k = 0; k < CHOICES; ++k)
         if (chosen(d, k)) n += (size_t)snprintf(text + n, sizeof text - n, ", %s %d", choices[k].name, get(d, choices[k].offset));
     return text;
 }
 
+static int has_stage(const ssgi_gl_desc *d, int stage) { return ssgi_gl__find(d)->chunks[stage] != NULL; }
+
+/* The text of a stage, "" of one that the pass does not have. */
 static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 {
     size_t n = ssgi_gl_emit(text, TEXT, d, stage);
-    CHECK(n > 0 && n < TEXT, "%s: a text of %zu characters", describe(d), n);
+    CHECK((n > 0) == has_stage(d, stage) && n < TEXT && (n || !*text), "%s, stage %d: a text of %zu characters", describe(d), stage, n);
     return text;
 }
 
@@ -213,39 +222,50 @@ static void covering(void)
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
-static struct { ssgi_gl_desc desc; int stage; } spoken[4 * MOST];      /* the texts that are compiled */
+static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[4 * MOST];   /* the texts that are compiled; fresh: a program whose stages declare what no other's did */
 static int texts;
-static struct { int texts; char problem[1000]; } glslang;
+static struct { int texts, linked; char problem[1000]; } glslang;
 
-/* The text of a stage; TOOLBOX: of ssgi_gl_field, whatever the pass, in a fragment shader that calls it. */
+/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a fragment shader that calls it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
-    if (stage != TOOLBOX) return emit(text, d, stage);
+    if (stage == PROGRAM)
+        for (int s = 0, at = 0; s < SSGI_GL_STAGES; ++s) at += (int)strlen(emit(text + at, d, s));
+    if (stage != TOOLBOX) return stage == PROGRAM ? text : emit(text, d, stage);
     size_t n = (size_t)snprintf(text, TEXT, "%s%s", ssgi_gl__dialects[d->dialect].version, d->dialect >= SSGI_GL_300ES ? "precision highp float;\nprecision highp int;\n" : "");
     n += ssgi_gl_field(text + n, TEXT - n, d);
     snprintf(text + n, TEXT - n, "out vec4 o;\nvoid main()\n{\n    o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, 1.0)));\n}\n");
     return text;
 }
 
-/* Every variant in a desktop dialect and in an ES one, in turn: each choice meets each other choice, and each dialect; vertex stages where they differ from
-   those before; every toolbox in every dialect. */
+/* Is the vertex stage more than a triangle? */
+static int has_vertices(const ssgi_gl_desc *d) { return ssgi_gl__find(d)->chunks[SSGI_GL_VERTEX] != ssgi_gl__vertex_chunks; }
+
+/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have: each choice meets each other choice, and each dialect. The stages
+   of their own that passes have as one program; the others' vertex stage once a dialect; every toolbox in every dialect. */
 static void speak(void)
 {
     static uint64_t seen[1 << 10];
-    int vertices = 0;
-    for (int i = 0; i < 2 * variants; ++i) {
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    int interfaces = 0;
+    for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) spoken[texts].desc.dialect = i;
+    for (int i = 0; i < 2 * variants; ++i, ++texts) {
         ssgi_gl_desc d = variant[i / 2];
-        ssgi_gl__text vertex = { NULL, 0, 0, 0 };
-        int v = 0;
+        const int first = (int)(content(&d) >> 20 & 1023);
         d.lines = i % 16 < 2;
-        d.dialect = (i & 1) * 3 + (int)(content(&d) >> 20 & 1023) % 3;
-        ssgi_gl__write(&vertex, &d, SSGI_GL_VERTEX);
-        while (v < vertices && seen[v] != vertex.hash) ++v;
-        for (int stage = v < vertices || !CHECK(v < 1 << 10, "too many vertex stages") ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX; stage <= SSGI_GL_FRAGMENT; ++stage, ++texts) {
-            spoken[texts].desc = d;
-            spoken[texts].stage = stage;
+        for (int k = 0; k < 3; ++k) {
+            d.dialect = (i & 1) * 3 + (first + k) % 3;
+            if (ssgi_gl_check(&d, NULL) == SSGI_OK) break;
         }
-        if (v == vertices) seen[vertices++] = vertex.hash;
+        spoken[texts].desc = d;
+        spoken[texts].stage = has_vertices(&d) ? PROGRAM : SSGI_GL_FRAGMENT;
+        if (!has_vertices(&d)) continue;
+        uint64_t hash = (uint64_t)(2 * d.pass + d.tessellate);
+        for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k) hash = (hash ^ (uint64_t)(uintptr_t)row[k].name ^ (uint64_t)row[k].kind << 56) * 0x9e3779b97f4a7c15u;
+        int s = 0;
+        while (s < interfaces && seen[s] != hash) ++s;
+        spoken[texts].fresh = s == interfaces && (int)(hash >> 40 & 1) == (i & 1);      /* one in ES, the next not */
+        if (spoken[texts].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
     }
     for (int i = 0; i < 16 * SSGI_GL_DIALECTS; ++i, ++texts) {
         const int k = i / SSGI_GL_DIALECTS;
@@ -255,22 +275,29 @@ static void speak(void)
     }
 }
 
-/* Many files a call. */
+/* Many files a call; stages are linked where they are fresh, as that takes long. */
 static void *glslang_run(void *folder)
 {
-    enum { BATCH = 128 };
+    enum { BATCH = 512 };
+    static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
     static char text[TEXT];
-    char path[200], line[400], file[400] = "0";
+    char path[400], line[400], file[400] = "0";
     int passed = 1;
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
-            snprintf(path, sizeof path, "%s/%d.%s", (char *)folder, i, spoken[i].stage == SSGI_GL_VERTEX ? "vert" : "frag");
-            kit_file_write(path, text, strlen(source_of(text, &spoken[i].desc, spoken[i].stage)), NULL);
+            const int program = spoken[i].stage == PROGRAM;
+            for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1); ++stage) {
+                const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
+                snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder, spoken[i].fresh ? "p" : "", i, endings[stage]);
+                if (n) kit_file_write(path, text, n, NULL);
+            }
+            glslang.linked += spoken[i].fresh;
         }
-        snprintf(path, sizeof path, "cd '%s' && glslangValidator $(ls) 2>&1 && rm *.* && echo passed", (char *)folder);
+        snprintf(path, sizeof path, "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
+                 "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && rm *.* && echo passed", (char *)folder);
         FILE *pipe = popen(path, "r");
         for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
-            if (isdigit((unsigned char)line[0])) memcpy(file, line, sizeof file);
+            if (isdigit((unsigned char)line[*line == 'p'])) memcpy(file, line + (*line == 'p'), sizeof file - 1);
             if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(file)].desc), line + 5);
         }
         if (pipe) pclose(pipe);
@@ -279,34 +306,51 @@ static void *glslang_run(void *folder)
     return NULL;
 }
 
-/* Is the vertex stage more than a triangle? */
-static int has_vertices(const ssgi_gl_desc *d) { return ssgi_gl__find(d)->rows[SSGI_GL_VERTEX][0] != NULL; }
-
-/* A program of a fragment stage and d's vertex stage. */
+/* A program of d's stages, the fragment stage perhaps another, with what transform feedback is to keep. */
 static GLuint linked(const ssgi_gl_desc *d, const char *fragment)
 {
-    static char vertex[TEXT];
-    static const GLenum stage[] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    const char *const source[] = { emit(vertex, d, SSGI_GL_VERTEX), fragment };
+    static char text[SSGI_GL_STAGES][TEXT];
+    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+    const char *source[SSGI_GL_STAGES], *kept[3];
+    GLenum stage[SSGI_GL_STAGES];
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
     kit_error err = { "" };
-    GLuint program = kit_program(source, stage, 2, &err);
-    CHECK(program, "%s: %s", describe(d), err.text);
+    GLint ok = 1;
+    int stages = 0, keeps = 0;
+    for (int s = 0; s < SSGI_GL_STAGES; ++s) {
+        source[stages] = s == SSGI_GL_FRAGMENT && fragment ? fragment : emit(text[s], d, s);
+        if (s == SSGI_GL_FRAGMENT && !*source[stages] && kit_gl_is_es()) snprintf(text[s], TEXT, "%svoid main() {}\n", ssgi_gl__dialects[d->dialect].version);    /* GLES links no program without one */
+        stage[stages] = kinds[s];
+        stages += *source[stages] != 0;
+    }
+    for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
+        if (row[i].kind == SSGI_GL_CAPTURE && CHECK(row[i].slot == keeps && keeps < 3, "%s: %s is at %d of what is kept", describe(d), row[i].name, row[i].slot)) kept[keeps++] = row[i].name;
+    GLuint program = kit_program(source, stage, stages, &err);
+    if (!CHECK(program, "%s: %s", describe(d), err.text) || !keeps) return program;
+    glTransformFeedbackVaryings(program, keeps, kept, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    CHECK(ok, "%s: what it keeps does not link", describe(d));
     return program;
 }
 
 static int compiles(const ssgi_gl_desc *d, int stage)
 {
     static char text[TEXT], log[600];
-    const char *source = source_of(text, d, stage);
-    GLuint shader = glCreateShader(stage == SSGI_GL_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER), program = 1;
     GLint ok = 0;
+    if (stage == PROGRAM) {
+        const GLuint program = linked(d, NULL);
+        glDeleteProgram(program);
+        return program != 0;
+    }
+    const char *source = source_of(text, d, stage);
+    GLuint shader = glCreateShader(stage == SSGI_GL_VERTEX ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
     glShaderSource(shader, 1, &source, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
     glDeleteShader(shader);
-    if (ok && stage == SSGI_GL_FRAGMENT && has_vertices(d)) glDeleteProgram(program = linked(d, text));
-    return CHECK(ok, "%s: %s", describe(d), log) && program;
+    return CHECK(ok, "%s: %s", describe(d), log);
 }
 
 static int desktop;                        /* an OSMesa context is open: from here to the end */
@@ -335,14 +379,14 @@ static void compilers(void)
     if (!has) return;
     pthread_join(thread, NULL);
     CHECK(!glslang.problem[0], "glslangValidator: %s", glslang.problem);
-    t_note("%d texts: glslangValidator", glslang.texts);
+    t_note("%d texts and programs, %d of these linked: glslangValidator", glslang.texts, glslang.linked);
     snprintf(line, sizeof line, "rm -rf '%s'", folder);
     CHECK(!system(line), "%s", line);
 }
 
 /* ---- >>law: snprintf's ------------------------------------------------------------------------------------------- */
 
-/* Text number k: both stages of some descs, then the functions of harmonics and of fields alone. */
+/* Text number k: all stages of some descs, then the functions of harmonics and of fields alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
     static const ssgi_gl_desc descs[] = { { .samples = 3 },
@@ -350,9 +394,10 @@ static size_t any_text(int k, char *out, size_t capacity)
         { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
         { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
         { .pass = SSGI_GL_SHADE, .lamps = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
-        { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE, .cap = SSGI_GL_CAP_TABLE, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 } };
+        { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE, .cap = SSGI_GL_CAP_TABLE, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
+        { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_320ES, .tessellate = 1, .sends = SSGI_GL_SENDS_CUSTOM, .effect = SSGI_GL_EFFECT_BOUNCE, .fetch = "// mine" } };
     const int stages = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
-    if (k == stages) return ssgi_gl_field(out, capacity, &descs[k / SSGI_GL_STAGES - 1]);
+    if (k == stages) return ssgi_gl_field(out, capacity, &descs[5]);
     return k < stages ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES) : ssgi_gl_sh(out, capacity, k - stages);
 }
 
@@ -361,10 +406,11 @@ static void law(void)
     static char full[TEXT], part[TEXT], clean[TEXT];
     const ssgi_gl_desc fine = { 0 }, bad = { .steps = 65 };
     size_t n;
-    int k = 0;
+    int there = 0;
     memset(clean, 0x5a, sizeof clean);
     memcpy(part, clean, sizeof part);
-    for (; (n = any_text(k, NULL, 0)) != 0; ++k) {
+    for (int k = 0; k < 7 * SSGI_GL_STAGES + 5; ++k, there += n > 0) {
+        n = any_text(k, NULL, 0);
         CHECK(any_text(k, full, TEXT) == n && strlen(full) == n, "text %d: the length asked for with NULL differs", k);
         for (size_t capacity = 0; capacity <= n + 1; capacity += capacity < 300 || capacity + 300 > n ? 1 : 37) {
             size_t got = any_text(k, part, capacity), used = capacity > n ? n + 1 : capacity;
@@ -373,9 +419,9 @@ static void law(void)
             memcpy(part, clean, used);
         }
     }
-    CHECK(k == 17, "%d texts", k);                         /* the last had 4 bands: 5 gives none */
+    CHECK(there == 6 * 2 + 5 + 1 + 4, "%d texts", there);   /* stages that passes lack give none */
     CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0) && !ssgi_gl_emit(part, TEXT, &fine, -1) && !ssgi_gl_emit(part, TEXT, &fine, SSGI_GL_STAGES)
-          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(NULL, 1, 4)
+          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(part, TEXT, 5) && !ssgi_gl_sh(NULL, 1, 4)
           && !ssgi_gl_field(part, TEXT, &bad) && !ssgi_gl_field(part, TEXT, NULL) && !ssgi_gl_field(NULL, 1, &fine) && !memcmp(part, clean, TEXT),
           "a bad desc, stage or number of bands gave text");
 }
@@ -409,7 +455,7 @@ static void same_bytes(void)
 static size_t std140(const char *type, size_t *align)
 {
     const char *array = strchr(type, '[');
-    const size_t word = strncmp(type, "float", 5) && strncmp(type, "int", 3) ? strncmp(type, "ivec2", 5) ? 16 : 8 : 4;
+    const size_t word = strncmp(type, "float", 5) && strncmp(type, "int", 3) ? strcmp(type, "ivec2") && strcmp(type, "vec2") ? 16 : 8 : 4;
     const size_t one = !strncmp(type, "mat3", 4) ? 48 : !strncmp(type, "mat4", 4) ? 64 : word;
     *align = array ? 16 : word;
     return array ? (one + 15) / 16 * 16 * (size_t)atoi(array + 1) : one;
@@ -419,7 +465,7 @@ static size_t std140(const char *type, size_t *align)
    them are there: a bit each. */
 static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
-    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(\0const int \0out \0in \0";
+    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
     int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0, samplers = 0;
     uint64_t found = 0;
     size_t offset = 0;
@@ -449,14 +495,18 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         } else if (sscanf(line, "const int %63s = %d;", name, &io.slot) == 2) {
             io.kind = SSGI_GL_CONSTANT;
             strcpy(type, "int");
-        } else if (sscanf(line, "layout(location = %d) out %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4) io.kind = SSGI_GL_OUTPUT;
+        } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name, format) == 5) io.kind = strcmp(begin, "in") ? SSGI_GL_OUTPUT : SSGI_GL_ATTRIBUTE;
+        else if (sscanf(line, "out %31s %63[^;]; // %299[^\n]", type, name, format) == 3) {
+            if (d->pass == SSGI_GL_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
+            io.kind = SSGI_GL_CAPTURE;
+        }
         else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4
                           : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4 && !strcmp(begin, "uniform")) io.kind = SSGI_GL_TEXTURE;
         if (io.kind == SSGI_GL_TEXTURE) samplers |= strstr(type, "Cube") ? 16 : 1 << (2 * (*type == 'u') + (strstr(type, "Array") != NULL));
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type) && !strcmp(row[at].format, format)
-                   && row[at].offset == io.offset && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings));
+                   && row[at].offset == io.offset && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings) || io.kind == SSGI_GL_CAPTURE);
         if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at, at < rows ? row[at].name : "none")) return 0;
         found |= (uint64_t)1 << at;
     }
@@ -470,10 +520,10 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
 }
 
 /* What GL says of a linked program: places in the block, bindings without a call, every texture is read. */
-static int ask_gl(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
+static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
     static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) }, { "ssgi_views", sizeof(ssgi_gl_views) } };
-    GLuint program = linked(d, text);
+    GLuint program = linked(d, NULL);
     if (!program) return 0;
     for (int b = 0; b < 2; ++b) {
         const GLuint block = glGetUniformBlockIndex(program, blocks[b].name);
@@ -489,7 +539,7 @@ static int ask_gl(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row
     for (int i = 0; i < rows; ++i) {
         GLuint index = GL_INVALID_INDEX;
         GLint value = -1, want = row[i].slot;
-        if (row[i].kind == SSGI_GL_CONSTANT) continue;
+        if (row[i].kind == SSGI_GL_CONSTANT || row[i].kind == SSGI_GL_ATTRIBUTE || row[i].kind == SSGI_GL_CAPTURE) continue;
         if (row[i].kind == SSGI_GL_PARAM) {
             want = (GLint)row[i].offset;
             glGetUniformIndices(program, 1, &row[i].name, &index);
@@ -504,42 +554,49 @@ static int ask_gl(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row
 
 static void reflection(void)
 {
-    static char text[TEXT];
+    static char text[SSGI_GL_STAGES][TEXT];
     static uint64_t seen[1 << 12];
     ssgi_gl_io row[SSGI_GL_MAX_IO], read[SSGI_GL_MAX_IO], few[2];
-    int asked = 0, pairs = 0;
+    int asked = 0, pairs = 0, read_back = 0;
     for (int i = 0; i < variants * SSGI_GL_DIALECTS; ++i) {
         ssgi_gl_desc d = variant[i / SSGI_GL_DIALECTS];
         d.dialect = i % SSGI_GL_DIALECTS;
-        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs, vertices = has_vertices(&d);
-        const uint64_t first = vertices ? compare_rows(emit(text, &d, SSGI_GL_VERTEX), &d, row, rows) : 0, second = compare_rows(emit(text, &d, SSGI_GL_FRAGMENT), &d, row, rows);
-        uint64_t shared = 0;                               /* the stages have the block's members in common, and nothing else */
-        for (int k = 0, unit = 0; k < rows; ++k) {
-            if (vertices) shared |= (uint64_t)(row[k].kind == SSGI_GL_PARAM) << k;
-            if (row[k].kind != SSGI_GL_TEXTURE) continue;
-            CHECK(row[k].slot == unit, "%s: %s is at unit %d, not at %d", describe(&d), row[k].name, row[k].slot, unit);
-            ++unit;
+        if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* no tessellation there */
+        const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), before = pairs;
+        uint64_t params = 0, once = 0, twice = 0;
+        for (int k = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }; k < rows; ++k) {
+            params |= (uint64_t)(row[k].kind == SSGI_GL_PARAM) << k;
+            CHECK(row[k].kind == SSGI_GL_PARAM || row[k].kind == SSGI_GL_CONSTANT || row[k].slot == slots[row[k].kind], "%s: %s is at %d, not at %d", describe(&d), row[k].name, row[k].slot, slots[row[k].kind]);
+            ++slots[row[k].kind];
         }
-        if (!CHECK((first | second) == ((uint64_t)1 << rows) - 1 && (first & second) == shared, "%s: of %d rows the stages declare %" PRIx64 " and %" PRIx64 ", not %" PRIx64 " both",
-                   describe(&d), rows, first, second, shared)) break;
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {     /* the stages have whole blocks in common, and nothing else */
+            if (!*emit(text[stage], &d, stage)) continue;
+            const uint64_t found = compare_rows(text[stage], &d, row, rows), all = ssgi_gl__find(&d)->rows[stage][0] ? params : 0;
+            if (!CHECK((found & params) == all, "%s, stage %d: of the blocks' members it declares %" PRIx64 ", not %" PRIx64, describe(&d), stage, found & params, all)) break;
+            twice |= once & found & ~params;
+            once |= found;
+            ++read_back;
+        }
+        if (!CHECK(once == ((uint64_t)1 << rows) - 1 && !twice, "%s: of %d rows the stages declare %" PRIx64 ", twice %" PRIx64, describe(&d), rows, once, twice)) break;
         if (d.dialect != SSGI_GL_450 || !desktop) continue;
         uint64_t last = (uint64_t)d.pass;
-        for (const char *line = strchr(text, '\n') + 1; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
-            uint64_t two = last * 31;
-            int s = 0;
-            last = 14695981039346656037u;
-            for (size_t k = 0; k < strcspn(line, "\n"); ++k) last = (last ^ (uint64_t)line[k]) * 1099511628211u;
-            two ^= last;
-            while (s < pairs && seen[s] != two) ++s;
-            if (s == pairs && CHECK(pairs < 1 << 12, "too many pairs of lines")) seen[pairs++] = two;
-        }
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
+            for (const char *line = *text[stage] ? strchr(text[stage], '\n') + 1 : "\n"; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
+                uint64_t two = last * 31;
+                int s = 0;
+                last = 14695981039346656037u;
+                for (size_t k = 0; k < strcspn(line, "\n"); ++k) last = (last ^ (uint64_t)line[k]) * 1099511628211u;
+                two ^= last;
+                while (s < pairs && seen[s] != two) ++s;
+                if (s == pairs && CHECK(pairs < 1 << 12, "too many pairs of lines")) seen[pairs++] = two;
+            }
         if (pairs == before) continue;
         ++asked;
-        if (!ask_gl(text, &d, row, rows)) break;
+        if (!ask_gl(&d, row, rows)) break;
         few[1] = row[3];
         CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name, "more rows than there is room for");
     }
-    t_note("%d texts read back, %d linked for %d different pairs of lines", variants * SSGI_GL_DIALECTS, asked, pairs);
+    t_note("%d texts read back, %d linked for %d different pairs of lines", read_back, asked, pairs);
     for (int k = 0; k < 4 * 2 * 3; ++k) {                  /* what s3ho writes is what blur reads, in order, name, type and format */
         ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
         blur.pass = SSGI_GL_BLUR;
@@ -557,8 +614,8 @@ static void reflection(void)
         CHECK(d.transfer && !d.packed ? !rows && !reads : written == targets && found == targets, "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.bands,
               d.packed, d.transfer, written, found);
     }
-    emit(text, variant, SSGI_GL_VERTEX);
-    CHECK(!strstr(text, "ssgi") && !strstr(text, "uniform") && !strstr(text, "layout"), "the vertex stage declares something");
+    emit(text[0], variant, SSGI_GL_VERTEX);
+    CHECK(!strstr(text[0], "ssgi") && !strstr(text[0], "uniform") && !strstr(text[0], "layout"), "the vertex stage declares something");
     CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0, "reflection of nothing");
 }
 
@@ -571,21 +628,27 @@ static void off(void)
         ssgi_gl_desc copy = variant[v], *d = &copy;
         d->lines = v & 1;
         d->dialect = v % SSGI_GL_DIALECTS;
+        if (ssgi_gl_check(d, NULL) != SSGI_OK) d->dialect = SSGI_GL_320ES;
         int ssao = d->pass == SSGI_GL_SSAO, hsao = d->pass == SSGI_GL_HSAO, ssdo = d->pass == SSGI_GL_SSDO, lights = d->pass == SSGI_GL_LIGHTS, senders = d->pass == SSGI_GL_SENDERS;
         int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE, field = d->pass == SSGI_GL_FIELD, atlas = field && !d->storage, closed_cap = field && !d->cap;
         int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
         int grey = blur && d->colour == SSGI_GL_GREY, colour = blur && d->colour == SSGI_GL_COLOUR, vectors = blur && !grey && !colour;
         int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact && (sh || d->transfer != SSGI_GL_TRANSFER_REFLECTED);
-        int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = blur ? box : !shade || exact;
-        int from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH, depth = !blur || d->half || from_depth || vectors, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
-        int fill = d->shadow == SSGI_GL_SHADOW_FILL, maps = lights && (d->shadow == SSGI_GL_SHADOW_MAP || fill), segments = lights && (d->shadow == SSGI_GL_SHADOW_SEGMENT || fill);
+        int surfels = d->pass == SSGI_GL_SURFELS, shuffle = d->pass == SSGI_GL_SHUFFLE, splat = d->pass == SSGI_GL_SPLAT, unshuffle = d->pass == SSGI_GL_UNSHUFFLE, smooth = d->pass == SSGI_GL_SMOOTH;
+        int sum = d->pass == SSGI_GL_SUM, made = surfels || splat, placed = shuffle || smooth, dealt = shuffle || unshuffle, levels = splat || unshuffle || smooth, deep_space = made || placed || unshuffle || sum;
+        int patches = made && d->tessellate, buffer = made && !patches, sends = surfels || (patches && d->effect > SSGI_GL_EFFECT_LIGHT), sunlit = sends && d->sends == SSGI_GL_SENDS_LIGHTS, skylit = sunlit && d->environment;
+        int effect = levels || sum ? d->effect : -1, form = effect >= 0 && effect != SSGI_GL_EFFECT_SCATTER, hides = effect == SSGI_GL_EFFECT_LIGHT;
+        int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = blur ? box : deep_space ? placed || (sum && hides) : !shade || exact;
+        int from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH, depth = deep_space ? placed || sum : !blur || d->half || from_depth || vectors, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
+        int fill = d->shadow == SSGI_GL_SHADOW_FILL, maps = (lights || sunlit) && (d->shadow == SSGI_GL_SHADOW_MAP || fill), segments = lights && (d->shadow == SSGI_GL_SHADOW_SEGMENT || fill);
         int tested = points || rays || segments, projected = points || march || segments, noise = hsao || tested;
-        int reflected = s3ho && d->transfer, bounce = (ssdo && d->bounce) || reflected, patches = ssdo && d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE;
-        int facing = patches || (bounce && !d->two_sided), env = ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP;
+        int reflected = s3ho && d->transfer, bounce = (ssdo && d->bounce) || reflected, areas = ssdo && d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE;
+        int facing = areas || (bounce && !d->two_sided), env = (ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP) || (splat && hides);
         int views = tested && d->views, deep = views || (tested && d->layers > 1), textures = tested && !bounce, hidden = d->receiver && (ssdo || lights || senders);
-        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders && !field;
+        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders && !field && !deep_space;
+        int toward = slices || from_depth || (splat && effect == SSGI_GL_EFFECT_SPECULAR);
         int custom = d->depth == SSGI_GL_DEPTH_CUSTOM, bent = shade && d->shading == SSGI_GL_SHADING_BENT, cone = shade && d->shading == SSGI_GL_SHADING_BENT_CONE;
-        int open = env || cone || exact || (shade && d->shading == SSGI_GL_SHADING_BENT_NORMAL), lamps = shade && !bent && d->lamps;
+        int open = (env && !splat) || cone || exact || (shade && d->shading == SSGI_GL_SHADING_BENT_NORMAL) || skylit || (sum && hides), lamps = shade && !bent && d->lamps;
         int albedo = senders ? d->radiance != SSGI_GL_RADIANCE_DIRECT : shade && !bent && d->albedo;
         int lit = senders && (d->radiance == SSGI_GL_RADIANCE_LIGHT || d->radiance == SSGI_GL_RADIANCE_BOTH), direct = senders && d->radiance % 3;
         int reads = shade || vectors, writes = vectors || (s3ho && !d->shaded), kept = reads || writes, sums = sh || s3ho;
@@ -600,7 +663,7 @@ static void off(void)
             { "d < u_ssgi_radius ?", march && d->hard }, { "ssgi_arc(", slices }, { "ssgi_screen(", slices }, { "vec2 last", slices && !d->hard },
             { "vec3 back", slices && d->thin }, { "u_ssgi_thickness", d->thin && (slices || tested) }, { "ssgi_thickness(", d->thin && tested },
             { "ssgi_reach", d->thin && segments }, { "ssgi_blocked(", tested }, { "ssgi_lift(", projected }, { "u_ssgi_offset", projected },
-            { "u_ssgi_radius", projected || slices || box }, { "ssgi_noise(", noise }, { "u_ssgi_phase", noise },
+            { "u_ssgi_radius", projected || slices || box || splat || patches }, { "ssgi_noise(", noise }, { "u_ssgi_phase", noise },
             { "t_ssgi_noise", noise && d->noise == SSGI_GL_NOISE_TEXTURE }, { "52.9829189", noise && d->noise == SSGI_GL_NOISE_GRADIENT },
             { "& 3", noise && d->noise == SSGI_GL_NOISE_TILE4 }, { "ssgi_length(", points }, { "return xi;", points && d->falloff == SSGI_GL_FALLOFF_LINEAR },
             { "sqrt(xi)", points && d->falloff == SSGI_GL_FALLOFF_SQUARE }, { "pow(xi", points && d->falloff == SSGI_GL_FALLOFF_CUBE }, { "ssgi_faded(", faded },
@@ -612,24 +675,25 @@ static void off(void)
             { "t_ssgi_view_senders", bounce && views }, { "ssgi_sent(", bounce }, { "ssgi_held(", bounce }, { "ssgi_sender", bounce },
             { "ssgi_offer(", bounce && deep }, { "ssgi_sender_place", reflected }, { "ssgi_point(", faded || bounce }, { "ssgi_unpack_radiance(", bounce },
             { "ssgi_unpack_depth(", bounce }, { "ssgi_unpack_normal(", facing || reflected }, { "ssgi_P", faded || facing || (bounce && deep) },
-            { "ssgi_way", bounce && deep }, { "ssgi_n", patches || range }, { "u_ssgi_nearest", bounce && d->bounce == SSGI_GL_BOUNCE_PATCH && ssdo },
-            { "u_ssgi_gain", patches }, { "c = abs(c)", patches && d->two_sided }, { "o = -o", reflected && d->two_sided }, { "o_ssgi_bounce", bounce && ssdo },
+            { "ssgi_way", bounce && deep }, { "ssgi_n", areas || range }, { "u_ssgi_nearest", bounce && d->bounce == SSGI_GL_BOUNCE_PATCH && ssdo },
+            { "u_ssgi_gain", areas }, { "c = abs(c)", areas && d->two_sided }, { "o = -o", reflected && d->two_sided }, { "o_ssgi_bounce", (bounce && ssdo) || (sum && effect == SSGI_GL_EFFECT_BOUNCE) },
             { "area / float(SSGI_SAMPLES)", ssdo && d->bounce == SSGI_GL_BOUNCE_DISC }, { "ssgi_pack_radiance(", senders }, { "ssgi_pack_place(", senders },
-            { "ssgi_octahedral(", senders || open }, { "t_ssgi_environment", env }, { "t_ssgi_irradiance", open }, { "ssgi_environment(", env },
-            { "ssgi_open(", open }, { "t_ssgi_irradiance, 0).z", cone }, { "t_ssgi_lights", lights || lamps }, { "u_ssgi_lights", lights || lamps },
+            { "ssgi_octahedral(", senders || open || env || shuffle }, { "t_ssgi_environment", env }, { "t_ssgi_irradiance", open }, { "ssgi_environment(", env },
+            { "ssgi_open(", open }, { "t_ssgi_irradiance, 0).z", cone }, { "t_ssgi_lights", lights || lamps || sunlit }, { "u_ssgi_lights", lights || lamps || sunlit },
             { "t_ssgi_shadow", maps }, { "ssgi_shadow(", maps }, { "u_ssgi_steepest", maps }, { "ssgi_segment(", segments },
             { "min(reach, max(bias", maps && segments }, { "t_ssgi_light", colour || (lights && d->accumulate) || lit }, { "t_ssgi_albedo", albedo },
-            { "t_ssgi_direct", direct }, { "o_ssgi_light", lights || colour || light || env || (shade && !bent) }, { "o_ssgi_sender", senders }, { "u_ssgi_target / 2", half },
-            { "p *= 2", half && !blur && !shade }, { "h * 2", half && blur }, { "ssgi_off_plane(", box }, { "exp(", blur && !box },
-            { "dot(n, ssgi_normal(q", box && d->filter_normals }, { "tent", box && half }, { "t_ssgi_ao", grey }, { "vec2 o_ssgi_ao", ssao || hsao },
+            { "t_ssgi_direct", direct }, { "o_ssgi_light", lights || colour || light || (env && ssdo) || (shade && !bent) || (sum && hides) }, { "o_ssgi_sender", senders }, { "u_ssgi_target / 2", half },
+            { "p *= 2", half && !blur && !shade }, { "h * 2", half && blur }, { "ssgi_off_plane(", box || smooth }, { "exp(", (blur && !box) || (splat && !form) || (sum && form && !d->overlap) },
+            { "dot(n, ssgi_normal(q", box && d->filter_normals }, { "tent", box && half }, { "t_ssgi_ao", grey }, { "vec2 o_ssgi_ao", ssao || hsao || (sum && !effect) },
             { "float o_ssgi_ao", grey || field }, { "u_ssgi_decode", window }, { "ssgi_decode(", window },
             { "sampler2D t_ssgi_depth", depth && !custom && (textures || !hidden) }, { "ssgi_custom_depth(p +", depth && custom },
             { "ssgi_depth(", depth && (!hidden || (textures && !custom)) }, { "t_ssgi_normal", map }, { "ssgi_unit(", normals },
             { "ssgi_custom_normal(p +", normals && d->normal == SSGI_GL_NORMAL_CUSTOM }, { "ssgi_tangent(", from_depth },
-            { "xyz * 2.0", normals && d->normal == SSGI_GL_NORMAL_UNSIGNED }, { "1.0 - abs(e.x)", normals && d->normal == SSGI_GL_NORMAL_OCTAHEDRAL },
-            { "u_ssgi_rotation", (normals && d->world_normals) || open }, { "ssgi_toward(", slices || from_depth }, { "ssgi_project(", projected },
-            { "ssgi_inside(", blur || hsao || tested || from_depth }, { "u_ssgi_size", field || blur || hsao || tested || from_depth }, { "ssgi_position(", !shade || lamps || exact },
-            { "(u_ssgi_project.xy / -P.z)", (projected || slices) && !ortho }, { "-inversesqrt(dot(P, P))", (slices || from_depth) && !ortho },
+            { "xyz * 2.0", normals && d->normal == SSGI_GL_NORMAL_UNSIGNED }, { "1.0 - abs(e.x)", (normals && d->normal == SSGI_GL_NORMAL_OCTAHEDRAL) || (splat && form) },
+            { "u_ssgi_rotation", (normals && d->world_normals) || open || env }, { "ssgi_toward(", toward }, { "ssgi_project(", projected },
+            { "ssgi_inside(", blur || hsao || tested || from_depth || placed }, { "u_ssgi_size", field || blur || hsao || tested || from_depth || placed || splat || patches || unshuffle },
+            { "ssgi_position(", deep_space ? normals : !shade || lamps || exact },
+            { "(u_ssgi_project.xy / -P.z)", (projected || slices) && !ortho }, { "-inversesqrt(dot(P, P))", toward && !ortho },
             { "SSGI_FAR ? 1.0 / w", window && !ortho },
             /* vectors: how many bands, how many of them, how they are stored, what light they meet */
             { "ssgi_sh", any }, { ".b", bands > 2 }, { ".d", bands > 3 }, { "n.yzx", lobes && bands > 1 }, { "0.54627422", lobes && bands > 2 },
@@ -652,9 +716,19 @@ static void off(void)
             { "t_ssgi_field_centre", field && !atlas }, { "fill", field && !d->measure }, { "0.0795774715", field && d->measure }, { "ssgi_cap(", closed_cap },
             { "ssgi_cap_any(", field && (d->cap || d->measure) }, { "abs(1.0 - h)", closed_cap && d->measure }, { "t_ssgi_cap", field && d->cap }, { "ssgi_object(", field && d->objects },
             { "t_ssgi_objects", field && d->objects == SSGI_GL_OBJECTS_TEXTURE }, { "ssgi_custom_object(p +", field && d->objects == SSGI_GL_OBJECTS_CUSTOM },
-            { "(gap > 0.0)", field && !ortho }, { "(at.xy + e * at.w) * u_ssgi_project.xy", field && ortho } };
-        emit(text, d, SSGI_GL_FRAGMENT);
-        emit(text + strlen(text), d, SSGI_GL_VERTEX);
+            { "vec4(from, to)", (field || splat) && !ortho }, { "at.w - at.z <= u_ssgi_front", (field || splat) && ortho }, { "u_ssgi_front", field || splat },
+            /* deep screen space: where surfels come from, what they send, how pixels are dealt out, what surfels do to them */
+            { "a_ssgi_position", patches }, { "a_ssgi_surfel0", buffer }, { "v_ssgi_surfel0", surfels || patches }, { "u_ssgi_mesh", patches }, { "u_ssgi_surfel", patches }, { "u_ssgi_more", patches },
+            { "ssgi_hash(", patches }, { "low * low", patches && !ortho }, { "min(a, b) - P.xy", patches && ortho }, { "point_mode", patches }, { "v_ssgi_patch", patches },
+            { "EmitVertex()", splat && patches }, { "gl_VertexID % 6", splat && buffer }, { "ssgi_surfel_light(", sunlit }, { "colour.xyz * g", lights || sunlit }, { "ssgi_custom_surfel(P", sends && d->sends == SSGI_GL_SENDS_CUSTOM },
+            { "as if nothing stood before it", skylit }, { "ssgi_deal(", dealt }, { "2891336453u", patches || (dealt && !d->fixed) }, { "ivec2(0);", dealt && d->fixed }, { "o_ssgi_shuffled", shuffle },
+            { "t_ssgi_shuffled", splat }, { "u_ssgi_level", shuffle || levels || sum }, { "t_ssgi_levels", unshuffle || smooth || sum }, { "float o_ssgi_levels", levels && !effect },
+            { "vec4 o_ssgi_levels", levels && effect }, { "SSGI_LEVELS", splat || sum }, { "SSGI_AXIS", smooth }, { "dot(n, ssgi_normal(p", smooth && d->filter_normals }, { "u_ssgi_epsilon", splat },
+            { "ssgi_shell(", splat }, { "most / u_ssgi_epsilon", splat && effect > SSGI_GL_EFFECT_LIGHT }, { "at.w * at.w * block", splat && d->enlarge }, { "vec4(turned.xyz, block", splat && !d->enlarge },
+            { "v_ssgi_at.w, form", form && splat }, { "float form", form && sum }, { "SSGI_NEAR", form && splat && d->closely > 1 }, { "form *= max", splat && !effect && !d->hard }, { "form * vec4(v_ssgi_sent", splat && effect == SSGI_GL_EFFECT_BOUNCE }, { "u_ssgi_exponent", splat && effect == SSGI_GL_EFFECT_SPECULAR },
+            { "u_ssgi_dipole", splat && !form }, { "ssgi_once(", sum && form }, { "1.0 / max(form", sum && form && d->overlap }, { "o_ssgi_specular", sum && effect == SSGI_GL_EFFECT_SPECULAR },
+            { "o_ssgi_scatter", sum && !form } };
+        source_of(text, d, PROGRAM);
         for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
             CHECK((count(text, table[i].word) > 0) == (table[i].wanted != 0), "%s: \"%s\" is %s", describe(d), table[i].word, table[i].wanted ? "missing" : "there");
     }
@@ -663,7 +737,7 @@ static void off(void)
 /* ---- >>names: of all variants, not only those that are compiled ----------------------------------------------------- */
 
 typedef struct names { uint64_t bit[4]; } names;
-typedef struct part { uint64_t need; names defines, uses; } part;      /* a row or a chunk */
+typedef struct part { uint64_t need; int stage; names defines, uses; } part;      /* a row or a chunk */
 static char known[256][32];
 static int  knowns;
 
@@ -706,7 +780,7 @@ static ssgi_gl__set features_of(const ssgi_gl_desc *d) { const ssgi_gl_desc whol
 static void closed(void)
 {
     enum { DRAWN = 1000 };
-    static part parts[SSGI_GL_MAX_IO * 2 + 200];
+    static part parts[SSGI_GL_MAX_IO * SSGI_GL_STAGES + 200];
     int tried = 0;
     random_state = 3;
     for (int t = 0; t < SSGI_GL__ROWS; ++t) {
@@ -714,13 +788,15 @@ static void closed(void)
         int many = 0;
         memset(moved, 0, sizeof moved);
         memset(parts, 0, sizeof parts);
-        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {     /* both as one: compilers see what is only in the other */
-            for (const ssgi_gl__row *const *r = ssgi_gl__passes[t].rows[stage]; *r; ++r) {
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
+            for (const ssgi_gl__row *const *r = ssgi_gl__passes[t].rows[stage]; r && *r; ++r) {
                 parts[many].need = (*r)->need;
+                parts[many].stage = 1 << stage;
                 name_add(&parts[many++].defines, (*r)->io.name, strlen((*r)->io.name));
             }
-            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[t].chunks[stage]; *c; ++c) {
+            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[t].chunks[stage]; c && *c; ++c) {
                 parts[many].need = (*c)->need;
+                parts[many].stage = 1 << stage;
                 if (*c == &ssgi_gl__kernel) name_add(&parts[many].defines, "SSGI_KERNEL", 11);
                 read_names(&parts[many++], (*c)->text);
             }
@@ -753,11 +829,15 @@ static void closed(void)
                     if (kept >> k & 1) { choose(&d, k, rest % choices[k].count); rest /= choices[k].count; }
                 if (rest || !choose_freely(&d, kept)) continue;
                 const ssgi_gl__set features = features_of(&d);
-                int defined = 0, used = 0;
-                for (int p = 0; p < many; ++p)
-                    if (ssgi_gl__has(&features, parts[p].need)) { defined |= name_in(&parts[p].defines, n); used |= name_in(&parts[p].uses, n); }
+                int defined = 0, used = 0;                 /* stages; a block's members are in all, so they are used somewhere */
+                for (int p = 0; p < many; ++p) {
+                    if (!ssgi_gl__has(&features, parts[p].need)) continue;
+                    if (name_in(&parts[p].defines, n)) defined |= known[n][0] == 'u' ? 1 : parts[p].stage;
+                    if (name_in(&parts[p].uses, n)) used |= known[n][0] == 'u' ? 1 : parts[p].stage;
+                }
                 ++tried;
-                if (defined != used && !wrong[used]++) snprintf(first[used], sizeof first[used], "%s", describe(&d));
+                const int missing = (used & ~defined) != 0;
+                if (defined != used && !wrong[missing]++) snprintf(first[missing], sizeof first[missing], "%s", describe(&d));
             }
             for (int used = 0; used < 2; ++used)
                 CHECK(!wrong[used], "%s is %s in %d, as in %s", known[n], used ? "not there, but used," : "there, but not used,", wrong[used], first[used]);
@@ -806,7 +886,7 @@ static void lint_chunk(const ssgi_gl__chunk *c)
     for (int fresh = 1; *t; fresh = *t++ == '\n') {
         size_t k = 0;
         if (t[0] == '/' && t[1] == '/') t += strcspn(t, "\n");
-        if (fresh && isalpha((unsigned char)*t)) {         /* at global scope: the last word before what begins a value, arguments or members */
+        if (fresh && isalpha((unsigned char)*t) && strncmp(t, "layout(", 7)) {     /* at global scope: the last word before what begins a value, arguments or members */
             const char *name = t + strcspn(t, " ([=;{\n");
             for (const char *next; *name == ' ' && PART(name[1]); name = next) { next = name + 1; while (PART(*next)) ++next; }
             while (name > t && PART(name[-1])) --name;
@@ -814,7 +894,7 @@ static void lint_chunk(const ssgi_gl__chunk *c)
         }
         if (!isalpha((unsigned char)*t)) continue;
         while (PART(t[k])) ++k;
-        CHECK(!reserved(t, k), "line %d: reserved: %.*s", c->line, (int)k, t);
+        CHECK(!reserved(t, k) || (fresh && (!strncmp(t, "patch in ", 9) || !strncmp(t, "patch out ", 10))), "line %d: reserved: %.*s", c->line, (int)k, t);
         t += k - 1;
     }
 }
@@ -824,7 +904,7 @@ static void lint(void)
     static char text[TEXT];
     for (int p = 0; p < SSGI_GL__ROWS; ++p)
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[p].chunks[stage]; *c; ++c) lint_chunk(*c);
+            for (const ssgi_gl__chunk *const *c = ssgi_gl__passes[p].chunks[stage]; c && *c; ++c) lint_chunk(*c);
     lint_chunk(&ssgi_gl__field_all);
     for (int i = 0; i < texts; ++i) {
         const char *c = source_of(text, &spoken[i].desc, spoken[i].stage);
@@ -842,11 +922,12 @@ static void sentences(void)
 {
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
     static const struct { const char *start; size_t offset; int most; } ints[] = {
-        INT(pass, 8), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
+        INT(pass, 14), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
         INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 3), INT(range, 1),
         INT(layers, 8), INT(views, 4), INT(view_layers, 8), INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(bands, 4), INT(packed, 1), INT(transfer, 2),
         INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
-        INT(storage, 1), INT(measure, 1), INT(eight_bits, 1), INT(cap, 1), INT(objects, 2), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
+        INT(storage, 1), INT(measure, 1), INT(eight_bits, 1), INT(cap, 1), INT(objects, 2), INT(effect, 4), INT(levels, 7),
+        INT(fixed, 1), INT(tessellate, 1), INT(sends, 2), INT(enlarge, 1), INT(closely, 16), INT(overlap, 1), INT(axis, 1), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
         INT(filter_normals, 1), INT(lines, 1) };
     static const struct { const char *start; ssgi_gl_desc desc; } rules[] = {
         { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } }, { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
@@ -857,9 +938,11 @@ static void sentences(void)
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
         { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } }, { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
         { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
-        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
+        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } }, { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
+        { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } }, { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
         /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no matter */
         { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } }, { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
+        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_320ES } }, { NULL, { .pass = SSGI_GL_SUM, .tessellate = 1 } },
         { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } }, { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } } };
     const char *why = "";
     CHECK(sizeof ints / sizeof ints[0] == sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]
@@ -888,7 +971,7 @@ static void sentences(void)
         for (int preset = -1; preset < 4; ++preset) {
             ssgi_gl_desc d = variant[v];
             ssgi_result r = ssgi_gl_preset(&d, preset, &why), want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
-            CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:")) && ((r == SSGI_OK && d.pass != SSGI_GL_FIELD) || !memcmp(&d, &variant[v], sizeof d)), "preset %d: \"%s\"", preset, why);
+            CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:")) && ((r == SSGI_OK && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR)) || !memcmp(&d, &variant[v], sizeof d)), "preset %d: \"%s\"", preset, why);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset, describe(&variant[v]), why);
         }
 
@@ -909,7 +992,9 @@ static void sentences(void)
     CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f && frame.thickness == 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
           && frame.fade == 0.3f * 0.5f && frame.nearest == 0.25f && frame.gain == 1.0f && frame.steepest == 20.0f && !frame.lights && frame.lambda == 4.0f
           && frame.window[0] == 1.0f && fabsf(frame.window[1] - 0.8535534f) < 1e-6f && fabsf(frame.window[3] - 0.1464466f) < 1e-6f
-          && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32, "the frame's defaults");
+          && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32
+          && frame.mesh[0] == 1.0f && frame.mesh[5] == 1.0f && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f && frame.front == ssgi_view_near(&view) && frame.epsilon == 0.1f
+          && frame.exponent == 32.0f, "the frame's defaults");
     for (int i = 0; i < 48; ++i) light += fabsf(frame.harmonics[i]);
     CHECK(light == 0.0f, "a frame's light is not black");
 }
@@ -943,6 +1028,16 @@ static void defaults(void)
         { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lamps = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
         ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
         ROW(5 + 2 + 1 + 1, (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.eight_bits = 1)),
+        ROW(0, (.pass = SSGI_GL_SURFELS), (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
+        ROW(3 + 6 + 4, (.pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .sends = SSGI_GL_SENDS_LIGHTS, .shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_SH), (.half = 1)),
+        ROW(5, (.pass = SSGI_GL_SHUFFLE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.levels = 5)),
+        ROW(1, (.pass = SSGI_GL_SPLAT), (.levels = 5, .closely = 1, .sends = SSGI_GL_SENDS_LIGHTS)),
+        ROW(1 + 1, (.pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT), (.levels = 5, .hard = 1)),
+        ROW(1, (.pass = SSGI_GL_UNSHUFFLE, .effect = SSGI_GL_EFFECT_SCATTER), (.levels = 7)),
+        ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
+        ROW(5 + 1 + 2 * (1 + 1 + 4), (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.overlap = 1)),
+        ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
+        ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
         ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS), (.bands = 4, .filter_radius = 1)),
         ROW(2 + 9 * (1 + 3 + 1), (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1), (.filter_radius = 1)),
         { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
@@ -1521,11 +1616,17 @@ static void fuzz(void)
         CHECK(r == SSGI_OK ? !broken && !why : why && NAMES(why, "desc."), "check: %d, %s", (int)r, why ? why : "no sentence");
         accepted += r == SSGI_OK;
         if (i % EVERY) continue;
-        size_t n = ssgi_gl_emit(text, TEXT, &d, SSGI_GL_FRAGMENT), others = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_VERTEX) * ssgi_gl_field(NULL, 0, &d);
-        int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), fetches = ssgi_gl_fetches(&d), bad = r != SSGI_OK;
+        int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), fetches = ssgi_gl_fetches(&d), bad = r != SSGI_OK, stages = 0, there = 0, whole = 1;
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
+            const size_t n = ssgi_gl_emit(text, TEXT, &d, stage);
+            stages |= (n > 0) << stage;
+            there |= (!bad && has_stage(&d, stage)) << stage;
+            whole &= !n || (n > (stage == SSGI_GL_VERTEX ? 150 : d.pass == SSGI_GL_SURFELS && stage == SSGI_GL_FRAGMENT ? 60 : 500) && n < TEXT && strlen(text) == n);
+        }
         emitted += !bad;
-        CHECK(bad ? !n && !others && !rows && !fetches && !ssgi_gl_key(&d) : n > 500 && n < TEXT && strlen(text) == n && rows > 3 && rows <= SSGI_GL_MAX_IO && others && fetches > 0 && ssgi_gl_key(&d),
-              "%s: %zu characters, %d rows, %d fetches", bad ? "refused" : describe(&d), n, rows, fetches);
+        CHECK(bad ? !rows && !fetches && !ssgi_gl_key(&d) && !ssgi_gl_field(NULL, 0, &d) : rows > 3 && rows <= SSGI_GL_MAX_IO && (fetches > 0 || d.pass == SSGI_GL_SURFELS) && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
+              "%s: %d rows, %d fetches", bad ? "refused" : describe(&d), rows, fetches);
+        CHECK(stages == there && whole, "%s: stages %x, of the pass %x, whole: %d", bad ? "refused" : describe(&d), (unsigned)stages, (unsigned)there, whole);
     }
     t_note("%d descs, %d accepted, %d emitted", TRIES, accepted, emitted);
 }
