@@ -429,14 +429,14 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
 /* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level l; no farther than `most`. */
 SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
-/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). GLSL twin: ssgi_form_factor. */
+/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). */
 SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3]);
 
 /* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1 [units: pixels, of the picture, clipped to it], exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched.
    front [units: view] [limit: > 0 when perspective]: the near plane's depth, or of the nearest thing seen. GLSL twin: ssgi_sphere. */
 SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front);
 
-/* How surfels are splatted; what ssgi_gl_splat_set takes, too. */
+/* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
     float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
     float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts: a radius of occlusion */

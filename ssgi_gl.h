@@ -214,7 +214,7 @@ typedef struct ssgi_gl_desc {
     int cap;                /* field  SSGI_GL_CAP_CLOSED .. */
     int objects;            /* field  SSGI_GL_OBJECTS_NONE .. */
     int effect;             /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;             /* shuffle .. sum   [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^levels + 1 taps along each axis */
+    int levels;             /* shuffle .. sum   [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^(levels - 1) + 1 taps along each axis */
     int fixed;              /* shuffle .. sum   [limit: 0..1]  which pixel of a block goes to which sub-buffer: 0: by chance, another way in each block; 1: the same everywhere */
     int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
     int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */

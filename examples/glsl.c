@@ -41,7 +41,7 @@ static const choice choices[] = {
     CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM),
     CHOICE("light", effect, SSGI_GL_EFFECT_LIGHT), CHOICE("bounce", effect, SSGI_GL_EFFECT_BOUNCE), CHOICE("specular", effect, SSGI_GL_EFFECT_SPECULAR),
     CHOICE("scatter", effect, SSGI_GL_EFFECT_SCATTER), CHOICE("levels", levels, 6), CHOICE("fixed", fixed, 1), CHOICE("tessellate", tessellate, 1), CHOICE("lit", sends, SSGI_GL_SENDS_LIGHTS),
-    CHOICE("customlight", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
+    CHOICE("customlight", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("near", closely, 4), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
     CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };

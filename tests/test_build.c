@@ -112,7 +112,9 @@ static const char *const field_rooms =
     "    i = ssgi_field_save(file, sizeof file, &f);\n"
     "    bad += i > sizeof file || ssgi_field_peek(&n, file, i, NULL) != SSGI_OK || ssgi_field_load(&f, texels, n, file, i, NULL) != SSGI_OK;\n"
     "    return bad + (ssgi_gl_caster_set(&caster, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, sizeof text, &gl);\n"
-    "}\n"
+    "}\n";
+static const char *const deep_rooms =
+    "#include \"ssgi_gl.h\"\n"
     "int deep(void);\n"
     "int deep(void) {\n"
     "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };\n"
@@ -148,12 +150,13 @@ static void compilers(void)
     write_text("implementation.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
     write_text("rooms.c", rooms);
     write_text("field.c", field_rooms);
+    write_text("deep.c", deep_rooms);
     write_text("main.c", "#include \"ssgi_gl.h\"\nint use(void);\nint main(void) { return use(); }\n");
-    write_text("static.c", "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"rooms.c\"\n#include \"field.c\"\nint main(void) { return use(); }\n");
+    write_text("static.c", "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"rooms.c\"\n#include \"field.c\"\n#include \"deep.c\"\nint main(void) { return use(); }\n");
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         snprintf(present, sizeof present, "command -v %.*s", (int)strcspn(modes[i], " "), modes[i]);
         if (shell(text, sizeof text, "%s%s", present, "")) { t_note("%.*s is not here: not tried", (int)strcspn(modes[i], " "), modes[i]); continue; }
-        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -I. implementation.c rooms.c field.c main.c -o two %s && ./two", modes[i], "-lm") && !text[0], "%s: %s", modes[i], text);
+        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -I. implementation.c rooms.c field.c deep.c main.c -o two %s && ./two", modes[i], "-lm") && !text[0], "%s: %s", modes[i], text);
         CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one", modes[i], "-lm") && !text[0], "%s, SSGI_STATIC: %s", modes[i], text);
         ++ran;
     }

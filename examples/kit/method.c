@@ -262,10 +262,13 @@ GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
     if (failed) kit_fail(err, "out of memory"); else program = kit_program(source, stages, count, err);
     for (int i = 0; i < count; ++i) free(text[i]);
     if (!program) return 0;
-    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) if (io[i].kind == SSGI_GL_CAPTURE && desc->pass == SSGI_GL_SURFELS) captured[captures++] = io[i].name;
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) if (io[i].kind == SSGI_GL_CAPTURE) captured[captures++] = io[i].name;
     if (captures) {
         glTransformFeedbackVaryings(program, captures, captured, GL_INTERLEAVED_ATTRIBS);
+        GLint linked = 0;
         glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        if (!linked) { kit_fail(err, "pass %s: its varyings cannot be captured by %s", ssgi_gl_pass_name(desc->pass), kit_gl_name()); glDeleteProgram(program); return 0; }
     }
     glUseProgram(program);
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
