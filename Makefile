@@ -30,7 +30,7 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 build/render: examples/render.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/report: examples/report.c examples/page.c examples/lit.c examples/fields.c $(KIT_O)
+build/report: examples/report.c examples/page.c examples/lit.c examples/fields.c examples/deep.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/glsl-text: examples/glsl.c $(KIT_O)

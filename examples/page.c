@@ -2,10 +2,13 @@
 
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
 
-enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR, SPLITS = 5 };
+enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
+       OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };
 
-/* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. */
-enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN, FIGURES };
+/* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. Of deep screen space:
+   what is splatted; its stages' shares of the time; how far the camera is turned; what a place's visibility varies by while the camera moves. */
+enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN,
+       SURFELS, SPLATS, PICTURE, STAGE, STAGES = 7, DEGREES = STAGE + STAGES, FLICKER, FLICKER_TRUE, FLICKER_ADDED, FIGURES };
 
 /* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
 typedef struct row {
@@ -15,7 +18,7 @@ typedef struct row {
     int of;                                          /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
     double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
     double split[SPLITS];                            /* OF_SPLIT: irradiance's total error, what of it is bias and noise; hue, of all and of what is in shade */
-    double figure[FIGURES];                          /* OF_FIELDS */
+    double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
 } row;
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
@@ -66,31 +69,45 @@ static const column columns[] = {
     { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them",                         offsetof(row, figure[BAKED_P95]),  4, 0 },
     { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them",                        offsetof(row, figure[BAKED_MOST]), 4, 0 },
     { OF_COST, "covered",   "covered",       "pixels within a caster's reach over all pixels, summed over the casters", offsetof(row, figure[COVERED]), 3, 0 },
+    { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands",                 offsetof(row, figure[PICTURE]), 1, 0 },
+    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels", "how many discs the triangles became", offsetof(row, figure[SURFELS]), 0, 0 },
+    { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels", "texels that splats cover at all levels, over the picture's pixels; predicted", offsetof(row, figure[SPLATS]), 1, 0 },
+    { OF_TURN, "degrees",   "degrees",       "that the camera has turned away",                    offsetof(row, figure[DEGREES]), 1, 0 },
     { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes",      offsetof(row, fetches),    1, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT | OF_COST, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
-    { OF_AO | OF_LIT | OF_SPLIT | OF_COST, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
     { OF_FIELD, "median",   "median",        "half of the pixels are off by less",                 offsetof(row, figure[MEDIAN]), 4, 0 },
-    { OF_AO | OF_FIELD, "RMSE", "rmse",      "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
-    { OF_AO | OF_FIELD, "share", "share",          "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
-    { OF_AO | OF_FIELD, "bias", "bias",            "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
-    { OF_AO | OF_FIELD, "p95", "p95",        "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse",      "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share",          "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
+    { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias",            "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
+    { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95",        "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
     { OF_FIELD, "most",     "most",          "the worst pixel",                                    offsetof(row, figure[MOST]), 3, 0 },
     { OF_PAIR, "product",   "product",       "RMSE of 1 - (1 - a)(1 - b), a and b being the two casters' occlusions", offsetof(row, figure[BY_PRODUCT]), 4, 0 },
     { OF_PAIR, "max",       "max_of_two",    "RMSE of the larger one",                             offsetof(row, figure[BY_MOST]), 4, 0 },
     { OF_PAIR, "sum",       "sum_of_two",    "RMSE of the sum, at most 1",                         offsetof(row, figure[BY_SUM]),  4, 0 },
     { OF_PAIR, "between",   "between",       "share of the pixels whose true occlusion lies from the larger one to the sum", offsetof(row, figure[BETWEEN]), 3, 0 },
-    { OF_LIT, "radiance",   "radiance",      "RMSE of outgoing radiance over the truth's mean",    offsetof(row, error[0]),   4, 0 },
-    { OF_LIT, "bias",       "radiance_bias", "mean difference of radiance over the truth's mean",  offsetof(row, bias[0]),    4, 1 },
-    { OF_LIT, "irradiance", "irradiance",    "RMSE of irradiance over the truth's mean",           offsetof(row, error[1]),   4, 0 },
-    { OF_LIT, "bias",     "irradiance_bias", "mean difference of irradiance over the truth's mean", offsetof(row, bias[1]),   4, 1 },
-    { OF_LIT, "bounce",     "bounce",        "RMSE of the bounce over the truth's mean bounce",    offsetof(row, error[2]),   3, 0 },
-    { OF_LIT, "bias",       "bounce_bias",   "mean difference of the bounce over the truth's mean bounce", offsetof(row, bias[2]), 3, 1 },
+    { OF_LIT | OF_DEEP_LIT, "radiance",   "radiance",      "RMSE of outgoing radiance over the truth's mean",    offsetof(row, error[0]),   4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias",       "radiance_bias", "mean difference of radiance over the truth's mean",  offsetof(row, bias[0]),    4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "irradiance", "irradiance",    "RMSE of irradiance over the truth's mean",           offsetof(row, error[1]),   4, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias",     "irradiance_bias", "mean difference of irradiance over the truth's mean", offsetof(row, bias[1]),   4, 1 },
+    { OF_LIT | OF_DEEP_LIT, "bounce",     "bounce",        "RMSE of the bounce over the truth's mean bounce",    offsetof(row, error[2]),   3, 0 },
+    { OF_LIT | OF_DEEP_LIT, "bias",       "bounce_bias",   "mean difference of the bounce over the truth's mean bounce", offsetof(row, bias[2]), 3, 1 },
+    { OF_STAGES, "surfels", "share_surfels", "share of the time: made and captured, lit", offsetof(row, figure[STAGE + 0]), 3, 0 },
+    { OF_STAGES, "shuffle", "share_shuffle", "share of the time: positions and normals dealt out to all levels", offsetof(row, figure[STAGE + 1]), 3, 0 },
+    { OF_STAGES, "splat", "share_splat", "share of the time: of all effects", offsetof(row, figure[STAGE + 2]), 3, 0 },
+    { OF_STAGES, "unshuffle", "share_unshuffle", "share of the time: pixels back in place", offsetof(row, figure[STAGE + 3]), 3, 0 },
+    { OF_STAGES, "smooth", "share_smooth", "share of the time: both axes", offsetof(row, figure[STAGE + 4]), 3, 0 },
+    { OF_STAGES, "sum", "share_sum", "share of the time: of the levels", offsetof(row, figure[STAGE + 5]), 3, 0 },
+    { OF_STAGES, "light", "share_light", "share of the time: the lights on what is seen", offsetof(row, figure[STAGE + 6]), 3, 0 },
+    { OF_MOTION, "varies",  "varies",        "standard deviation of a place's ambient visibility over the frames, RMS over the places", offsetof(row, figure[FLICKER]), 4, 0 },
+    { OF_MOTION, "truth's", "varies_true",   "the same of the truth: pixels fall elsewhere", offsetof(row, figure[FLICKER_TRUE]), 4, 0 },
+    { OF_MOTION, "added",   "varies_added",  "root of the difference of their squares",            offsetof(row, figure[FLICKER_ADDED]), 4, 0 },
     { OF_SPLIT, "irradiance", "irradiance_phases", "RMSE of irradiance over the truth's mean, over all phases of the noise", offsetof(row, split[0]), 4, 0 },
     { OF_SPLIT, "bias error", "irradiance_bias_error", "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
     { OF_SPLIT, "noise", "irradiance_noise", "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4, 0 },
     { OF_SPLIT, "hue, deg", "hue_degrees", "mean angle between the rgb of the mean picture and of the truth, weighted by the truth's luminance", offsetof(row, split[3]), 2, 0 },
     { OF_SPLIT, "in shade", "hue_in_shade_degrees", "the same over pixels that blockers keep 5 % or more of their light from", offsetof(row, split[4]), 2, 0 },
-    { OF_AO | OF_LIT, "SSIM", "ssim",        "structural similarity with the truth, 1 = the same", offsetof(row, score.ssim), 4, 0 }
+    { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim",        "structural similarity with the truth, 1 = the same", offsetof(row, score.ssim), 4, 0 }
 };
 
 /* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. */
@@ -161,7 +178,7 @@ static void csv_field(FILE *f, const char *s)
 
 static void table_csv(FILE *f, const row *rows, int count, int head)
 {
-    const int of = rows->of & OF_AO ? OF_AO : rows->of & OF_FIELDS ? OF_FIELDS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another */
+    const int of = rows->of & OF_AO ? OF_AO : rows->of & OF_FIELDS ? OF_FIELDS : rows->of & OF_DEEPS ? OF_DEEPS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another, all of deep screen space a third */
     if (head) {
         fputs("scene,label,method,settings", f);
         for (int c = -1; (c = next_column(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
@@ -183,13 +200,13 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
 
 enum { WIDE = 900, HIGH = 540, LEFT = 74, RIGHT = 876, TOP = 112, BOTTOM = 472, MOST_BOXES = 512 };
 typedef struct box { double x, y, w, h; } box;
-typedef struct scale { double x0, x1, y0, y1; } scale;   /* what lies at the frame's sides; x as logarithms */
+typedef struct scale { double x0, x1, y0, y1; int even; } scale;   /* what lies at the frame's sides; x as logarithms unless even */
 
 /* Okabe and Ito's palette, told apart by colour-blind eyes too; orange and sky are left for curves five and six. */
 static const char *const colours[] = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", "#3A9BD9" };
 #define COLOUR(series) colours[(series) % (int)(sizeof colours / sizeof colours[0])]
 
-static double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * (log(v) - s->x0) / (s->x1 - s->x0); }
+static double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * ((s->even ? v : log(v)) - s->x0) / (s->x1 - s->x0); }
 static double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
 
 static void marker(FILE *f, int series, double x, double y)
@@ -240,10 +257,11 @@ static double step_of(double least, double span)     /* 1, 2 or 5 times a power 
     return s;
 }
 
-typedef struct words { const char *about, *across, *up, *relative, *fetches; } words;    /* what stands at a chart's top and sides; in tooltips */
-static const words ao_words    = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches" };
-static const words lit_words   = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches" };
-static const words field_words = { "left is smaller, down is closer to the truth; numbers beside the points: texels along a side of the cube map", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side" };
+typedef struct words { const char *about, *across, *up, *relative, *fetches; int even; } words;    /* what stands at a chart's top and sides; in tooltips (fetches NULL: no numbers beside the points); even: no log scale */
+static const words ao_words    = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches", 0 };
+static const words lit_words   = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches", 0 };
+static const words turn_words  = { "down is closer to the truth; 1 is as far off as no ambient occlusion at all", "degrees that the camera has turned away from what occludes", "error (RMSE) on the same ground, share of having no AO at all", "degrees", NULL, 1 };
+static const words field_words = { "left is smaller, down is closer to the truth; numbers beside the points: texels along a side of the cube map", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side", 0 };
 
 /* rows: points with a relative time; others (floor, no AO) are skipped. floor_: share, NAN = no line. */
 static void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int count, double floor_)
@@ -251,7 +269,7 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
     static const double ticks[] = { 1, 1.5, 2, 3, 5, 7 };
     const row *sorted[256];
     box taken[MOST_BOXES];
-    scale s = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL };
+    scale s = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, w->even };
     int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT, line = 80;
     double step, last = -100;
     for (int i = 0; i < count && points < 256; ++i) {
@@ -260,7 +278,8 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
         s.x0 = fmin(s.x0, rows[i].relative); s.x1 = fmax(s.x1, rows[i].relative);
         s.y0 = fmin(s.y0, rows[i].share); s.y1 = fmax(s.y1, rows[i].share);
     }
-    s.x0 = log(s.x0 * 0.87); s.x1 = log(s.x1 * 1.15);
+    const double every = w->even ? step_of(1, s.x1 - s.x0) : 0, room_ = 0.04 * (s.x1 - s.x0);
+    s.x0 = s.even ? s.x0 - room_ : log(s.x0 * 0.87); s.x1 = s.even ? s.x1 + room_ : log(s.x1 * 1.15);
     if (!isnan(floor_)) { s.y0 = fmin(s.y0, floor_); s.y1 = fmax(s.y1, floor_); }
     if (s.y0 < 0.35 * s.y1) s.y0 = 0;
     step = step_of(0.01, s.y1 - s.y0);
@@ -274,7 +293,9 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
     fprintf(f, "</text>\n<text x=\"%d\" y=\"54\">%s</text>\n", LEFT, w->about);
     for (double v = s.y0; v < s.y1 + step / 2; v += step)
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"%s\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%.*f</text>\n", LEFT, up(&s, v), RIGHT, v > s.y0 ? "#e4e4e4" : "#888", LEFT - 9, up(&s, v) + 4.5, step < 0.095 ? 2 : 1, v);
-    for (int power = -3; power < 4; ++power)
+    for (double v = every * ceil(s.x0 / fmax(every, 1)); s.even && v < s.x1; v += every)
+        fprintf(f, "<path d=\"M%.1f %dV%d\" stroke=\"#eeeeee\"/><text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", across(&s, v), TOP, BOTTOM, across(&s, v), BOTTOM + 20, fabs(v) < 1e-9 ? 0 : v);
+    for (int power = -3; power < 4 && !s.even; ++power)
         for (int k = 0; k < 6; ++k) {
             double v = ticks[k] * pow(10, power), x;
             if (log(v) < s.x0 || log(v) > s.x1) continue;
@@ -336,9 +357,11 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
                 escaped(f, r->label);
                 fputs(": ", f);
                 escaped(f, settings_of(r));
-                fprintf(f, "\n%s %.2f, error %.3f, %.1f %s</title></path>\n", w->relative, r->relative, r->share, r->fetches, w->fetches);
-            } else {
-                int n = snprintf(text, sizeof text, r->fetches < 100 ? "%g" : "%.0f", r->fetches);
+                fprintf(f, "\n%s %.2f, error %.3f", w->relative, r->relative, r->share);
+                if (w->fetches) fprintf(f, ", %.1f %s", r->fetches, w->fetches);
+                fputs("</title></path>\n", f);
+            } else if (w->fetches) {
+                int n = snprintf(text, sizeof text, r->fetches < 100 ? "%.3g" : "%.0f", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);
                 fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, COLOUR(group), text);
                 if (boxes < MOST_BOXES) taken[boxes++] = b;
@@ -421,4 +444,13 @@ static void field_terms(FILE *f)
     fputs("<dl>\n<dt>occlusion between objects<dd>What rigid casters take from the ambient light of other things, at any distance; casters do not shade themselves. Its truth: rays that are blocked by all casters but the one "
         "that the pixel shows, at any distance; the fields end at eight radii of a caster's bounding sphere. Errors are of occlusion, over the pixels that show something else than the only caster.\n"
         "<dt>vector, solid angle<dd>What a field keeps of the caster: its vector irradiance and how full its cap is, or its solid angle as published.\n</dl>\n", f);
+}
+
+static void deep_terms(FILE *f)
+{
+    fputs("<dl>\n<dt>surfels, splats<dd>Deep screen space makes discs of all triangles, seen or not, of a size in picture heights, and draws each over the pixels that it reaches. Splats: the texels so drawn, all levels, over the "
+        "picture's pixels; a graphics card and a software rasteriser spend nearly all of the time there.\n"
+        "<dt>truth, of deep screen space<dd>Ambient visibility: as above, weighted by 1 &minus; t/radius. Light of surfels has no such weight: what is within the radius counts whole, in the truth of its rows, too, while ssdo's rows keep their own. "
+        "One specular bounce: rays by the lobe, their hits lit and shadowed. Scattering: the dipole's sum over samples on all of the mesh, shadowed by rays.\n"
+        "<dt>varies<dd>A place's ambient visibility in a few frames of a camera that moves, between four pixels around it; places that any frame does not show are left out.\n</dl>\n", f);
 }

@@ -3,8 +3,8 @@
       build/report demo  [--out report] [--mesh M.obj]                 pictures, tables and demo.html, in two minutes
       build/report chart [--out report] [--quick] [--scene NAME]...    chart*.csv, chart*.svg and chart.html, in some minutes
 
-   With --mesh or --scene only ambient occlusion is shown; else light and fields, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
-   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields. */
+   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
+   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields, deep.c of deep screen space. */
 #include "kit/kit_gl.h"
 #include <ctype.h>
 #include <errno.h>
@@ -93,11 +93,16 @@ static const float boxes[4][9] = {
 
 typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method to time */
 
+/* What is lit otherwise. hard: what blocks or sends within the radius counts whole. GLOSS: exponent of the lobe. SCATTER: material and its unit; rays are thousands of samples. */
+enum { GLOSS = 1, SCATTER };
+typedef struct otherwise { int hard, kind; float exponent, unit; const char *material; } otherwise;
+
 typedef struct stage {
     char         name[64];
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     const lit   *lit;
+    otherwise    otherwise;
     int          rays, between;                /* of the truth; 1 = occlusion is between objects */
     kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
     kit_run      lights;                       /* lit: suns and point lights with their shadows, without the environment, */
@@ -131,7 +136,17 @@ static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a 
 
 static int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
 {
-    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, KIT_ATTENUATION_LINEAR, s->lit->bounce, rays, stride, err);
+    const otherwise *l = &s->otherwise;
+    const int attenuation = l->hard ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
+    ssgi_dipole dipole;
+    const ssgi_material *m;
+    if (l->kind == GLOSS) return kit_truth_gloss(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation, (double)l->exponent, rays, stride, err);
+    if (l->kind == SCATTER) {
+        for (int i = 0; (m = ssgi_material_of(i)) && strcmp(m->name, l->material);) ++i;
+        if (!m || ssgi_dipole_set(&dipole, m->sigma_s, m->sigma_a, m->eta, NULL) != SSGI_OK) return kit_fail(err, "%s: there is no such material", l->material);
+        return kit_truth_scatter(out, &s->scene, &s->gbuffer.camera, &s->traced, &dipole, l->unit, 1000 * (size_t)rays, stride, err);
+    }
+    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation, s->lit->bounce, rays, stride, err);
     if (s->between) return kit_truth_objects(out, &s->scene, &s->gbuffer.camera, rays, stride, err);
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
@@ -153,10 +168,12 @@ static int truth_of(stage *s, kit_error *err)
         h = hashed(h, s->scene.mesh.albedo, floats / 3);
         if (s->traced.env.data) h = hashed(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
         h = hashed(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
+        if (s->otherwise.hard || s->otherwise.kind) h = hashed(h, &s->otherwise, offsetof(otherwise, material));
+        if (s->otherwise.material) h = hashed(h, s->otherwise.material, strlen(s->otherwise.material));
     }
     if (s->between) h = hashed(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
     for (int i = 0; i < s->scene.objects && s->between; ++i) h = hashed(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
-    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->between ? "objects-" : !s->lit ? "" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
+    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->between ? "objects-" : !s->lit ? "" : s->otherwise.kind == GLOSS ? "gloss-" : s->otherwise.kind ? "scatter-" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         int same = s->truth.width == c->width && s->truth.height == c->height;
         if (trace(&probe, s, s->rays, 61, err)) return -1;
@@ -217,7 +234,7 @@ static int stage_lit(stage *s, kit_error *err)
     kit_run_draw(&s->lights, 0);
     if (kit_run_read(&s->direct, &s->lights, err)) return -1;
     if (s->lit->local) memset(s->direct.data, 0, (size_t)s->direct.width * (size_t)s->direct.height * (size_t)s->direct.channels * sizeof *s->direct.data);
-    return s->lighting.env.data || s->lit->local ? give_open(s, err) : 0;
+    return !s->otherwise.kind && (s->lighting.env.data || s->lit->local) ? give_open(s, err) : 0;
 }
 
 /* What lights the scene; where suns are local, the truth has them in its environment. */
@@ -253,7 +270,8 @@ static int stage_load(stage *s, const view *v, kit_error *err)
     return 0;
 }
 
-static int stage_show(stage *s, const view *v, int width, int height, kit_error *err)
+/* What is seen, without its truth. */
+static int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
 {
     kit_camera camera = s->scene.camera;
     if (v->fovy > 0) {
@@ -264,7 +282,12 @@ static int stage_show(stage *s, const view *v, int width, int height, kit_error 
     camera.width = width;
     camera.height = height;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
-    if (kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || truth_of(s, err)) return -1;
+    return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) ? -1 : 0;
+}
+
+static int stage_show(stage *s, const view *v, int width, int height, kit_error *err)
+{
+    if (stage_look(s, v, width, height, err) || truth_of(s, err)) return -1;
     return s->lit ? stage_lit(s, err) : stage_ao(s, err);
 }
 
@@ -313,6 +336,7 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
     for (size_t i = 0; i < pixels && mask; ++i) mask[i] = isnan(picture->data[i]) ? 0 : z[i];
     r->of = s->lit ? OF_LIT : s->between ? OF_FIELD : OF_AO;
     for (int k = 0; k < SPLITS; ++k) r->split[k] = (double)NAN;
+    for (int k = 0; k < 3; ++k) r->error[k] = r->bias[k] = (double)NAN;
     for (int g = s->lit ? 0 : 3; g < (s->lit ? 3 : 4) && !failed; ++g) {
         failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
         const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
@@ -345,6 +369,19 @@ static double draw(kit_run *run)
     return kit_run_ms(run);
 }
 
+/* Deep screen space: what it drew, and its stages' shares of the time of the last draw. */
+static void count_surfels(row *r, const kit_run *run)
+{
+    const double all = kit_run_ms(run);
+    r->figure[SURFELS] = (double)run->surfels;
+    r->figure[SPLATS] = run->splat_pixels / ((double)run->gbuffer->viewport[2] * run->gbuffer->viewport[3]);
+    for (int k = 0; k < STAGES; ++k) r->figure[STAGE + k] = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const int at = run->pass[i].desc.pass - SSGI_GL_SURFELS;
+        r->figure[STAGE + (at >= 0 && at < STAGES - 1 ? at : STAGES - 1)] += run->pass[i].ms / all;
+    }
+}
+
 /* Times runs: each once a round between two drawings of the reference, whose mean its time is divided by; medians. Where there is light, ambient visibility's
    includes the lights' passes. Closes the runs. */
 static int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err)
@@ -370,6 +407,7 @@ static int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, 
     for (int i = 0; i < count; ++i) {
         rows[i].relative = median(ratio + i * rounds, rounds);
         rows[i].ms = median(ms + i * rounds, rounds);
+        if (run[i].surfels) count_surfels(&rows[i], &run[i]);
         kit_run_close(&run[i]);
     }
     kit_run_close(&fixed);
@@ -388,6 +426,7 @@ static int measure(row *rows, stage *s, const entry *entries, int count, int rou
     for (int i = 0; i < count; ++i) {
         kit_image picture;
         memset(&rows[i], 0, sizeof rows[i]);
+        for (int k = 0; k < FIGURES; ++k) rows[i].figure[k] = (double)NAN;
         rows[i].label = entries[i].label;
         rows[i].method = entries[i].method;
         rows[i].settings = entries[i].settings;
@@ -403,6 +442,7 @@ static int measure(row *rows, stage *s, const entry *entries, int count, int rou
     for (int i = 0; i < s->givens; ++i) {
         row *r = &rows[count + i];
         memset(r, 0, sizeof *r);
+        for (int k = 0; k < FIGURES; ++k) r->figure[k] = (double)NAN;
         r->label = s->given[i].label;
         r->method = s->given[i].method;
         r->settings = "";
@@ -457,6 +497,7 @@ static int chart_of(FILE *html, const char *out, const char *name, const char *t
 
 #include "lit.c"
 #include "fields.c"
+#include "deep.c"
 
 static int demo(const options *o, kit_error *err)
 {
@@ -464,6 +505,7 @@ static int demo(const options *o, kit_error *err)
     view mesh = views[0];
     stage s;
     row rows[ENTRIES + 2], lit_rows[LIT_DEMOS][MOST_ROWS], field_rows[FIELD_DEMO_ROWS];
+    static deep_set deep_sets[DEEP_DEMOS];
     int lit_count[LIT_DEMOS];
     kit_image picture[ENTRIES], difference;
     page p;
@@ -497,10 +539,11 @@ static int demo(const options *o, kit_error *err)
     table_html(p.file, rows, ENTRIES + 2);
     stage_close(&s);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) if (lit_demo(p.file, o->out, &lit_demos[k], lit_rows[k], &lit_count[k], err)) return -1;
-    if (!o->mesh && field_demo(p.file, o->out, field_rows, err)) return -1;
+    if (!o->mesh && (field_demo(p.file, o->out, field_rows, err) || deep_demo(p.file, o->out, deep_sets, err))) return -1;
     html_terms(p.file);
     if (!o->mesh) lit_terms(p.file);
     if (!o->mesh) field_terms(p.file);
+    if (!o->mesh) deep_terms(p.file);
     if (page_close(&p, o->out, "demo.html", err)) return -1;
     table_text(stdout, rows, ENTRIES + 2);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) {
@@ -510,6 +553,7 @@ static int demo(const options *o, kit_error *err)
     if (!o->mesh) {
         printf("\n%s\n", field_demo_title);
         table_text(stdout, field_rows, FIELD_DEMO_ROWS);
+        deep_text(stdout, deep_sets, DEEP_DEMOS);
     }
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
     if (!o->mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
@@ -547,6 +591,7 @@ static int chart(const options *o, kit_error *err)
     static char names[MOST_SCENES][64];
     static lit_row_set lit_rows[LIT_SETS];
     static field_row_set field_sets[FIELD_SETS];
+    static deep_set deep_sets[DEEP_SETS];
     row mean[MOST_ROWS];
     entry entries[MOST_ENTRIES];
     page html, csv;
@@ -593,11 +638,12 @@ static int chart(const options *o, kit_error *err)
         table_html(html.file, rows[k], count);
         fputs("</details>\n", html.file);
     }
-    if (!o->scenes && (lit_chart(html.file, o, lit_rows, err) || field_chart(html.file, o, field_sets, err))) return -1;
+    if (!o->scenes && (lit_chart(html.file, o, lit_rows, err) || field_chart(html.file, o, field_sets, err) || deep_chart(html.file, o, deep_sets, err))) return -1;
     html_terms(html.file);
     if (!o->scenes) lit_terms(html.file);
     if (!o->scenes) field_terms(html.file);
-    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>, <a href=\"chart-aof.csv\">chart-aof.csv</a>");
+    if (!o->scenes) deep_terms(html.file);
+    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>, <a href=\"chart-aof.csv\">chart-aof.csv</a>, <a href=\"chart-deep.csv\">chart-deep.csv</a>");
     if (page_close(&html, o->out, "chart.html", err)) return -1;
     printf("mean of:");
     for (int k = 0; k < scenes; ++k) printf("%s %s", k ? "," : "", names[k]);
@@ -605,6 +651,7 @@ static int chart(const options *o, kit_error *err)
     table_text(stdout, mean, count);
     if (!o->scenes) lit_chart_text(stdout, lit_rows);
     if (!o->scenes) field_chart_text(stdout, field_sets);
+    if (!o->scenes) deep_text(stdout, deep_sets, DEEP_SETS);
     printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\ncharts: %s/chart.html\n", kit_gl_name(), o->out);
     return 0;
 }

@@ -226,6 +226,19 @@ int  kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera 
 int  kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce,
                    int rays, int stride, kit_error *err);
 
+/* One specular bounce: irradiance.* holds the radiance of the lobe cos^exponent [limit: 0..1e5] about the mirrored view direction, normalised over its hemisphere: each direction's nearest
+   hit at t < radius sends, with the attenuation's weight, what it sends for kit_truth_lit's bounce; nothing comes from below the surface or from elsewhere. R, G, B are albedo times it,
+   bounce is 0. Else as kit_truth_lit, whose hits' light is the noisy part. */
+int  kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, double exponent, int rays,
+                     int stride, kit_error *err);
+
+/* Multiple scattering [Jensen and Buhler 2002], the sum itself instead of their octree: irradiance.* holds M/pi = sum E A R_d / pi over samples [limit: 1..2^26] spread evenly over
+   all of the mesh, each with the irradiance E of the lights (the environment is not looked at), shadowed by the whole scene, on the side of its normals. unit: world units of the dipole's unit of length
+   [limit: > 0]. R, G, B are albedo times it, bounce is 0. Where samples are farther apart than z_r / 2 the sum is noisy. R_d from a table: to 1e-4 for z_r above 2e-3 of the bounds' diagonal.
+   Time: about 2 ns a pixel and lit sample, a core. */
+int  kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, size_t samples,
+                       int stride, kit_error *err);
+
 /* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render contract (view depth, view-space
    normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres are joined where they lie on one surface) and traced likewise. */
 int  kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);

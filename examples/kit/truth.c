@@ -209,18 +209,22 @@ static void ambient_point(const ambient *a, uint32_t i, uint32_t seed, float at[
     at[1] = (float)(scramble(a->points[i], hash(seed ^ 0x9e3779b9u)) >> 8) * (1.0f / 16777216.0f);
 }
 
-static void cosine_direction(const float n[3], const float at[2], float d[3])
+/* from a frame about n [Duff et al. 2017] */
+static void turned(const float n[3], float x, float y, float z, float d[3])
 {
-    /* a frame about n [Duff et al. 2017] */
     const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
     const float s[3] = { 1 + sign * n[0] * n[0] * k, sign * m, -sign * n[0] }, t[3] = { m, sign + n[1] * n[1] * k, -n[1] };
+    for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
+}
+
+static void cosine_direction(const float n[3], const float at[2], float d[3])
+{
     /* square to disc by rings [Shirley and Chiu 1997], disc to cosine-weighted hemisphere [Malley] */
     const float u = 2 * at[0] - 1, v = 2 * at[1] - 1;
     const int   wide = fabsf(u) > fabsf(v);
     const float ring = wide ? u : v, turn = ring != 0 ? 0.785398163f * (wide ? v / u : u / v) : 0.0f;
     const float along = ring * cosf(turn), across = ring * sinf(turn);
-    const float x = wide ? along : across, y = wide ? across : along, z = sqrtf(fmaxf(0.0f, 1 - ring * ring));
-    for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
+    turned(n, wide ? along : across, wide ? across : along, sqrtf(fmaxf(0.0f, 1 - ring * ring)), d);
 }
 
 static uint32_t object_of(const kit_mesh *mesh, uint32_t triangle) { return mesh->object ? mesh->object[triangle] : 0; }
@@ -342,6 +346,8 @@ struct truth {
     const kit_lighting *lighting;
     int                 bounce;
     float              *env_row, *env_column;   /* see env_begin; NULL = no environment */
+    double              exponent;   /* of the lobe */
+    const struct scattering *within;
 };
 
 static int truth_primary(const truth *job, int x, int y, place *at)
@@ -526,12 +532,26 @@ static void add_light(const truth *job, const place *at, const kit_light *light,
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
 }
 
+static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2], double irradiance[3], double *bounce);
+
+/* What the hit of ray number r sends back, weighted */
+static void add_sent(const truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed, double weight, int rays, double sum[3])
+{
+    const uint32_t hit_seed = hash(seed ^ 0xc2b2ae35u), shuffle = hash(seed ^ 0x27d4eb2fu);
+    const int one[2] = { job->env_row != NULL, job->env_row != NULL };
+    double light[3] = { 0 };
+    place next;
+    place_at(job->mesh, hit, d, &next);
+    gather(job, &next, hit_seed, scramble(reverse(r), shuffle) & job->ambient.mask, one, light, NULL);      /* shuffled: hits and directions from there stay independent */
+    for (int c = 0; c < 3; ++c) sum[c] += weight * (double)next.albedo[c] * light[c] / rays;
+}
+
 /* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around reflect. rays: by cosine, by environment, both from
    point first on. */
 static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2], double irradiance[3], double *bounce)
 {
     const ambient *a = &job->ambient;
-    const uint32_t env_seed = hash(seed ^ 0x85ebca6bu), hit_seed = hash(seed ^ 0xc2b2ae35u), shuffle = hash(seed ^ 0x27d4eb2fu);
+    const uint32_t env_seed = hash(seed ^ 0x85ebca6bu);
     float u[2], d[3];
     for (uint32_t r = 0; r < (uint32_t)rays[0]; ++r) {
         ssgi_hit hit;
@@ -539,14 +559,7 @@ static void gather(const truth *job, const place *at, uint32_t seed, uint32_t fi
         cosine_direction(at->n, u, d);
         const double weight = blocked(a, at->origin, d, bounce ? &hit : NULL);
         add_env(job, at->n, d, 1 - weight, rays, irradiance);
-        if (bounce && weight > 0) {
-            const int one[2] = { job->env_row != NULL, job->env_row != NULL };
-            double light[3] = { 0 };
-            place next;
-            place_at(job->mesh, &hit, d, &next);
-            gather(job, &next, hit_seed, scramble(reverse(r), shuffle) & a->mask, one, light, NULL);     /* shuffled: hits and directions from there stay independent */
-            for (int c = 0; c < 3; ++c) bounce[c] += weight * (double)next.albedo[c] * light[c] / rays[0];
-        }
+        if (bounce && weight > 0) add_sent(job, &hit, d, r, seed, weight, rays[0], bounce);
     }
     for (uint32_t r = 0; r < (uint32_t)rays[1]; ++r) {
         ambient_point(a, first + r, env_seed, u);
@@ -568,17 +581,167 @@ static void lit_pixel(const truth *job, uint32_t pixel, const place *at, float *
     }
 }
 
+/* job: pixel and what that needs */
+static int lit_run(truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+{
+    const kit_lighting *lighting = job->lighting;
+    if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
+    if (lighting->env.data && lighting->env.channels < 3) return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
+    const int failed = env_begin(job, err) || truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
+    free(job->env_row);
+    free(job->env_column);
+    return failed ? -1 : 0;
+}
+
 int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce, int rays,
                   int stride, kit_error *err)
 {
     truth job = { .pixel = lit_pixel, .lighting = lighting, .bounce = bounce };
     if (bounce != 0 && bounce != 1) return kit_fail(err, "truth: bounce %d: must be 0 or 1", bounce);
-    if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
-    if (lighting->env.data && lighting->env.channels < 3) return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
-    const int failed = env_begin(&job, err) || truth_run(&job, out, KIT_LIT_CHANNELS,
-                                                         scene, camera, radius, attenuation, rays, stride, err);
-    free(job.env_row);
-    free(job.env_column);
+    return lit_run(&job, out, scene, camera, radius, attenuation, rays, stride, err);
+}
+
+static void gloss_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
+{
+    const ambient *a = &job->ambient;
+    const uint32_t seed = hash(pixel);
+    float origin[3], toward[3], mirrored[3];
+    double sum[3] = { 0 };
+    kit_camera_ray(&job->camera, (int)(pixel % (uint32_t)job->camera.width), (int)(pixel / (uint32_t)job->camera.width), origin, toward);
+    const float along = 2 * (float)facing(at->n, toward);
+    for (int i = 0; i < 3; ++i) mirrored[i] = toward[i] - along * at->n[i];
+    for (uint32_t r = 0; r < (uint32_t)a->rays; ++r) {
+        ssgi_hit hit;
+        float u[2], d[3];
+        ambient_point(a, r, seed, u);
+        const double z = pow((double)u[0], 1 / (job->exponent + 1)), flat = sqrt(fmax(0, 1 - z * z)), turn = 2 * pi * (double)u[1];
+        turned(mirrored, (float)(flat * cos(turn)), (float)(flat * sin(turn)), (float)z, d);
+        const double weight = facing(at->n, d) > 0 ? blocked(a, at->origin, d, &hit) : 0;
+        if (weight > 0) add_sent(job, &hit, d, r, seed, weight, a->rays, sum);
+    }
+    for (int c = 0; c < 3; ++c) {
+        value[c] = (float)((double)at->albedo[c] * sum[c]);
+        value[3 + c] = (float)sum[c];
+        value[6 + c] = 0;
+    }
+}
+
+int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, double exponent, int rays,
+                    int stride, kit_error *err)
+{
+    truth job = { .pixel = gloss_pixel, .lighting = lighting, .exponent = exponent };
+    if (!(exponent >= 0 && exponent <= 1e5)) return kit_fail(err, "truth: exponent %g: must be 0..1e5", exponent);
+    return lit_run(&job, out, scene, camera, radius, attenuation, rays, stride, err);
+}
+
+/* ---- under surfaces ------------------------------------------------------------------------------------------- */
+
+enum { REFLECTANCES = 16384 };                  /* the dipole's, by distance, a table of them */
+typedef struct scattering {
+    truth  job;
+    float *area;                                /* running sum over the triangles */
+    float *sample;                              /* position, irradiance over pi: 4 each; of the lit ones alone when all are made */
+    size_t samples;
+    float  per_unit, table[REFLECTANCES][4];    /* table entries a world unit; times a sample's area; the fourth is 0 */
+} scattering;
+
+static void scatter_place(void *context, int block)
+{
+    scattering *s = context;
+    const kit_mesh *mesh = s->job.mesh;
+    const size_t first = (size_t)block << 10, end = first + 1024 < s->samples ? first + 1024 : s->samples;
+    for (size_t i = first; i < end; ++i) {
+        static const int none[2] = { 0, 0 };
+        float u[2];
+        ssgi_r2((uint32_t)i, u);
+        const float root = sqrtf(u[0]);
+        const ssgi_hit hit = { .triangle = (uint32_t)pick(s->area, (int)mesh->triangles, (float)(((double)i + 0.5) / (double)s->samples)), .u = root * (1 - u[1]), .v = root * u[1] };
+        const float *n = mesh->normal + 9 * (size_t)hit.triangle;
+        float *sample = s->sample + 8 * i, inward[3];
+        double light[3] = { 0 };
+        place p;
+        for (int k = 0; k < 3; ++k) inward[k] = -n[k] - n[3 + k] - n[6 + k];
+        place_at(mesh, &hit, inward, &p);
+        gather(&s->job, &p, 0, 0, none, light, NULL);
+        memcpy(sample, p.origin, sizeof p.origin);
+        for (int c = 0; c < 3; ++c) sample[4 + c] = (float)light[c];
+    }
+}
+
+static void scatter_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
+{
+    const scattering *s = job->within;
+    double all[3] = { 0 };
+    (void)pixel;
+    for (size_t i = 0; i < s->samples;) {
+        float sum[4] = { 0, 0, 0, 0 };
+        for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {    /* few at a time: sums of floats */
+            const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1], z = p[2] - at->origin[2];
+            const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];     /* none is farther than the bounds' diagonal */
+            for (int c = 0; c < 4; ++c) sum[c] += p[4 + c] * (a[c] + t * (a[4 + c] - a[c]));
+        }
+        for (int c = 0; c < 3; ++c) all[c] += (double)sum[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        value[c] = (float)((double)at->albedo[c] * all[c]);
+        value[3 + c] = (float)all[c];
+        value[6 + c] = 0;
+    }
+}
+
+static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, kit_error *err)
+{
+    const kit_mesh *mesh = &scene->mesh;
+    double area = 0, diagonal = 0;
+    void *memory = NULL;
+    s->samples = samples;
+    s->area = calloc(mesh->triangles + 1, sizeof *s->area);
+    s->sample = calloc(8 * samples, sizeof *s->sample);
+    if (!s->area || !s->sample) return kit_fail(err, "truth: no memory for %zu samples", samples);
+    for (size_t t = 0; t < mesh->triangles; ++t) {
+        const float *p = mesh->position + 9 * t;
+        double e[3], f[3], n[3];
+        for (int k = 0; k < 3; ++k) {
+            e[k] = (double)p[3 + k] - (double)p[k];
+            f[k] = (double)p[6 + k] - (double)p[k];
+        }
+        cross(e, f, n);
+        s->area[t + 1] = (float)(0.5 * sqrt(dot(n, n)));
+    }
+    area = accumulate(s->area, (int)mesh->triangles) * (double)mesh->triangles;
+    for (int k = 0; k < 3; ++k) diagonal += ((double)mesh->upper[k] - (double)mesh->lower[k]) * ((double)mesh->upper[k] - (double)mesh->lower[k]);
+    diagonal = sqrt(diagonal);
+    s->per_unit = (float)((REFLECTANCES - 2) / diagonal);
+    for (int k = 0; k < REFLECTANCES; ++k)
+        for (int c = 0; c < 3; ++c) s->table[k][c] = (float)(ssgi_dipole_reflectance(dipole, c, k / (double)s->per_unit / (double)unit) / ((double)unit * (double)unit) * area / (double)samples);
+    s->job.scene = scene;
+    s->job.mesh = mesh;
+    s->job.lighting = lighting;
+    if (trace_new(&s->job.ambient.trace, &memory, mesh->position, NULL, mesh->triangles, "truth", err)) return -1;
+    kit_parallel("irradiance", (int)((samples + 1023) >> 10), scatter_place, s);
+    free(memory);
+    s->samples = 0;
+    for (size_t i = 0; i < samples; ++i) {                     /* dark ones send nothing */
+        const float *from = s->sample + 8 * i;
+        if (from[4] + from[5] + from[6] > 0) memmove(s->sample + 8 * s->samples++, from, 8 * sizeof *from);
+    }
+    return 0;
+}
+
+int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, size_t samples,
+                      int stride, kit_error *err)
+{
+    truth job = { .pixel = scatter_pixel, .lighting = lighting };
+    scattering *s = calloc(1, sizeof *s);
+    int failed = 0;
+    if (samples < 1 || samples > 1u << 26 || !(unit > 0)) failed = kit_fail(err, "truth: %zu samples, unit %g: must be 1..2^26, above 0", samples, (double)unit);
+    else if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) failed = kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
+    else if (!s) failed = kit_fail(err, "truth: out of memory");
+    else failed = scatter_begin(s, samples, scene, lighting, dipole, unit, err);
+    job.within = s;
+    failed = failed || truth_run(&job, out, KIT_LIT_CHANNELS, scene, camera, INFINITY, KIT_ATTENUATION_NONE, 1, stride, err);
+    if (s) { free(s->area); free(s->sample); }
+    free(s);
     return failed ? -1 : 0;
 }
 
