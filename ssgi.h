@@ -395,7 +395,7 @@ typedef struct ssgi_surfel_desc {
     int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
     int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
     float aside;                    /* [units: radii per distance] [limit: 0..1] [default: 0.1]  how much surfels grow with their distance from what the camera sees: nothing near them is shaded; below 1e-3: not, as published */
-    int   every;                    /* [limit: 0..1]  0: of triangles smaller than 3 surfels a share is taken, enlarged to the wanted radius: cost and reach no longer follow how fine a mesh is; 1: all, as published */
+    int   every;                    /* [limit: 0..1]  0: triangles smaller than 3 surfels give a share of them, as large as wanted: cost and reach no longer follow how fine a mesh is; 1: all three, as published */
     float most;                     /* [units: view] [limit: >= 0] [default: no end]  triangles farther than this from what the camera sees give no surfels: a radius of occlusion */
 } ssgi_surfel_desc;
 
@@ -2162,7 +2162,7 @@ typedef struct ssgi__surfel_maker {
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
     double area, radius;
-    int    level;
+    int    level, alive, count;         /* alive: bits of a triangle's three points at level 1; count: of surfels */
     uint32_t key;
 } ssgi__patch;
 
@@ -2251,7 +2251,10 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
-    if ((double)(p->key * 0x9e3779b9u >> 8) / 16777216.0 >= share) return 0;      /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    for (c = 0, p->alive = 0; c < 3; ++c)            /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+        if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
+    if (!p->alive) return 0;
+    p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
     for (c = 0; c < 3; ++c) {
         double d[3];
         for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
@@ -2390,13 +2393,15 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         if (splits > m.desc.splits) splits = m.desc.splits;
         for (part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
-            if (n >= capacity) { n += (size_t)ssgi_tess_count(p.level); continue; }
+            if (n >= capacity) { n += (size_t)p.count; continue; }
             for (ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
-                for (i = 0; i < points; ++i, ++n) {
+                for (i = 0; i < points; ++i) {
                     int place[3];
+                    if (p.level == 1 && !(p.alive >> i & 1)) continue;
                     ssgi__tess_lattice(place, segments, i);
                     if (n < capacity) ssgi__surfel_point(&out[n], &m, &p, ring, place);
+                    ++n;
                 }
             }
         }
@@ -2525,8 +2530,8 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
             float centre[3];
             if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
             for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
-            cost->surfels += (size_t)ssgi_tess_count(p.level);
-            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, ssgi_tess_count(p.level));
+            cost->surfels += (size_t)p.count;
+            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, p.count);
         }
     }
     return SSGI_OK;

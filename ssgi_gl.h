@@ -58,7 +58,7 @@
       In your own forward shader: ssgi_gl_field, the same functions as text
 
    DEEP SCREEN SPACE, which sees what the picture does not; all levels lie below each other in textures of frame.level[0] x (levels * frame.level[1])
-      surfels    ssgi_surfels on the CPU, or this pass: rasteriser discarded, transform feedback of its CAPTURE rows, interleaved, is ssgi_surfel[]. With tessellate patches of 3 vertices, instanced
+      surfels    ssgi_surfels on the CPU, or this pass: rasteriser discarded, transform feedback of its CAPTURE rows, interleaved, is ssgi_surfel[] (some of radius 0 among them: at most two for each of ssgi_surfels'). With tessellate patches of 3 vertices, instanced
                  splits * splits times; without it a point a surfel, whose light it brings up to date
       shuffle    over the texture of all levels, once a picture
       splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
@@ -315,7 +315,7 @@ typedef struct ssgi_gl_frame {
     float   more[2];        /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
     float   front;          /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the nearest depth seen, of the last frame, say, saves most of what stands around the eye */
     float   gap_;
-    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what it sends */
+    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what it sends (times the lobe's peak): a tenth of what counts as bright */
     float   exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];       /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
@@ -2353,7 +2353,9 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
     "    float discs = area / (3.14159265 * r * r), share = u_ssgi_more.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
-    "    empty = empty || float((key * 2654435769u) >> 8) / 16777216.0 >= share; // another stands for it\n"
+    "    int alive = 0; // of a small triangle's three points: others stand for the rest\n"
+    "    for (int i = 0; i < 3; ++i) if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
+    "    empty = empty || alive == 0;\n"
     "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
     "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // together they have the area\n"
     "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
@@ -2362,7 +2364,7 @@ static const ssgi_gl__chunk ssgi_gl__patch_control = { __LINE__ + 1, SSGI_GL__TE
     "    v_ssgi_corner[gl_InvocationID] = centre + inset * (at[gl_InvocationID] - centre);\n"
     "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
     "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
-    "    v_ssgi_patch = vec4(r, level, key >> 16, key & 65535u);\n"
+    "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
     "}\n" };
@@ -2409,7 +2411,7 @@ static const ssgi_gl__chunk ssgi_gl__nothing = { __LINE__ + 1, 0,
     "{\n"
     "}\n" };
 static const ssgi_gl__chunk ssgi_gl__patch_kept = { __LINE__ + 1, SSGI_GL__TESSELLATED,
-    "    v_ssgi_surfel0 = vec4(P, v_ssgi_patch.x);\n"
+    "    v_ssgi_surfel0 = vec4(P, v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u ? v_ssgi_patch.x : 0.0); // radius 0 reaches nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
     "}\n" };
@@ -2485,7 +2487,7 @@ static const ssgi_gl__chunk ssgi_gl__shell_hides = { __LINE__ + 1, SSGI_GL__HIDE
 static const ssgi_gl__chunk ssgi_gl__shell_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
     SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
-    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z)) * 0.5 * (u_ssgi_exponent + 1.0)", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
     SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_weighted = { __LINE__ + 1, SSGI_GL__WEIGHTED,
@@ -2894,7 +2896,7 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 #define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
 #define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
-#define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__level_row
+#define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__exponent, &ssgi_gl__level_row
 static const ssgi_gl__chunk *const ssgi_gl__nothing_chunks[] = { &ssgi_gl__nothing, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__patch_vertex_chunks[] = { &ssgi_gl__patch_vertex, NULL };
 static const ssgi_gl__row *const ssgi_gl__patch_vertex_rows[] = { &ssgi_gl__mesh_row, &ssgi_gl__in_position, &ssgi_gl__in_normal, &ssgi_gl__in_colour, NULL };

@@ -763,7 +763,8 @@ static void three_ways(void)
         if (row[m].orthographic) { c.fovy = 0; c.ortho_height = 1; }
         for (int k = 0; k < 3; ++k) if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", ways[k], 0.6f, NULL) || !drawn(&out[k], &d[k].run)) return;
         ssgi_surfel *s[2] = { held(&d[0], 0), held(&d[1], 1) };
-        const size_t n[2] = { d[0].run.surfels, d[1].run.surfels };
+        size_t n[2] = { d[0].run.surfels, 0 };
+        for (size_t p = 0; p < d[1].run.surfels; ++p) if (s[1][p].radius > 0) s[1][n[1]++] = s[1][p];     /* what others stand for has radius 0 */
         size_t i = 0, k = 0, same = 0;
         double worst = 0;
         for (int a = 0; a < 2; ++a) qsort(s[a], n[a], sizeof *s[a], by_seed);

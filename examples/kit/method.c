@@ -91,6 +91,8 @@ static const row casters_row   = { { "casters", "objects that are solid and hold
 
 static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 }, PLAN, 0 };
 static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
+static const row deep_epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
+static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row levels_row    = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
 static const row near_row      = { { "closely", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(closely) };
@@ -120,7 +122,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every) &size_row, &epsilon_row, &levels_row, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
@@ -138,10 +140,10 @@ static const plan plans[] = {
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
     { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
-    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&every_row), &hard_row } },
-    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&every_row), LIT_SURFELS } },
-    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&every_row), LIT_SURFELS, &exponent_row } },
-    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS(&each_row), LIT_SURFELS, &material_row, &unit_row } },
+    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), &hard_row } },
+    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), LIT_SURFELS } },
+    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
+    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), LIT_SURFELS, &material_row, &unit_row } },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
       { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &casters_row, &normal_row } }
 };
@@ -1193,7 +1195,7 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
     else run->buffers[0] = buffer_of(surfels, (run->surfels + 1) * sizeof *surfels);
     run->arrays[0] = array_of(run->buffers[0], 3, way ? 3 : 4, way ? 0 : 1);
-    if (way == 1 || lit) run->buffers[1] = buffer_of(NULL, (run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
+    if (way == 1 || lit) run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
     free(vertices);
     free(surfels);
     m->gather.tessellate = way > 0;
