@@ -421,6 +421,11 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, still, splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
 
+/* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the horizon, into four and again, ten times at most; drops what is farther aside than desc->most. Others stay
+   as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most
+   capacity triangles, and to *count how many there are. */
+SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
    give none. seed depends on the numbers of the triangle's vertices and the place in it alone. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
@@ -2407,6 +2412,75 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         }
     }
     *count = n;
+    return SSGI_OK;
+}
+
+typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capacity, count; } ssgi__divider;
+
+static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
+{
+    ssgi__surfel_maker *m = &d->maker;
+    ssgi_surfel_source one = *m->source;
+    ssgi__surfel_maker sub = *m;
+    ssgi__patch p;
+    double middle[3], extent = 0.0, aside, r, wide;
+    int c, i, k;
+    one.position = v;
+    one.normal = one.colour = NULL;
+    one.position_stride = 36;
+    one.index = NULL;
+    sub.source = &one;
+    if (!ssgi__surfel_triangle(&p, &sub, 0)) return;
+    for (i = 0; i < 3; ++i) middle[i] = (p.at[0][i] + p.at[1][i] + p.at[2][i]) / 3.0;
+    for (c = 0; c < 3; ++c) {
+        double e[3];
+        for (i = 0; i < 3; ++i) e[i] = p.at[c][i] - middle[i];
+        wide = sqrt(ssgi__dot(e, e));
+        if (wide > extent) extent = wide;
+    }
+    aside = ssgi_view_aside(m->view, middle) - extent;
+    if (m->desc.most > 0.0f && aside > (double)m->desc.most) return;
+    r = ssgi__nearest(&p);
+    if (r >= 0.0 && r < m->scale[1]) r = m->scale[1];
+    r = ssgi__surfel_radius(m->scale, m->view->orthographic, r) + (aside > 0.0 ? (double)m->desc.aside * aside : 0.0);
+    if (depth == 10 || p.area <= 3.14159265358979323846 * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
+        if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
+        ++d->count;
+        return;
+    }
+    for (c = 0; c < 4; ++c) {
+        float child[27];
+        for (k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
+            for (i = 0; i < 9; ++i) child[9 * k + i] = 0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
+        ssgi__surfel_divide(d, child, depth + 1);
+    }
+}
+
+SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+{
+    ssgi__divider d;
+    size_t t;
+    ssgi_result result = ssgi__surfel_open(&d.maker, desc, view, source, why);
+    if (result != SSGI_OK) return result;
+    if (!count) return ssgi__bad(why, "count: must not be NULL");
+    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
+    d.out = out;
+    d.capacity = capacity;
+    d.count = 0;
+    for (t = 0; t < source->triangles; ++t) {
+        float v[27];
+        size_t c, k;
+        for (c = 0; c < 3; ++c) {
+            const size_t i = source->index ? source->index[3 * t + c] : 3 * t + c;
+            const float *part[3];
+            part[0] = (const float *)(const void *)((const char *)source->position + i * (source->position_stride ? source->position_stride : 12));
+            part[1] = source->normal ? (const float *)(const void *)((const char *)source->normal + i * (source->normal_stride ? source->normal_stride : 12)) : NULL;
+            part[2] = source->colour ? (const float *)(const void *)((const char *)source->colour + i * (source->colour_stride ? source->colour_stride : 12)) : NULL;
+            for (k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
+        }
+        ssgi__surfel_divide(&d, v, 0);
+    }
+    *count = d.count;
     return SSGI_OK;
 }
 

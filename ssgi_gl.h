@@ -204,7 +204,7 @@ typedef struct ssgi_gl_desc {
     int shading;            /* shade   SSGI_GL_SHADING_HARMONICS .. */
     int lamps;              /* shade   [limit: 0..1]  1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors; a POINT is a sphere of radius `least` */
     int albedo;             /* shade   [limit: 0..1]  1: writes outgoing radiance; 0: irradiance over pi */
-    int two_sided;          /* ssdo, s3ho   [limit: 0..1]  1: senders shine from both sides; 0: only toward their normal */
+    int two_sided;          /* ssdo, s3ho   [limit: 0..1]  1: senders shine from both sides; 0: only toward their normal. splat   the same of surfels, which occlude so, too: 1 for sheets and leaves, 0 for what is closed */
     int shadow;             /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;         /* lights   [limit: 0..1]  1: adds to t_ssgi_light, what an earlier pass wrote */
     int radiance;           /* senders   SSGI_GL_RADIANCE_LIGHT .. */
@@ -506,6 +506,7 @@ extern "C" {
 /* word 1, light */
 #define SSGI_GL__E_LIT           SSGI_GL__OWN(1, 0) /* ssdo, s3ho: an environment lights; by look-ups */
 #define SSGI_GL__E_MAP           SSGI_GL__OWN(1, 2)
+#define SSGI_GL__BY_ONE          SSGI_GL__OWN(1, 1) /* splat: the reach is that of a form factor alone */
 #define SSGI_GL__SOLID_ANGLE     SSGI_GL__OWN(1, 4) /* bounce */
 #define SSGI_GL__AREA            SSGI_GL__OWN(1, 5) /* PATCH or DISC */
 #define SSGI_GL__PATCH           SSGI_GL__OWN(1, 6)
@@ -2472,7 +2473,7 @@ static const ssgi_gl__chunk ssgi_gl__unshuffle_colour = { __LINE__ + 1, SSGI_GL_
     "flat out float v_ssgi_end; // outer^2\n" \
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) // texels, empty where nothing is reached\n" \
     "{\n" \
-    "    float most = " one ", reach = " reach ", block = exp2(float(l));\n" \
+    one "    float reach = " reach ", block = exp2(float(l));\n" \
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n" \
     "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n" \
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n" \
@@ -2480,16 +2481,14 @@ static const ssgi_gl__chunk ssgi_gl__unshuffle_colour = { __LINE__ + 1, SSGI_GL_
     "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n" \
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // by chance: what is by turns follows the tessellator's order\n" \
     "    vec2 from = vec2((ivec2(seed, seed >> 8) & mask) * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-static const ssgi_gl__chunk ssgi_gl__shell_one = { __LINE__ + 1, SSGI_GL__OCCLUDES,
-    SSGI_GL__SHELL_HEAD("1.0", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
-static const ssgi_gl__chunk ssgi_gl__shell_hides = { __LINE__ + 1, SSGI_GL__HIDES,
-    SSGI_GL__SHELL_HEAD("1.0", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_hides = { __LINE__ + 1, SSGI_GL__BY_ONE,
+    SSGI_GL__SHELL_HEAD("", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
-    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z));\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
-    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z)) * 0.5 * (u_ssgi_exponent + 1.0)", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z)) * 0.5 * (u_ssgi_exponent + 1.0);\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
-    SSGI_GL__SHELL_HEAD("max(sent.x, max(sent.y, sent.z))", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z));\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
 static const ssgi_gl__chunk ssgi_gl__shell_weighted = { __LINE__ + 1, SSGI_GL__WEIGHTED,
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n" };
@@ -2542,8 +2541,11 @@ static const ssgi_gl__chunk ssgi_gl__splat_normal = { __LINE__ + 1, SSGI_GL__FOR
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    n.xy -= vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0) * max(-n.z, 0.0);\n"
     "    n *= inversesqrt(dot(n, n));\n"
-    "    float near = dot(v, n), away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w, form = max(near, 0.0) / (max(dd, 1e-30) * (dd + rr));\n"
+    "    float near = dot(v, n), away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w, form = max(near, 0.0) / (max(dd, 1e-30) * (dd + rr));\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_front = { __LINE__ + 1, SSGI_GL__ONE_SIDED,
     "    if (!(away > 0.0)) discard; // fronts alone: backs would count what is closed twice\n" };
+static const ssgi_gl__chunk ssgi_gl__splat_both = { __LINE__ + 1, SSGI_GL__TWO_SIDED,
+    "    away = abs(away);\n" };
 static const ssgi_gl__chunk ssgi_gl__splat_near = { __LINE__ + 1, SSGI_GL__NEAR | SSGI_GL__FORM,
     "    if (dd < 16.0 * rr) { // the disc as smaller ones, which may rise above the horizon where its centre does not\n"
     "        vec3 m = v_ssgi_turned.xyz, a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
@@ -2894,7 +2896,7 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 /* The shading of surfels is the loop of lights over their own points. */
 #define SSGI_GL__SENT   &ssgi_gl__map_far, &ssgi_gl__octahedron_open, &ssgi_gl__open, &ssgi_gl__shadow_map, &ssgi_gl__surfel_lit, &ssgi_gl__surfel_lit_open, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_map, &ssgi_gl__lights_tail, &ssgi_gl__surfel_lit_end
 #define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
-#define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_one, &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
+#define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
 #define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__exponent, &ssgi_gl__level_row
 static const ssgi_gl__chunk *const ssgi_gl__nothing_chunks[] = { &ssgi_gl__nothing, NULL };
@@ -2917,7 +2919,7 @@ static const ssgi_gl__row *const ssgi_gl__splat_vertex_rows[] = { SSGI_GL__SHELL
 static const ssgi_gl__chunk *const ssgi_gl__splat_geometry_chunks[] = { &ssgi_gl__splat_geometry_in, SSGI_GL__SHELL, &ssgi_gl__splat_geometry, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_geometry_rows[] = { SSGI_GL__SHELL_ROWS, NULL };
 static const ssgi_gl__chunk *const ssgi_gl__splat_chunks[] = {
-    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron_map, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_near, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
+    SSGI_GL__PROJECTIONS(toward), &ssgi_gl__octahedron_map, &ssgi_gl__environment, &ssgi_gl__splat_head, &ssgi_gl__splat_normal, &ssgi_gl__splat_front, &ssgi_gl__splat_both, &ssgi_gl__splat_near, &ssgi_gl__splat_form, &ssgi_gl__splat_soft, &ssgi_gl__splat_occludes,
     &ssgi_gl__splat_hides, &ssgi_gl__splat_brings, &ssgi_gl__splat_mirrors, &ssgi_gl__splat_scatters, NULL };
 static const ssgi_gl__row *const ssgi_gl__splat_rows[] = {
     &ssgi_gl__c_near, &ssgi_gl__soft_radius, &ssgi_gl__rotation, &ssgi_gl__dipole_row, &ssgi_gl__exponent, &ssgi_gl__shuffled_tex, &ssgi_gl__map_tex, &ssgi_gl__levels_out, &ssgi_gl__levels4_out, NULL };
@@ -3244,6 +3246,8 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
             ssgi_gl__add(&s, SSGI_GL__I_MAP);
             f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;
         }
+        if (splat && d->effect != SSGI_GL_EFFECT_SCATTER) ssgi_gl__add(&s, d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED);
+        if (splat && d->effect <= SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__BY_ONE);
         if (splat && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__E_MAP);
         if (d->pass == SSGI_GL_SUM && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__I_MAP);
         if ((splat || d->pass == SSGI_GL_SUM) && d->effect == SSGI_GL_EFFECT_LIGHT) f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;

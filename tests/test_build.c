@@ -131,7 +131,7 @@ static const char *const deep_rooms =
     "    source.triangles = 1;\n"
     "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > 0.0f) || !(ssgi_view_aside(&v, far_) > 0.0);\n"
     "    bad += ssgi_tess_count(1) != 3 || ssgi_tess_points(uvw, 1) != 3 || ssgi_tess_level(1.0, 1.0) != 1 || !(ssgi_surfel_radius(&v, 0.02, 1.0) > 0.0);\n"
-    "    bad += ssgi_surfel_scale(scale, more, &desc, &v, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_surfel_scale(scale, more, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, &desc, &v, &source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
     "    bad += ssgi_surfels(surfel, 64, &n, &desc, &v, &source, NULL) != SSGI_OK || n < 1 || n > 64 || !(ssgi_surfel_form_factor(surfel, o, back) > 0.0f);\n"
     "    ssgi_surfel_shell(shell, ssgi_surfel_reach(1.0, 1.0, 0.1), 1, 9.0);\n"
     "    bad += !(shell[1] > shell[0]) || !ssgi_sphere_bounds(bounds, &v, surfel[0].position, 0.1f, 0.1f);\n"

@@ -725,7 +725,7 @@ static void off(void)
             { "t_ssgi_shuffled", splat }, { "u_ssgi_level", shuffle || levels || sum }, { "t_ssgi_levels", unshuffle || smooth || sum }, { "float o_ssgi_levels", levels && !effect },
             { "vec4 o_ssgi_levels", levels && effect }, { "SSGI_LEVELS", splat || sum }, { "SSGI_AXIS", smooth }, { "dot(n, ssgi_normal(p", smooth && d->filter_normals }, { "u_ssgi_epsilon", splat },
             { "ssgi_shell(", splat }, { "most / u_ssgi_epsilon", splat && effect > SSGI_GL_EFFECT_LIGHT }, { "at.w * at.w * block", splat && d->enlarge }, { "vec4(turned.xyz, block", splat && !d->enlarge },
-            { "v_ssgi_at.w, form", form && splat }, { "float form", form && sum }, { "SSGI_NEAR", form && splat && d->closely > 1 }, { "form *= max", splat && !effect && !d->hard }, { "form * vec4(v_ssgi_sent", splat && effect == SSGI_GL_EFFECT_BOUNCE }, { "u_ssgi_exponent", splat && effect == SSGI_GL_EFFECT_SPECULAR },
+            { "v_ssgi_at.w, form", form && splat }, { "float form", form && sum }, { "fronts alone", form && splat && !d->two_sided }, { "away = abs(away)", form && splat && d->two_sided }, { "SSGI_NEAR", form && splat && d->closely > 1 }, { "form *= max", splat && !effect && !d->hard }, { "form * vec4(v_ssgi_sent", splat && effect == SSGI_GL_EFFECT_BOUNCE }, { "u_ssgi_exponent", splat && effect == SSGI_GL_EFFECT_SPECULAR },
             { "u_ssgi_dipole", splat && !form }, { "ssgi_once(", sum && form }, { "1.0 / max(form", sum && form && d->overlap }, { "o_ssgi_specular", sum && effect == SSGI_GL_EFFECT_SPECULAR },
             { "o_ssgi_scatter", sum && !form } };
         source_of(text, d, PROGRAM);

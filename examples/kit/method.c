@@ -98,6 +98,7 @@ static const row way_row       = { { "way", "surfels made on the CPU, captured f
 static const row near_row      = { { "closely", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(closely) };
 static const row aside_row     = { { "aside", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
 static const row front_row     = { { "front", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row both_row      = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
 static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row each_row      = { { "every", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
@@ -122,7 +123,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
@@ -1068,33 +1069,35 @@ static GLuint buffer_of(const void *data, size_t size)
     return buffer;
 }
 
-/* The scene's triangles for patches, 9 floats a vertex: small ones first, then those that ask for splits. */
+/* The scene's triangles for patches, 9 floats a vertex, huge ones divided: small ones first, then those that ask for splits. NULL: no memory. */
 static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view, const float picture[16], int grey, int patches[2])
 {
     const kit_mesh *mesh = &scene->mesh;
     const ssgi_splat splat = { 0 };
-    float *vertices = malloc(27 * mesh->triangles * sizeof *vertices);
-    unsigned char *large = malloc(mesh->triangles + 1);
-    size_t n = 0;
-    patches[0] = patches[1] = 0;
-    for (size_t t = 0; t < mesh->triangles && vertices && large; ++t) {
-        ssgi_surfel_cost cost = { 0 };
-        ssgi_surfel_source source = { .position = mesh->position + 9 * t, .triangles = 1 };
-        memcpy(source.to_view, picture, sizeof source.to_view);
-        ssgi_surfels_predict(&cost, d, &splat, view, &source, NULL);
-        large[t] = cost.splits > 1;
-        ++patches[large[t]];
+    ssgi_surfel_source source = { .position = mesh->position, .normal = mesh->normal, .triangles = mesh->triangles };
+    float *colour = malloc((9 * mesh->triangles + 1) * sizeof *colour), *divided = NULL, *sorted = NULL;
+    size_t count = 0, n[2] = { 0, 0 };
+    for (size_t i = 0; colour && i < 9 * mesh->triangles; ++i) colour[i] = grey ? 1 : mesh->albedo[i / 9 * 3 + i % 3];
+    source.colour = colour;
+    memcpy(source.to_view, picture, sizeof source.to_view);
+    if (colour && ssgi_surfels_divide(NULL, 0, &count, d, view, &source, NULL) == SSGI_OK) {
+        divided = malloc((27 * count + 1) * sizeof *divided);
+        sorted = malloc((27 * count + 1) * sizeof *sorted);
+        if (divided) ssgi_surfels_divide(divided, count, &count, d, view, &source, NULL);
     }
-    for (int group = 0; group < 2 && vertices && large; ++group)
-        for (size_t t = 0; t < mesh->triangles; ++t)
-            for (size_t k = 0; k < 3 && large[t] == group; ++k, ++n) {
-                memcpy(vertices + 9 * n, mesh->position + 9 * t + 3 * k, 3 * sizeof *vertices);
-                memcpy(vertices + 9 * n + 3, mesh->normal + 9 * t + 3 * k, 3 * sizeof *vertices);
-                for (size_t c = 0; c < 3; ++c) vertices[9 * n + 6 + c] = grey ? 1 : mesh->albedo[3 * t + c];
-            }
-    if (!large) { free(vertices); vertices = NULL; }
-    free(large);
-    return vertices;
+    for (size_t t = 0; t < count && divided && sorted; ++t) {      /* large ones from the end on */
+        ssgi_surfel_cost cost = { 0 };
+        ssgi_surfel_source one = { .position = divided + 27 * t, .position_stride = 36, .triangles = 1 };
+        memcpy(one.to_view, picture, sizeof one.to_view);
+        ssgi_surfels_predict(&cost, d, &splat, view, &one, NULL);
+        const int large = cost.splits > 1;
+        memcpy(sorted + 27 * (large ? count - ++n[1] : n[0]++), divided + 27 * t, 27 * sizeof *sorted);
+    }
+    for (int k = 0; k < 2; ++k) patches[k] = (int)n[k];
+    if (!divided) { free(sorted); sorted = NULL; }
+    free(divided);
+    free(colour);
+    return sorted;
 }
 
 /* splat .. sum of one effect; *out: what comes out. */
@@ -1183,7 +1186,7 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     }
     vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
     for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
-        ssgi_surfel_source source = { .position = vertices, .normal = vertices + 3, .colour = vertices + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = scene->mesh.triangles };
+        ssgi_surfel_source source = { .position = vertices, .normal = vertices + 3, .colour = vertices + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = (size_t)(patches[0] + patches[1]) };
         memcpy(source.to_view, picture, sizeof source.to_view);
         if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
         failed = (pass && !surfels) || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
