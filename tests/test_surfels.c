@@ -511,6 +511,56 @@ static void predictions(void)
     }
 }
 
+/* A ground of 2 km from the eye to the horizon, and a small triangle: the ground is divided until parts suffice, or near the eye ten times; areas stay, and what is far aside is dropped. */
+static void divided(void)
+{
+    static const float ground[27] = { -1000, 0, -1000, -1000, 0, 1000, 1000, 0, -1000, 1000, 0, -1000, -1000, 0, 1000, 1000, 0, 1000, 0, 1, 0, 0.5f, 1, 0, 0, 1.5f, 0 };
+    const kit_camera c = { .eye = { 0, 2, 6 }, .up = { 0, 1, 0 }, .fovy = 50, .znear = 0.1f, .zfar = 3000, .width = 160, .height = 90 };
+    ssgi_surfel_source source = source_of(ground, 3);
+    ssgi_surfel_desc d = { .size = 0.03f, .splits = 8 };
+    ssgi_view view;
+    float projection[16], *out;
+    const char *why = "";
+    size_t n = 0, all = 0, again = 0;
+    double area = 0;
+    int wants = 0, seen = 0;
+    if (!view_of(&view, &c, 0)) return;
+    kit_camera_matrices(&c, source.to_view, projection);
+    CHECK(ssgi_surfels_divide(NULL, 0, &all, &d, &view, &source, NULL) == SSGI_OK && all > 100 && all < 20000, "%zu triangles", all);
+    out = calloc(27 * all + 27, sizeof *out);
+    if (!out) return;
+    CHECK(ssgi_surfels_divide(out, all / 2, &again, &d, &view, &source, NULL) == SSGI_OK && again == all && out[27 * (all / 2)] == 0 && out[27 * (all / 2) + 8] == 0, "capacity");
+    ssgi_surfels_divide(out, all, &again, &d, &view, &source, NULL);
+    for (size_t t = 0; t < all; ++t) {
+        const float *v = out + 27 * t;
+        ssgi_surfel_source part = source;
+        ssgi_surfel_cost cost;
+        const ssgi_splat splat = { 0 };
+        const double x[2] = { (double)(v[9] - v[0]), (double)(v[18] - v[0]) }, z[2] = { (double)(v[11] - v[2]), (double)(v[20] - v[2]) };
+        part.position = v;
+        part.position_stride = 36;
+        part.triangles = 1;
+        double middle[3];
+        for (int k = 0; k < 3; ++k) {
+            middle[k] = (double)source.to_view[12 + k];
+            for (int j = 0; j < 9; ++j) middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
+        }
+        seen += ssgi_view_aside(&view, middle) <= 0;
+        if (t + 1 < all) area += 0.5 * fabs(x[0] * z[1] - x[1] * z[0]);
+        ssgi_surfels_predict(&cost, &d, &splat, &view, &part, NULL);
+        wants += cost.splits > 8 && ssgi_view_aside(&view, middle) <= 0;
+    }
+    CHECK(fabs(area / 4e6 - 1) < 1e-5, "the ground has %.7g of its area", area / 4e6);
+    CHECK(wants == 0 && seen > 20, "%d of the %d in the picture still want more parts", wants, seen);
+    CHECK(!memcmp(out + 27 * (all - 1), ground + 18, 12) && out[27 * (all - 1) + 9] == 0.5f && out[27 * all - 3] == 1, "the small triangle is another");
+    d.most = 1;
+    CHECK(ssgi_surfels_divide(NULL, 0, &n, &d, &view, &source, NULL) == SSGI_OK && n < all && n > 10, "%zu of %zu near what is seen", n, all);
+    again = 7;
+    CHECK(ssgi_surfels_divide(NULL, 1, &again, &d, &view, &source, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "out", 3) && again == 7, "%s", why);
+    t_note("a ground of 2 triangles becomes %zu, %d of them in the picture, %zu within 1 of it", all - 1, seen, n - 1);
+    free(out);
+}
+
 static void dipoles(void)
 {
     static const struct { const char *name; int channel; double total, at[5]; } row[] = {
@@ -1151,6 +1201,7 @@ void test_surfels(void)
     RUN("bounds of spheres hold what is deeper than the front, and no more", bounds);
     RUN("surfels are as large on the screen as asked for", radii);
     RUN("predicted surfels are exact, pixels near", predictions);
+    RUN("huge triangles are divided, small ones stay", divided);
     RUN("dipoles as published; a plane of them sums to its total", dipoles);
     RUN("bad arguments are named and nothing is written", refusals);
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
