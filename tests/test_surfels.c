@@ -1090,7 +1090,7 @@ static void overlap(void)
 static void scattering(void)
 {
     enum { ROW = 200 };
-    static const struct { const char *name; int number; double unit; } row[2] = { { "skin1", 8, 0.05 }, { "marble", 5, 0.02 } };
+    static const struct { const char *name; int number; double unit, uneven; } row[2] = { { "skin1", 8, 0.05, 0.05 }, { "marble", 5, 0.02, 0.18 } };
     static ssgi_surfel s[ROW * ROW];
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
@@ -1110,7 +1110,11 @@ static void scattering(void)
             static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
             const double is = mean(&out, names[k]), total = ssgi_dipole_total(&dipole, k);
             CHECK(fabs(is / total - 1) < 0.01, "%s %s: %.4f, %.4f expected", row[m].name, names[k], is, total);
-            if (!k) t_note("%s, red: %.4f of %.4f", row[m].name, is, total);
+            double uneven = 0;
+            for (int i = 0; i < 48 * 48; ++i) uneven += pow((double)kit_image_channel(&out, names[k])[i] / is - 1, 2) / (48 * 48);
+            uneven = sqrt(uneven);
+            CHECK(uneven < row[m].uneven, "%s %s: uneven by %.3f: surfels show", row[m].name, names[k], uneven);
+            if (!k) t_note("%s, red: %.4f of %.4f, even to %.3f", row[m].name, is, total, uneven);
         }
         kit_image_free(&out);
         surface(&d);
