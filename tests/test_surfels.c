@@ -1090,7 +1090,7 @@ static void overlap(void)
 static void scattering(void)
 {
     enum { ROW = 200 };
-    static const struct { const char *name; int number; double unit, uneven; } row[2] = { { "skin1", 8, 0.05, 0.05 }, { "marble", 5, 0.02, 0.18 } };
+    static const struct { const char *name; int number; double unit, uneven; } row[2] = { { "skin1", 8, 0.05, 0.15 }, { "marble", 5, 0.02, 0.18 } };
     static ssgi_surfel s[ROW * ROW];
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
