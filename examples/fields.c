@@ -157,14 +157,7 @@ static int desc_of(ssgi_field_desc *d, const char *settings, kit_error *err)
 {
     kit_method m;
     if (kit_method_find(&m, "aof", err) || kit_method_set(&m, settings, err)) return -1;
-    memset(d, 0, sizeof *d);
-    d->resolution = (int)kit_method_value(&m, "resolution");
-    d->radii = (int)kit_method_value(&m, "radii");
-    d->rays = (int)kit_method_value(&m, "rays");
-    d->measure = (int)kit_method_value(&m, "measure");
-    d->bits = kit_method_value(&m, "bits") > 0 ? 8 : 16;
-    d->reach = (float)kit_method_value(&m, "reach");
-    d->error = (float)kit_method_value(&m, "error");
+    *d = kit_method_field(&m);
     return 0;
 }
 

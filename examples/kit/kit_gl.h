@@ -177,6 +177,7 @@ int  kit_method_find(kit_method *method, const char *name, kit_error *err);
 /* "key=value"; several separated by commas. On failure nothing has changed. */
 int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 double kit_method_value(const kit_method *method, const char *key);
+ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
 
 /* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a frame); light, for lit methods (NULL = none). */
 typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;

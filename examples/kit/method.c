@@ -238,6 +238,20 @@ double kit_method_value(const kit_method *method, const char *key)
     return 0;
 }
 
+ssgi_field_desc kit_method_field(const kit_method *method)
+{
+    ssgi_field_desc d;
+    memset(&d, 0, sizeof d);
+    d.resolution = (int)kit_method_value(method, "resolution");
+    d.radii = (int)kit_method_value(method, "radii");
+    d.rays = (int)kit_method_value(method, "rays");
+    d.measure = (int)kit_method_value(method, "measure");
+    d.bits = kit_method_value(method, "bits") > 0 ? 8 : 16;
+    d.reach = (float)kit_method_value(method, "reach");
+    d.error = (float)kit_method_value(method, "error");
+    return d;
+}
+
 /* ---- >>run ------------------------------------------------------------------------------------------------------ */
 
 int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_300ES : SSGI_GL_330; }
@@ -971,14 +985,7 @@ static int open_field(making *m, const float picture[16])
     ssgi_gl_caster *rows;
     const char *why = "";
     if (!scene) return kit_fail(m->err, "method aof: a frame has no objects to bake; it needs a scene");
-    memset(&d, 0, sizeof d);
-    d.error = (float)kit_method_value(m->method, "error");
-    d.resolution = (int)kit_method_value(m->method, "resolution");
-    d.radii = (int)kit_method_value(m->method, "radii");
-    d.rays = (int)kit_method_value(m->method, "rays");
-    d.measure = m->gather.measure;
-    d.bits = m->gather.eight_bits ? 8 : 16;
-    d.reach = (float)kit_method_value(m->method, "reach");
+    d = kit_method_field(m->method);
     if (kit_method_value(m->method, "own") <= 0 && run->gbuffer->object) m->gather.objects = SSGI_GL_OBJECTS_TEXTURE;
     field = malloc((size_t)(scene->shapes + 1) * sizeof *field);
     slice = malloc((size_t)(scene->shapes + 1) * sizeof *slice);
@@ -1167,12 +1174,12 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     if (kit_method_value(m->method, "front") > 0 && nearest_of(&run->frame.front, g, m->err)) return -1;
     splat.front = run->frame.front;
     if (lit) {
-        const int all_dark = !lighting->env.data;
         sphere all, middle;
         lamp *lamps;
         rotation_of(run->frame.rotation, picture, NULL);
-        m->gather.environment = all_dark || !(kit_method_value(m->method, "sky") > 0 || effect == SSGI_GL_EFFECT_LIGHT) ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_MAP;
-        if (m->gather.environment && add_environment(m)) return -1;
+        m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
+        if (lighting->env.data && add_environment(m)) return -1;
+        if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0)) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;      /* of surfels: what splats hide is seen all the same */
         if (seen(g, &all, &middle, m->err)) return -1;
         lamps = lamps_new(m, &all, &lamps_count, &direct);
         if (!lamps) return -1;
@@ -1209,7 +1216,6 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     if (way == 1 || (lit && !way)) {                        /* surfels come out of a pass: from patches, or lit */
         ssgi_gl_desc made = m->gather;
         made.pass = SSGI_GL_SURFELS;
-        if (!(kit_method_value(m->method, "sky") > 0)) made.environment = SSGI_GL_ENVIRONMENT_NONE;
         if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
         p = add_pass(m, &made, g, 0, 0, 0, 0);
         if (!p) return -1;
