@@ -2171,9 +2171,14 @@ typedef struct ssgi__patch {
     uint32_t key;
 } ssgi__patch;
 
+static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
+{
+    return (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
+}
+
 static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
 {
-    const float *v = (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
+    const float *v = ssgi__surfel_at(data, stride, i);
     int k;
     for (k = 0; k < 3; ++k) out[k] = (double)v[k];
 }
@@ -2220,12 +2225,31 @@ static double ssgi__nearest(const ssgi__patch *p)       /* |depth| where it is n
     return low > 0.0 ? low : high < 0.0 ? high : 0.0;
 }
 
+static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)        /* the least radius in it */
+{
+    double depth = ssgi__nearest(whole);
+    if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
+    return ssgi__surfel_radius(m->scale, m->view->orthographic, depth);
+}
+
+/* Its middle, how far that is aside, and how far its corners are from there. */
+static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
+{
+    int c, i;
+    *extent = 0.0;
+    for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
+    for (c = 0; c < 3; ++c) {
+        double d[3], length;
+        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
+        length = sqrt(ssgi__dot(d, d));
+        if (length > *extent) *extent = length;
+    }
+    return ssgi_view_aside(m->view, middle);
+}
+
 static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
-    double depth = ssgi__nearest(whole), r, n;
-    if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
-    r = ssgi__surfel_radius(m->scale, m->view->orthographic, depth);
-    n = ceil(sqrt(whole->area / (3.14159265358979323846 * r * r * 3169.0)) - 1e-5);
+    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (3.14159265358979323846 * r * r * 3169.0)) - 1e-5);
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
@@ -2233,7 +2257,7 @@ static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_make
 static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place, c, i, k;
-    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent = 0.0, aside, wanted, share, f;
+    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
     place = part - row * row;
     for (c = 0; c < 3; ++c) {
@@ -2249,8 +2273,8 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
         }
     }
     p->area = whole->area / ((double)n * n);
-    for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
-    aside = ssgi_view_aside(m->view, middle);
+    aside = ssgi__surfel_aside(p, m, middle, &extent);
+    if (m->desc.most > 0.0f && aside - extent > (double)m->desc.most) return 0;
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi_tess_level(p->area, wanted);
@@ -2260,13 +2284,6 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
-    for (c = 0; c < 3; ++c) {
-        double d[3];
-        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
-        d[0] = sqrt(ssgi__dot(d, d));
-        if (d[0] > extent) extent = d[0];
-    }
-    if (m->desc.most > 0.0f && aside - extent > (double)m->desc.most) return 0;
     p->radius = sqrt(p->area / (share * 3.14159265358979323846 * ssgi_tess_count(p->level)));
     for (c = 0; c < 3; ++c) {
         double d[3];
@@ -2423,7 +2440,7 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
     ssgi_surfel_source one = *m->source;
     ssgi__surfel_maker sub = *m;
     ssgi__patch p;
-    double middle[3], extent = 0.0, aside, r, wide;
+    double middle[3], extent, aside, r;
     int c, i, k;
     one.position = v;
     one.normal = one.colour = NULL;
@@ -2431,18 +2448,9 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
     one.index = NULL;
     sub.source = &one;
     if (!ssgi__surfel_triangle(&p, &sub, 0)) return;
-    for (i = 0; i < 3; ++i) middle[i] = (p.at[0][i] + p.at[1][i] + p.at[2][i]) / 3.0;
-    for (c = 0; c < 3; ++c) {
-        double e[3];
-        for (i = 0; i < 3; ++i) e[i] = p.at[c][i] - middle[i];
-        wide = sqrt(ssgi__dot(e, e));
-        if (wide > extent) extent = wide;
-    }
-    aside = ssgi_view_aside(m->view, middle) - extent;
+    aside = ssgi__surfel_aside(&p, m, middle, &extent) - extent;
     if (m->desc.most > 0.0f && aside > (double)m->desc.most) return;
-    r = ssgi__nearest(&p);
-    if (r >= 0.0 && r < m->scale[1]) r = m->scale[1];
-    r = ssgi__surfel_radius(m->scale, m->view->orthographic, r) + (aside > 0.0 ? (double)m->desc.aside * aside : 0.0);
+    r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.aside * aside : 0.0);
     if (depth == 10 || p.area <= 3.14159265358979323846 * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
         if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
         ++d->count;
@@ -2473,9 +2481,9 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
         for (c = 0; c < 3; ++c) {
             const size_t i = source->index ? source->index[3 * t + c] : 3 * t + c;
             const float *part[3];
-            part[0] = (const float *)(const void *)((const char *)source->position + i * (source->position_stride ? source->position_stride : 12));
-            part[1] = source->normal ? (const float *)(const void *)((const char *)source->normal + i * (source->normal_stride ? source->normal_stride : 12)) : NULL;
-            part[2] = source->colour ? (const float *)(const void *)((const char *)source->colour + i * (source->colour_stride ? source->colour_stride : 12)) : NULL;
+            part[0] = ssgi__surfel_at(source->position, source->position_stride, i);
+            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, i) : NULL;
+            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, i) : NULL;
             for (k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
         }
         ssgi__surfel_divide(&d, v, 0);

@@ -416,6 +416,7 @@ extern "C" {
 #define SSGI_GL__TOWARD          SSGI_GL__BIT(16) /* the direction to the eye is needed */
 #define SSGI_GL__POSITION        SSGI_GL__BIT(17) /* points are asked for */
 #define SSGI_GL__LOBES           SSGI_GL__BIT(18) /* vectors are made from directions */
+#define SSGI_GL__BY_SENT         SSGI_GL__BIT(19) /* splat: the reach follows what a surfel sends, not its form factor alone */
 #define SSGI_GL__FULL            SSGI_GL__BIT(20) /* size of what gathers draw */
 #define SSGI_GL__HALF            SSGI_GL__BIT(21)
 #define SSGI_GL__SOLID           SSGI_GL__BIT(22) /* how far what is seen reaches */
@@ -2468,27 +2469,27 @@ static const ssgi_gl__chunk ssgi_gl__unshuffle_colour = { __LINE__ + 1, SSGI_GL_
     "}\n" };
 
 /* What of a surfel is drawn at a level: a rectangle of one sub-buffer. */
-#define SSGI_GL__SHELL_HEAD(one, reach) \
-    "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n" \
-    "flat out float v_ssgi_end; // outer^2\n" \
-    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) // texels, empty where nothing is reached\n" \
-    "{\n" \
-    one "    float reach = " reach ", block = exp2(float(l));\n" \
-    "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n" \
-    "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n" \
-    "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n" \
-    "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n" \
-    "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n" \
-    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // by chance: what is by turns follows the tessellator's order\n" \
-    "    vec2 from = vec2((ivec2(seed, seed >> 8) & mask) * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-static const ssgi_gl__chunk ssgi_gl__shell_hides = { __LINE__ + 1, SSGI_GL__BY_ONE,
-    SSGI_GL__SHELL_HEAD("", "at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0))") };
-static const ssgi_gl__chunk ssgi_gl__shell_brings = { __LINE__ + 1, SSGI_GL__BRINGS,
-    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z));\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
-static const ssgi_gl__chunk ssgi_gl__shell_mirrors = { __LINE__ + 1, SSGI_GL__MIRRORS,
-    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z)) * 0.5 * (u_ssgi_exponent + 1.0);\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
-static const ssgi_gl__chunk ssgi_gl__shell_scatters = { __LINE__ + 1, SSGI_GL__SCATTERS,
-    SSGI_GL__SHELL_HEAD("    float most = max(sent.x, max(sent.y, sent.z));\n", "at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0))") };
+static const ssgi_gl__chunk ssgi_gl__shell_head = { __LINE__ + 1, 0,
+    "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
+    "flat out float v_ssgi_end; // outer^2\n"
+    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) // texels, empty where nothing is reached\n"
+    "{\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_one = { __LINE__ + 1, SSGI_GL__BY_ONE,
+    "    float reach = at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_sent = { __LINE__ + 1, SSGI_GL__BY_SENT,
+    "    float most = max(sent.x, max(sent.y, sent.z));\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_peak = { __LINE__ + 1, SSGI_GL__MIRRORS,
+    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_reach = { __LINE__ + 1, SSGI_GL__BY_SENT,
+    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n" };
+static const ssgi_gl__chunk ssgi_gl__shell_bounds = { __LINE__ + 1, 0,
+    "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
+    "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
+    "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
+    "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n"
+    "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
+    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // by chance: what is by turns follows the tessellator's order\n"
+    "    vec2 from = vec2((ivec2(seed, seed >> 8) & mask) * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n" };
 static const ssgi_gl__chunk ssgi_gl__shell_weighted = { __LINE__ + 1, SSGI_GL__WEIGHTED,
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n" };
@@ -2896,7 +2897,7 @@ static const ssgi_gl__row *const ssgi_gl__field_rows[] = { SSGI_GL__READS, &ssgi
 /* The shading of surfels is the loop of lights over their own points. */
 #define SSGI_GL__SENT   &ssgi_gl__map_far, &ssgi_gl__octahedron_open, &ssgi_gl__open, &ssgi_gl__shadow_map, &ssgi_gl__surfel_lit, &ssgi_gl__surfel_lit_open, &ssgi_gl__lights_loop, &ssgi_gl__lights_cosine, &ssgi_gl__lights_map, &ssgi_gl__lights_tail, &ssgi_gl__surfel_lit_end
 #define SSGI_GL__SENT_ROWS &ssgi_gl__steepest, &ssgi_gl__lights_row, &ssgi_gl__lit_rotation, &ssgi_gl__lights_tex, &ssgi_gl__shadow_tex, &ssgi_gl__open_tex
-#define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_hides, &ssgi_gl__shell_brings, &ssgi_gl__shell_mirrors, &ssgi_gl__shell_scatters, &ssgi_gl__shell_weighted, \
+#define SSGI_GL__SHELL  SSGI_GL__PROJECTIONS(sphere), &ssgi_gl__shell_head, &ssgi_gl__shell_one, &ssgi_gl__shell_sent, &ssgi_gl__shell_peak, &ssgi_gl__shell_reach, &ssgi_gl__shell_bounds, &ssgi_gl__shell_weighted, \
                         &ssgi_gl__shell_enlarged, &ssgi_gl__shell_end
 #define SSGI_GL__SHELL_ROWS &ssgi_gl__c_levels, &ssgi_gl__project, &ssgi_gl__frame_size, &ssgi_gl__front_row, &ssgi_gl__radius, &ssgi_gl__epsilon, &ssgi_gl__exponent, &ssgi_gl__level_row
 static const ssgi_gl__chunk *const ssgi_gl__nothing_chunks[] = { &ssgi_gl__nothing, NULL };
@@ -3247,7 +3248,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
             f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;
         }
         if (splat && d->effect != SSGI_GL_EFFECT_SCATTER) ssgi_gl__add(&s, d->two_sided ? SSGI_GL__TWO_SIDED : SSGI_GL__ONE_SIDED);
-        if (splat && d->effect <= SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__BY_ONE);
+        if (splat) ssgi_gl__add(&s, d->effect > SSGI_GL_EFFECT_LIGHT ? SSGI_GL__BY_SENT : SSGI_GL__BY_ONE);
         if (splat && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__E_MAP);
         if (d->pass == SSGI_GL_SUM && d->effect == SSGI_GL_EFFECT_LIGHT) ssgi_gl__add(&s, SSGI_GL__I_MAP);
         if ((splat || d->pass == SSGI_GL_SUM) && d->effect == SSGI_GL_EFFECT_LIGHT) f |= SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON;

@@ -2,6 +2,23 @@
 #ifndef FRAMES_H
 #define FRAMES_H
 #include "../examples/kit/kit_gl.h"
+#include <math.h>
+
+/* Numbers by chance, the same in every run: a sequence a file. */
+static inline float chance(void)           /* [0,1) */
+{
+    static uint32_t state = 1;
+    state = state * 747796405u + 2891336453u;
+    return (float)(((state >> ((state >> 28) + 4)) ^ state) * 277803737u >> 8) / 16777216.0f;
+}
+
+static inline void direction(float d[3])
+{
+    const float z = 2 * chance() - 1, r = sqrtf(1 - z * z), a = 6.28318531f * chance();
+    d[0] = r * cosf(a);
+    d[1] = r * sinf(a);
+    d[2] = z;
+}
 
 /* ---- defined in test_pipeline.c */
 

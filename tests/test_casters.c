@@ -12,21 +12,6 @@ static kit_error err;
 
 enum { W = 160, H = 90, POINTS = 64 * 64 };
 
-static float chance(void)                  /* [0,1) */
-{
-    static uint32_t state = 1;
-    state = state * 747796405u + 2891336453u;
-    return (float)(((state >> ((state >> 28) + 4)) ^ state) * 277803737u >> 8) / 16777216.0f;
-}
-
-static void direction(float d[3])
-{
-    const float z = 2 * chance() - 1, r = sqrtf(1 - z * z), a = (float)(2 * pi) * chance();
-    d[0] = r * cosf(a);
-    d[1] = r * sinf(a);
-    d[2] = z;
-}
-
 /* A turn about an axis, a uniform scale, a shift. */
 static void placed(float m[16], float angle, float scale, float x, float y, float z)
 {

@@ -11,21 +11,6 @@ static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 #define COUNT(array) (int)(sizeof (array) / sizeof (array)[0])
 
-static float chance(void)                  /* [0,1) */
-{
-    static uint32_t state = 1;
-    state = state * 747796405u + 2891336453u;
-    return (float)(((state >> ((state >> 28) + 4)) ^ state) * 277803737u >> 8) / 16777216.0f;
-}
-
-static void direction(float d[3])
-{
-    const float z = 2 * chance() - 1, r = sqrtf(1 - z * z), a = (float)(2 * pi) * chance();
-    d[0] = r * cosf(a);
-    d[1] = r * sinf(a);
-    d[2] = z;
-}
-
 static double dot(const float a[3], const float b[3]) { return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2]; }
 
 static void cross(const float a[3], const float b[3], float out[3])
