@@ -1,19 +1,21 @@
 # ssgi: the library is ssgi.h and ssgi_gl.h; everything here is examples, tests and measuring.
 #
-#   make         everything, into build/          make chart   speed against accuracy, into report/
-#   make demo    the main job, into report/       make glsl    the text of every pass, into build/glsl/
-#   make test    all tests                        make clean
+#   make         everything, into build/          make chart       speed against accuracy, into report/
+#   make demo    the main job, into report/       make stability   where methods fail, into report/
+#   make test    all tests                        make peers       what others have, for the chart
+#   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
+#   make clean
 
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lm -lpthread -ldl
-KIT       = util image mesh scene light truth gl gbuffer shadow field method
+KIT       = util image mesh scene light truth gl gbuffer shadow field method plan
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h
 
-all: build/render build/report build/glsl-text build/minimal
+all: build/render build/report build/stability build/glsl-text build/minimal
 
 # What is missing is installed where that can be done, else named in one line.
 deps:
@@ -30,10 +32,13 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 build/render: examples/render.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/report: examples/report.c examples/page.c examples/lit.c examples/fields.c examples/deep.c $(KIT_O)
+build/report: examples/report.c examples/peers.c examples/costs.c examples/choices.c examples/page.c examples/lit.c examples/fields.c examples/deep.c examples/plan.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-build/glsl-text: examples/glsl.c $(KIT_O)
+build/stability: examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+
+build/glsl-text: examples/glsl.c examples/choices.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
@@ -44,16 +49,38 @@ build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 demo: build/render build/report
 	build/report demo
 
-# Speed against accuracy; report/chart.html. make chart QUICK=1 is smaller.
+# Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
+# Its second scanned mesh comes from a package that nothing else needs; without it, the chart says so.
+BED     = build/models/iron-bed.obj
+BED_ZIP = /usr/share/sweethome3d/furniture/Scopia.sh3f
 chart: build/report
-	build/report chart $(if $(QUICK),--quick)
+	@test -n "$(QUICK)$(SCENE:iron-bed=)" -o -s $(BED) || { sh examples/kit/install.sh sweethome3d-furniture unzip && mkdir -p build/models \
+		&& unzip -p $(BED_ZIP) scopia/iron_bed/iron_bed.obj >$(BED); } || rm -f $(BED)
+	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
+
+# What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
+peers:
+	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@mkdir -p build/peers
+	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6
+	@cp examples/peers.mjs build/peers/
+
+# Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
+stability: build/stability
+	build/stability $(if $(QUICK),--quick)
+
+# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures for a quarter of an hour, prints the table.
+fit: build/report
+	build/report fit
+	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/fit.c -lm -o build/fit
+	build/fit report/plan-fit.csv
 
 # The text of every pass, dialect and feature choice, as plain files.
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 
-TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_build
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h $(KIT_O)
+TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.
@@ -63,4 +90,4 @@ test: build/render build/glsl-text build/test
 clean:
 	rm -rf build report
 
-.PHONY: all demo test chart glsl deps clean
+.PHONY: all demo test chart peers stability fit glsl deps clean

@@ -39,6 +39,7 @@
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them reaches and costs, scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
+      >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
 
    SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
                 dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion
@@ -564,6 +565,77 @@ SSGI_DEF void   ssgi_field_sample(double out[4], const ssgi_trace *trace, int (*
 SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *values, int count, double most);
 SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count);
 
+/* ==== >>plan =================================================================================================== */
+
+/* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least error for what you can spend. Fitted on ray-traced truth of
+   eight scenes, judged on others: README. Nothing is exact: the table of choices is short, and a picture does not know what it hides. What helps most is a trial.
+
+      ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
+      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.reach = 0.2f;
+      ssgi_survey_of(&s.survey, texels, width, height, 0, NULL);       of the pass "survey" (ssgi_gl.h), read back once
+      ssgi_plan_try(&s.trial, &trace, position, normal, visibility, 1000, 64, radius, NULL);    pixels of hsao at its preset BALANCED
+      ssgi_plan plan;
+      if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);  ssgi_gl_plan(&desc, &plan, NULL) in ssgi_gl.h sets a desc                         */
+
+enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
+       SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights that are in its harmonics. Errors: RMSE over the picture's mean */
+       SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius: RMSE of both together over their mean */
+       SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
+enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };    /* plan.method; HSAO and MARCH dim irradiance of harmonics when light is wanted */
+
+/* How points around surfaces stand to what is seen: from the picture of the pass "survey". blocked: shares of them behind it by less than a quarter of the radius, by less than the radius,
+   by more: within that, things may end or not. off: beside the picture. square: means of the squares of all four over the pixels, less what chance adds. seen: share of the picture; 0 = no survey. */
+typedef struct ssgi_survey { float seen, blocked[3], off, square[4]; } ssgi_survey;
+
+/* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the pass [limit: 0, 2..64] [default: 32]. */
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points, const char **why);
+
+/* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices at the preset BALANCED, which dim the light where light is wanted. known: 0 = no trial. */
+typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
+
+/* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's part). What rays themselves add by chance is not in it (their halves are compared crosswise), so 64 rays suffice; 1000 places spread over the picture
+   are within about 5 % of all, 64,000 rays in all.
+     position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by tracing the pixels' rays: those from depth are too coarse far away
+     visibility         what the picture holds there
+     rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
+SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why);
+
+/* Energy of each band: out[l], the sum of squares of its coefficients over m and channels; bands floats [limit: bands 0..SSGI_SH_MAX_BANDS]. */
+SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
+
+typedef struct ssgi_plan_scene {
+    int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
+    float error;            /* [limit: >= 0] 0: the least that the budget buys */
+    float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
+    float reach;            /* the radius over the picture's height: radius * project / (depth * height), mean over what is seen [limit: >= 0] [default: 0.15] */
+    ssgi_survey survey;
+    ssgi_trial  trial;      /* OBJECTS: only open is read */
+    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the environment's (and lights') first four bands; all 0: one as the built-in sky */
+    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up; 0: harmonics and lights alone */
+    float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
+    int   layers, cameras;  /* as many as may be used: depth layers [limit: 0..4], extra cameras [limit: 0..4]; both want closed solids. 0: none beside the picture's own */
+    double triangles;       /* that may become surfels; 0: none may */
+    float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict) [default: 170] */
+    int   casters;          /* OBJECTS: with fields */
+    float cover;            /* OBJECTS: pixels within a caster's reach over all, its mean [limit: >= 0] [default: 0.1] */
+} ssgi_plan_scene;
+
+typedef struct ssgi_plan {
+    int   method;           /* SSGI_PLAN_NOTHING .. */
+    int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;   /* as in ssgi_gl_desc; resolution: of fields. 0 where the method has none */
+    float size;             /* ssgi_surfel_desc.size */
+    float error, cost;      /* predicted; cost in unblurred 16-sample ssaos, without what makes layers, cameras' pictures and fields */
+    int   meets;            /* 1: the error asked for, within the budget */
+    char  why[160];         /* one sentence */
+} ssgi_plan;
+
+/* Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
+SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
+
+/* Choice number i of the table, its predicted error and cost for a scene; 0 past the last, or where the choice is not for what is wanted, or needs what the scene does not give. */
+SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
+enum { SSGI_PLAN_CHOICES = 39 };
+
 #ifdef __cplusplus
 }
 #endif
@@ -574,6 +646,7 @@ SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const doub
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #ifdef __cplusplus
@@ -3696,6 +3769,242 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
     for (i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
     *field = f;
+    return SSGI_OK;
+}
+
+/* ==== >>plan (implementation) ================================================================================== */
+
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points, const char **why)
+{
+    double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
+    size_t i, seen = 0, count;
+    int k;
+    if (!survey || !rgba) return ssgi__bad(why, !survey ? "survey: must not be NULL" : "rgba: must not be NULL");
+    if (width < 1 || height < 1 || width > 65536 || height > 65536) return ssgi__bad(why, "width, height: must be 1..65536");
+    if (points != 0 && (points < 2 || points > 64)) return ssgi__bad(why, "points: must be 0 or 2..64");
+    if (!points) points = 32;
+    count = (size_t)width * (size_t)height;
+    for (i = 0; i < count; ++i) {
+        if (!ssgi__finite(rgba[4 * i]) || !(rgba[4 * i] >= 0.0f)) continue;
+        for (k = 0; k < 4; ++k) {
+            v = (double)rgba[4 * i + (size_t)k];
+            sum[k] += v;
+            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* a share of a few points varies by chance */
+        }
+        ++seen;
+    }
+    memset(survey, 0, sizeof *survey);
+    survey->seen = (float)((double)seen / (double)count);
+    for (k = 0; k < 4 && seen; ++k) {
+        *(k < 3 ? &survey->blocked[k] : &survey->off) = (float)(sum[k] / (double)seen);
+        survey->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
+    }
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why)
+{
+    double open = 0.0, picture = 0.0;
+    size_t i;
+    int k, half;
+    if (!trial || !trace) return ssgi__bad(why, !trial ? "trial: must not be NULL" : "trace: must not be NULL");
+    if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
+    if (!count) return ssgi__bad(why, "count: must not be 0");
+    if (rays < 2 || rays > 65536) return ssgi__bad(why, "rays: must be 2..65536");
+    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
+    for (i = 0; i < count; ++i) {
+        double along[3], occlusion[2] = { 0.0, 0.0 };
+        float axes[3][3], from[3], d[3];
+        ssgi_hit hit;
+        for (k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
+        ssgi__normalise(along);
+        ssgi__field_axes(axes, along);
+        for (k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
+        for (k = 0; k < 2 * (rays / 2); ++k) {
+            const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
+            const double turn = 6.28318530717958648 * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
+            const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
+            int c;
+            for (c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
+            if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit)) occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
+        }
+        half = ssgi__finite(visibility[i]);
+        open += occlusion[0] * occlusion[1];
+        picture += (occlusion[0] - 1.0 + (half ? (double)visibility[i] : 1.0)) * (occlusion[1] - 1.0 + (half ? (double)visibility[i] : 1.0));
+    }
+    trial->known = 1;
+    trial->open = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
+    trial->picture = (float)sqrt(picture > 0.0 ? picture / (double)count : 0.0);
+    return SSGI_OK;
+}
+
+SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
+{
+    int l, i, c;
+    for (l = i = 0; l < (bands < SSGI_SH_MAX_BANDS ? bands : SSGI_SH_MAX_BANDS); ++l)
+        for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
+            for (c = 0; c < channels; ++c) out[l] += coefficients[channels * i + c] * coefficients[channels * i + c];
+}
+
+/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with (examples/plan.c): squares of the trial's errors; the former times
+   a surfel's size over the radius, once and twice, times the light's unevenness, times what bands leave out of it, times the albedo; and what there is always. */
+enum { SSGI_PLAN__OPEN, SSGI_PLAN__PICTURE, SSGI_PLAN__COARSE, SSGI_PLAN__COARSER, SSGI_PLAN__UNEVEN, SSGI_PLAN__LEFT_OUT, SSGI_PLAN__BOUNCED, SSGI_PLAN__ALWAYS, SSGI_PLAN__TERMS };
+
+#define SSGI_PLAN__V 1
+#define SSGI_PLAN__L 2
+#define SSGI_PLAN__B 4
+#define SSGI_PLAN__O 8
+typedef struct ssgi_plan__row { int wanted, method, half, directions, samples, steps, bands, layers, cameras, filter, resolution; float size, cost, term[SSGI_PLAN__TERMS]; } ssgi_plan__row;
+static const ssgi_plan__row ssgi_plan__rows[SSGI_PLAN_CHOICES] = {
+    { SSGI_PLAN__V, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 2, 0, 0, 0, 1, 0, 0.0f, 0.57f, { 0.1246f, 1.1802f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.61f, { 0.0390f, 1.2336f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 6, 0, 0, 0, 1, 0, 0.0f, 0.73f, { 0.0036f, 1.0796f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.01f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 4, 0, 8, 0, 0, 0, 1, 0, 0.0f, 1.62f, { 0.0000f, 0.8908f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0073f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 1, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.57f, { 0.0057f, 0.8941f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0065f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 2.72f, { 0.0047f, 0.8351f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0104f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0.0f, 4.46f, { 0.0000f, 0.7792f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0151f } },
+    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 8, 0, 12, 0, 0, 0, 1, 0, 0.0f, 12.88f, { 0.0000f, 0.6931f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0216f } },
+    { SSGI_PLAN__V, SSGI_PLAN_MARCH, 0, 4, 0, 6, 0, 1, 4, 1, 0, 0.0f, 17.72f, { 0.1086f, 0.1302f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0971f } },
+    { SSGI_PLAN__V, SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.24f, { 0.0012f, 0.0000f, 1.1184f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 56.15f, { 0.0000f, 0.0012f, 1.5042f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.64f, { 0.1139f, 0.7735f, 0.0000f, 0.0000f, 0.0113f, 0.0000f, 0.0000f, 0.0025f } },
+    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.04f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0.0f, 4.50f, { 0.0197f, 0.8815f, 0.0000f, 0.0000f, 0.0025f, 0.0000f, 0.0000f, 0.0023f } },
+    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 1, 0, 4, 4, 2, 1, 0, 1, 0, 0.0f, 0.97f, { 0.0000f, 0.8822f, 0.0000f, 0.0000f, 0.0140f, 0.0000f, 0.0000f, 0.7195f } },
+    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 1, 0, 4, 4, 3, 1, 0, 1, 0, 0.0f, 0.98f, { 0.0364f, 0.6709f, 0.0000f, 0.0000f, 0.0152f, 0.0000f, 0.0000f, 0.6662f } },
+    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 2, 1, 0, 1, 0, 0.0f, 2.32f, { 0.0225f, 0.7125f, 0.0000f, 0.0000f, 0.0138f, 0.0000f, 0.0000f, 0.6153f } },
+    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 3, 1, 0, 1, 0, 0.0f, 2.42f, { 0.0853f, 0.4310f, 0.0000f, 0.0000f, 0.0161f, 0.0000f, 0.0000f, 0.5612f } },
+    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 2.56f, { 0.1119f, 0.3198f, 0.0000f, 0.0000f, 0.0149f, 0.0000f, 0.0000f, 0.5365f } },
+    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0.0f, 2.28f, { 0.0711f, 0.4960f, 0.0000f, 0.0000f, 0.0063f, 0.0000f, 0.0000f, 0.5775f } },
+    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0.0f, 6.14f, { 0.0836f, 0.3525f, 0.0000f, 0.0000f, 0.0070f, 0.0000f, 0.0000f, 0.5191f } },
+    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0.0f, 3.03f, { 0.0000f, 0.5747f, 0.0000f, 0.0000f, 0.0017f, 0.0000f, 0.0000f, 0.5713f } },
+    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0.0f, 21.15f, { 0.0087f, 0.5391f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.5948f } },
+    { SSGI_PLAN__B, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__B, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.64f, { 0.1467f, 0.8102f, 0.0000f, 0.0000f, 0.0003f, 0.0000f, 0.0000f, 0.0114f } },
+    { SSGI_PLAN__B, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.07f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__B, SSGI_PLAN_S3HO, 1, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 1.36f, { 0.3824f, 0.0000f, 0.0000f, 0.0000f, 0.0255f, 0.0000f, 0.0000f, 2.6180f } },
+    { SSGI_PLAN__B, SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 3.30f, { 0.3195f, 0.0000f, 0.0000f, 0.0000f, 0.0196f, 0.0000f, 0.0000f, 2.3450f } },
+    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0.0f, 4.99f, { 0.3021f, 0.0000f, 0.0000f, 0.0000f, 0.0227f, 0.0000f, 0.0000f, 2.2590f } },
+    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0.0f, 14.24f, { 0.2781f, 0.0000f, 0.0000f, 0.0000f, 0.0119f, 0.0000f, 0.0000f, 2.1406f } },
+    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0.0f, 8.30f, { 0.2162f, 0.0000f, 0.0000f, 0.0000f, 0.0346f, 0.0000f, 0.0000f, 1.6316f } },
+    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0.0f, 53.12f, { 0.1656f, 0.0000f, 0.0000f, 0.0000f, 0.0379f, 0.0000f, 0.0000f, 2.3169f } },
+    { SSGI_PLAN__O, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0.0f, 0.05f, { 0.0144f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0.0f, 0.05f, { 0.0121f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0.0f, 0.05f, { 0.0117f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } }
+};
+
+static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* the built-in sky */
+
+static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row *row, const ssgi_plan_scene *s)
+{
+    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
+    const double size = row->size > 0.0f ? (double)row->size / (double)(s->reach > 0.0f ? s->reach : 0.15f) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
+    int l;
+    if (s->survey.seen > 0.0f) {                     /* no more than a guess: what is behind what is seen nobody knows */
+        const float *square = s->survey.square;
+        open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
+        picture = 1e-5 + 0.38 * (double)square[1];
+    }
+    if (s->trial.known) {
+        open = (double)s->trial.open * (double)s->trial.open;
+        picture = (double)s->trial.picture * (double)s->trial.picture;
+    }
+    for (l = 1; l < 4 && s->wanted; ++l) {
+        uneven += (double)(energy[l] / energy[0]);
+        if (l >= row->bands) left += (double)(energy[l] / energy[0]);
+    }
+    term[SSGI_PLAN__OPEN] = open;
+    term[SSGI_PLAN__PICTURE] = picture;
+    term[SSGI_PLAN__COARSE] = open * size;
+    term[SSGI_PLAN__COARSER] = open * size * size;
+    term[SSGI_PLAN__UNEVEN] = open * uneven;
+    term[SSGI_PLAN__LEFT_OUT] = open * left;
+    term[SSGI_PLAN__BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
+    term[SSGI_PLAN__ALWAYS] = 1e-4;
+}
+
+SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
+{
+    const ssgi_plan__row *row = &ssgi_plan__rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
+    double term[SSGI_PLAN__TERMS], square = 0.0, hidden;
+    float error;
+    int k;
+    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || !(row->wanted & 1 << s->wanted)) return 0;
+    if (row->layers > (s->layers > 1 ? s->layers : 1) || row->cameras > s->cameras || (row->method == SSGI_PLAN_SURFELS && !(s->triangles > 0.0)) || (row->method == SSGI_PLAN_FIELD && s->casters < 1) || (row->method == SSGI_PLAN_SSDO && !s->map)) return 0;
+    if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {       /* what no more than one layer holds has nothing to peel */
+        hidden = sqrt((double)s->survey.square[1] + (double)s->survey.square[2]) + (row->cameras ? sqrt((double)s->survey.square[3]) : 0.0);
+        if (hidden < 0.1 * (double)s->error) return 0;
+    }
+    ssgi_plan__terms(term, row, s);
+    if (s->wanted == SSGI_PLAN_LIGHT && (row->method == SSGI_PLAN_S3HO || row->method == SSGI_PLAN_SSDO)) {      /* light from everywhere, or nearly so, has no direction; nor have its highest bands */
+        const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
+        if (sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error) return 0;
+        if (row->bands > 2 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[row->bands - 1] / energy[0])) < 0.1 * (double)s->error) return 0;
+    }
+    for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
+    error = (float)sqrt(square);
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->samples = row->samples;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->layers = row->layers;
+    plan->cameras = row->cameras;
+    plan->filter = row->filter;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
+    plan->error = error;
+    plan->cost = row->cost;
+    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
+    if (row->method == SSGI_PLAN_SURFELS) {
+        plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
+        for (k = 1; k < 7 && row->size * 1.5f * (float)(1 << (k - 1)) < (s->reach > 0.0f ? s->reach : 0.15f); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+        plan->levels = k;
+    }
+    return 1;
+}
+
+SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
+{
+    static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
+    ssgi_plan best, p;
+    float fields[6], cheaper = 0.0f;
+    int i, tried = 0, found = 0;
+    if (!plan || !s) return ssgi__bad(why, !plan ? "plan: must not be NULL" : "scene: must not be NULL");
+    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS) return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
+    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0) return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
+    fields[0] = s->error; fields[1] = s->budget; fields[2] = s->reach; fields[3] = s->albedo; fields[4] = s->splats; fields[5] = s->cover;
+    for (i = 0; i < 6; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
+    for (i = 0; i < 4; ++i) if (!ssgi__finite(s->energy[i]) || !(s->energy[i] >= 0.0f)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
+    if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture)) return ssgi__bad(why, "scene.trial: must be finite");
+    memset(&best, 0, sizeof best);
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
+        ++tried;
+        p.meets = s->error > 0.0f && p.error <= s->error;
+        if (found && p.meets == best.meets && (p.meets ? p.cost >= best.cost : p.error >= best.error)) continue;
+        if (found && best.meets && !p.meets) continue;
+        best = p;
+        found = 1;
+    }
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)                 /* the best of those that cost less */
+        if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper)) cheaper = p.error;
+    if (best.meets && best.method == SSGI_PLAN_NOTHING)
+        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, no more than the %.3g asked for", (double)best.error, (double)s->error);
+    else if (best.meets)
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest predicted to err by no more than %.3g (%.3g); what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error,
+                 (double)best.error, (double)cheaper);
+    else
+        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to err by %.3g or less; this one errs least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
+                 (double)s->error, (double)best.error);
+    *plan = best;
     return SSGI_OK;
 }
 

@@ -37,6 +37,7 @@
                 shade    light                      the vectors of s3ho meet light: harmonics, lamps, bent normals and cones [S3HO12, SSBN11]
                 field    fetch -> field             ambient occlusion by rigid casters whose fields were baked (ssgi_field_bake), blended over each other [AOF05]
                 blur     fetch -> filter            smooths what the others wrote, within surfaces
+                survey   fetch                      what stands around one pixel of every 8x8: for ssgi_survey_of and the plan in ssgi.h
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
       ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it
@@ -82,7 +83,7 @@ extern "C" {
 /* ==== >>desc =================================================================================================== */
 
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE, SSGI_GL_FIELD,
-       SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM, SSGI_GL_BLUR, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
+       SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM, SSGI_GL_BLUR, SSGI_GL_SURVEY, SSGI_GL_PASSES /* how many */ };   /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_DIALECTS };   /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY, SSGI_GL_STAGES };   /* stage of ssgi_gl_emit */
 
@@ -179,7 +180,7 @@ typedef struct ssgi_gl_desc {
     int normal;             /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;      /* [limit: 0..1]  1: the normals are in world space; frame.rotation turns them into view space */
     int noise;              /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;            /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16]  directions per pixel. lights [default: 8]  points on a segment */
+    int samples;            /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16]  directions per pixel. lights [default: 8]  points on a segment. survey [default: 32] */
     int search;             /* hsao   SSGI_GL_SLICES, SSGI_GL_MARCH */
     int directions;         /* hsao   [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
     int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s. ssao, ssdo, s3ho [default: 1]  points along a direction, the first blocked one counts */
@@ -239,6 +240,10 @@ typedef struct ssgi_gl_desc {
    Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
+
+/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's; the rest of desc stays. s3ho becomes shaded and exact; ssdo without an
+   environment gets MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays as it is. */
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
@@ -637,6 +642,7 @@ static const ssgi_gl__row ssgi_gl__cap_tex     = SSGI_GL__T(SSGI_GL__CAP_TABLE, 
 static const ssgi_gl__row ssgi_gl__objects_tex = { SSGI_GL__O_TEXTURE, { "t_ssgi_objects", SSGI_GL_TEXTURE, "usampler2D", 0, 0, "R8UI, R16UI or R32UI: number of the object that a pixel shows, 0 = none" } };
 static const ssgi_gl__row ssgi_gl__factor_out  = SSGI_GL__O(0, "ao", "float", "R8, R16F ..: what ambient visibility there is is multiplied by");
 static const ssgi_gl__row ssgi_gl__ao_out      = SSGI_GL__O(0, "ao", "vec2", "RG32F or RG16F: ambient visibility, view depth for the filter; R8 or R16F if nothing filters");
+static const ssgi_gl__row ssgi_gl__survey_out  = SSGI_GL__O(0, "survey", "vec4", "RGBA16F or RGBA32F, an eighth of the picture's width and height, rounded up: shares of points around a surface; -1 where nothing is seen");
 static const ssgi_gl__row ssgi_gl__blurred_out = SSGI_GL__O(SSGI_GL__GREY, "ao", "float", "R8 or R16F: ambient visibility");
 static const ssgi_gl__row ssgi_gl__colour_out  = SSGI_GL__O(SSGI_GL__COLOUR, "light", "vec4", "RGBA32F or RGBA16F: the same three channels, view depth");
 static const ssgi_gl__row ssgi_gl__light_out   = SSGI_GL__O(SSGI_GL__E_LIT, "light", "vec4", "RGBA32F or RGBA16F: irradiance over pi, view depth for the filter");
@@ -2779,6 +2785,30 @@ static const ssgi_gl__chunk ssgi_gl__blur_colour = { __LINE__ + 1, SSGI_GL__COLO
     "    o_ssgi_light = vec4(z < SSGI_FAR && sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0), z);\n"
     "}\n" };
 
+static const ssgi_gl__chunk ssgi_gl__survey_main = { __LINE__ + 1, 0,
+    "// one pixel of every 8x8: which share of points around it stands behind what is seen by less than a quarter of the radius, less than the radius, more; or off the picture\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) * 8 + 4;\n"
+    "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
+    "    o_ssgi_survey = vec4(-1.0);\n"
+    "    if (z < SSGI_FAR) {\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), start = ssgi_lift(P, n);\n"
+    "        vec2 xi = ssgi_noise(p);\n"
+    "        mat3 basis = ssgi_basis(n);\n"
+    "        vec4 sum = vec4(0.0);\n"
+    "        for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
+    "            float u = (float(i) + 0.5) / float(SSGI_SAMPLES), a = 2.39996323 * float(i) + 6.28318531 * xi.x;\n"
+    "            vec3 S = start + basis * vec3(sqrt(u) * vec2(cos(a), sin(a)), sqrt(1.0 - u)) * (u_ssgi_radius * fract(0.61803399 * float(i) + xi.y));\n"
+    "            ivec2 q = ivec2(floor(ssgi_project(S)));\n"
+    "            float behind = -S.z - ssgi_depth(q);\n"
+    "            bool seen = S.z < 0.0 && ssgi_inside(q);\n"
+    "            sum += !seen ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(step(vec3(0.0, 0.25, 1.0) * u_ssgi_radius, vec3(behind)) - vec3(step(vec2(0.25, 1.0) * u_ssgi_radius, vec2(behind)), 0.0), 0.0);\n"
+    "        }\n"
+    "        o_ssgi_survey = sum / float(SSGI_SAMPLES);\n"
+    "    }\n"
+    "}\n" };
+
 /* ==== >>passes: what each is made of ============================================================================== */
 
 /* In the order of the text; what a variant does not need falls out by its bits. */
@@ -2948,6 +2978,11 @@ static const ssgi_gl__row *const ssgi_gl__blur_rows[] = {
     &ssgi_gl__c_filter, SSGI_GL__READS, &ssgi_gl__near_radius, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__ao_tex, &ssgi_gl__light_tex, SSGI_GL__OF_VECTORS(t), &ssgi_gl__blurred_out,
     &ssgi_gl__colour_out, SSGI_GL__OF_VECTORS(o), NULL };
 
+static const ssgi_gl__chunk *const ssgi_gl__survey_chunks[] = {
+    SSGI_GL__FETCH, SSGI_GL__GATHER, SSGI_GL__PROJECTIONS(project), SSGI_GL__PROJECTIONS(footprint), &ssgi_gl__lift, &ssgi_gl__survey_main, NULL };
+static const ssgi_gl__row *const ssgi_gl__survey_rows[] = {
+    &ssgi_gl__c_samples, &ssgi_gl__project, SSGI_GL__PLACES, &ssgi_gl__radius, &ssgi_gl__offset, &ssgi_gl__phase, &ssgi_gl__rotation, SSGI_GL__MAPS, &ssgi_gl__survey_out, NULL };
+
 typedef struct ssgi_gl__pass {
     const char *name;
     int pass, variant;                      /* the desc that it is for; variant: of search or tessellate; -1: any */
@@ -2976,7 +3011,8 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { "unshuffle", SSGI_GL_UNSHUFFLE, -1, SSGI_GL__PLAIN_PASS(unshuffle) },
     { "smooth", SSGI_GL_SMOOTH, -1, SSGI_GL__PLAIN_PASS(smooth) },
     { "sum", SSGI_GL_SUM, -1, SSGI_GL__PLAIN_PASS(sum) },
-    { "blur", SSGI_GL_BLUR, -1, SSGI_GL__PLAIN_PASS(blur) }
+    { "blur", SSGI_GL_BLUR, -1, SSGI_GL__PLAIN_PASS(blur) },
+    { "survey", SSGI_GL_SURVEY, -1, SSGI_GL__PLAIN_PASS(survey) }
 };
 enum { SSGI_GL__ROWS = (int)(sizeof ssgi_gl__passes / sizeof ssgi_gl__passes[0]) };
 
@@ -3123,7 +3159,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     ssgi_result r = ssgi_gl_check(desc, why);
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST) return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    if (desc->pass >= SSGI_GL_FIELD && desc->pass <= SSGI_GL_SUM) return SSGI_OK;        /* what trades cost for accuracy is not in the text: bakes, sizes of surfels, epsilon */
+    if ((desc->pass >= SSGI_GL_FIELD && desc->pass <= SSGI_GL_SUM) || desc->pass == SSGI_GL_SURVEY) return SSGI_OK;        /* what trades cost for accuracy is not in the text: bakes, sizes of surfels, epsilon */
     c = &table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO || desc->pass == SSGI_GL_SHADE ? 3 : desc->pass == SSGI_GL_LIGHTS ? 4 : desc->search == SSGI_GL_SLICES ? 1 : 2][preset];
     desc->half = c->half;
     desc->steps = c->steps;
@@ -3142,11 +3178,39 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     return SSGI_OK;
 }
 
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
+{
+    static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
+    ssgi_gl_desc d;
+    ssgi_result r = ssgi_gl_check(desc, why);
+    if (r != SSGI_OK) return r;
+    if (!plan || plan->method <= SSGI_PLAN_NOTHING || plan->method > SSGI_PLAN_FIELD) return ssgi_gl__bad(why, "plan: must not be NULL, and of something");
+    d = *desc;
+    d.pass = passes[plan->method];
+    d.search = plan->method == SSGI_PLAN_MARCH ? SSGI_GL_MARCH : SSGI_GL_SLICES;
+    if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
+    r = ssgi_gl_preset(&d, SSGI_GL_BALANCED, why);
+    if (r != SSGI_OK) return r;
+    d.half = plan->half;
+    d.directions = plan->directions;
+    d.samples = plan->samples;
+    d.steps = plan->steps;
+    d.bands = plan->bands;
+    d.layers = plan->layers;
+    d.views = plan->cameras;
+    d.levels = plan->levels;
+    d.filter_radius = plan->filter;
+    if (d.pass == SSGI_GL_S3HO) d.shaded = d.exact = 1;
+    r = ssgi_gl_check(&d, why);
+    if (r == SSGI_OK) *desc = d;
+    return r;
+}
+
 /* The desc with its defaults in place. */
 static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d = *desc;
-    if (!d.samples) d.samples = d.pass == SSGI_GL_LIGHTS ? 8 : 16;
+    if (!d.samples) d.samples = d.pass == SSGI_GL_LIGHTS ? 8 : d.pass == SSGI_GL_SURVEY ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = d.pass == SSGI_GL_HSAO ? 6 : 1;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
@@ -3173,7 +3237,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
     static const uint64_t bent_kind[] = { 0, SSGI_GL__BENT_NORMAL | SSGI_GL__I_MAP | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON, SSGI_GL__BENT_CONE | SSGI_GL__I_MAP | SSGI_GL__WORLD | SSGI_GL__OCTAHEDRON,
                                           SSGI_GL__BENT_OUT };
     static const uint64_t content_kind[] = { SSGI_GL__GREY, SSGI_GL__COLOUR, 0 };
-    const int blur = d->pass == SSGI_GL_BLUR, hsao = d->pass == SSGI_GL_HSAO, shade = d->pass == SSGI_GL_SHADE, slices = hsao && d->search == SSGI_GL_SLICES;
+    const int blur = d->pass == SSGI_GL_BLUR, survey = d->pass == SSGI_GL_SURVEY, hsao = d->pass == SSGI_GL_HSAO, shade = d->pass == SSGI_GL_SHADE, slices = hsao && d->search == SSGI_GL_SLICES;
     const int points = d->pass == SSGI_GL_SSAO || d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_S3HO, stored = ssgi_gl__stored(d);
     const int sized = blur || hsao || points || shade, hidden = d->receiver && (d->pass == SSGI_GL_SSDO || d->pass == SSGI_GL_LIGHTS || d->pass == SSGI_GL_SENDERS);
     const int dotted = (d->pass == SSGI_GL_S3HO && d->shaded) || (d->pass == SSGI_GL_SSDO && d->environment == SSGI_GL_ENVIRONMENT_SH) || (shade && d->shading == SSGI_GL_SHADING_HARMONICS);
@@ -3191,7 +3255,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         if (d->normal != SSGI_GL_NORMAL_FROM_DEPTH) f |= d->world_normals ? SSGI_GL__N_WORLD | SSGI_GL__WORLD : SSGI_GL__N_VIEW;
     }
     switch (d->pass) {
-    case SSGI_GL_SSAO: break;
+    case SSGI_GL_SSAO: case SSGI_GL_SURVEY: break;
     case SSGI_GL_HSAO:
         ssgi_gl__add(&s, d->hard ? SSGI_GL__HARD : SSGI_GL__LINEAR);
         if (slices) f |= SSGI_GL__TOWARD | (d->thin ? SSGI_GL__THIN : SSGI_GL__SOLID);
@@ -3284,8 +3348,8 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
         if (d->fade || d->range) f |= SSGI_GL__FADE;
     }
     f |= s.word[0] & SSGI_GL__COMMON;
-    if (blur || (hsao && !slices) || (f & SSGI_GL__BLOCKED)) f |= SSGI_GL__PROJECT;
-    if (hsao || (f & SSGI_GL__BLOCKED)) ssgi_gl__add(&s, noise_kind[d->noise]);
+    if (blur || survey || (hsao && !slices) || (f & SSGI_GL__BLOCKED)) f |= SSGI_GL__PROJECT;
+    if (hsao || survey || (f & SSGI_GL__BLOCKED)) ssgi_gl__add(&s, noise_kind[d->noise]);
     if (f & SSGI_GL__BLOCKED) {
         f |= d->thin ? SSGI_GL__THIN | (d->pass == SSGI_GL_LIGHTS ? SSGI_GL__REACH : SSGI_GL__FIXED) : SSGI_GL__SOLID;
         if (d->views) f |= SSGI_GL__VIEWS;
@@ -3296,7 +3360,7 @@ static ssgi_gl__set ssgi_gl__features(const ssgi_gl_desc *d)
     }
     if ((f & SSGI_GL__FADE) || ssgi_gl__has(&s, SSGI_GL__ONE_SIDED) || ssgi_gl__has(&s, SSGI_GL__AREA) || ((f & SSGI_GL__DEEP) && (f & SSGI_GL__SENDERS))) f |= SSGI_GL__RECEIVED;
     f |= hidden && !(f & SSGI_GL__DEPTHS) ? SSGI_GL__UNSEEN : SSGI_GL__SEEN;
-    if (blur || hsao || (f & (SSGI_GL__BLOCKED | SSGI_GL__N_DEPTH))) f |= SSGI_GL__INSIDE;
+    if (blur || hsao || survey || (f & (SSGI_GL__BLOCKED | SSGI_GL__N_DEPTH))) f |= SSGI_GL__INSIDE;
     if (hidden || ((f & SSGI_GL__DEPTHS) && (f & SSGI_GL__LAYERS))) f |= SSGI_GL__LAYERS_READ;
     ssgi_gl__add(&s, f);
     return s;
@@ -3331,6 +3395,7 @@ SSGI_DEF int ssgi_gl_fetches(const ssgi_gl_desc *desc)
     switch (d.pass) {
     case SSGI_GL_SSAO: case SSGI_GL_S3HO: return n + d.samples * (d.steps * test + d.kernel) + open;
     case SSGI_GL_SSDO: return n + d.samples * (d.steps * test + d.kernel + (ssgi_gl__has(&s, SSGI_GL__E_MAP) ? 1 : 0)) + open;
+    case SSGI_GL_SURVEY: return n + d.samples;
     case SSGI_GL_HSAO: return n + d.directions * d.steps * (d.search == SSGI_GL_SLICES ? 2 : 1 + d.normal_rays * test);
     case SSGI_GL_LIGHTS: return n + 3 + (ssgi_gl__has(&s, SSGI_GL__MAPS_READ) ? 6 : 0) + (ssgi_gl__has(&s, SSGI_GL__SEGMENTS) ? d.samples * test : 0) + d.accumulate;
     case SSGI_GL_SENDERS: return n + (ssgi_gl__has(&s, SSGI_GL__ALBEDO) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_LIGHT) ? 1 : 0) + (ssgi_gl__has(&s, SSGI_GL__S_DIRECT) ? 1 : 0);

@@ -116,24 +116,24 @@ static const growth deep_growth[] = {
     { "levels", COARSE ",epsilon=0.1,levels=6", 320, 0 }
 };
 
-typedef struct deep_table { const char *title, *about; deep_view see; const entry *entries; int count, of; const char *svg; } deep_table;
+typedef struct deep_table { const char *title, *about; deep_view see; const entry *entries; int count, quick; const char *svg; } deep_table;
 static const deep_table deep_tables[] = {      /* one without title goes on with the table before it */
-    { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.", BUNNY_AO, PART(deep_ao, COUNT(deep_ao)), OF_DEEP, "chart-deep.svg" },
-    { "Deep screen space: speed against accuracy, room", "Room.", OWN_VIEW("room"), PART(deep_ao, COUNT(deep_ao)), OF_DEEP, "chart-deep-room.svg" },
-    { "Deep screen space: epsilon and levels", "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO, PART(deep_figure8, COUNT(deep_figure8)), OF_DEEP,
+    { "Deep screen space: speed against accuracy, bunny", "Bunny on a floor.", BUNNY_AO, PART(deep_ao, COUNT(deep_ao)), 1, "chart-deep.svg" },
+    { "Deep screen space: speed against accuracy, room", "Room.", OWN_VIEW("room"), PART(deep_ao, COUNT(deep_ao)), 0, "chart-deep-room.svg" },
+    { "Deep screen space: epsilon and levels", "The paper's figure 8: epsilon and levels, surfels of 0.03.", BUNNY_AO, PART(deep_figure8, COUNT(deep_figure8)), 0,
       "chart-deep-figure8.svg" },
-    { "Deep screen space: other choices", "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO, PART(deep_choices, COUNT(deep_choices)), OF_DEEP, NULL },
+    { "Deep screen space: other choices", "Bunny on a floor, surfels of 0.03; one choice at a time.", BUNNY_AO, PART(deep_choices, COUNT(deep_choices)), 0, NULL },
     { "Deep screen space: light",
       "Bunny and four boxes under the sky and a sun, one bounce. Of ssdo: what is within the radius weighted by 1 - t/radius, in its truth, too;", FADING,
-      PART(deep_ssdos, COUNT(deep_ssdos)), OF_DEEP_LIT, NULL },
-    { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT, PART(deep_lights, COUNT(deep_lights)), OF_DEEP_LIT, NULL },
+      PART(deep_ssdos, COUNT(deep_ssdos)), 1, NULL },
+    { NULL, "of dss-lit: all whole, in its truth, too.", WHOLE_LIGHT, PART(deep_lights, COUNT(deep_lights)), 1, NULL },
     { "Deep screen space: one specular bounce", "Open box under a point light, a lobe of exponent 8. Irradiance stands for the lobe's radiance.", LOBE,
-      PART(deep_mirrors, COUNT(deep_mirrors)), OF_DEEP_LIT, NULL },
+      PART(deep_mirrors, COUNT(deep_mirrors)), 0, NULL },
     { "Deep screen space: scattering", "A bunny of marble, 4 cm high, lit from behind. Irradiance stands for the radiance that leaves it.", OF_MARBLE,
-      PART(deep_marbles, COUNT(deep_marbles)), OF_DEEP_LIT, NULL }
+      PART(deep_marbles, COUNT(deep_marbles)), 0, NULL }
 };
 
-enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180, DEEP_ROUNDS = 2, DEEP_RAYS = 128, DEEP_TABLES = COUNT(deep_tables), DEEP_DEMOS = COUNT(deep_demos), FULL_SET = DEEP_TABLES, TURN_SET,
+enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180, PAPER_SIDE = 512, DEEP_ROUNDS = 2, DEEP_RAYS = 128, DEEP_TABLES = COUNT(deep_tables), DEEP_DEMOS = COUNT(deep_demos), FULL_SET = DEEP_TABLES, TURN_SET,
     MOTION_SET, STAGE_SET, GROWTH_SET, DEEP_SETS, MOST_DEEP = TURNS * COUNT(deep_watched) };
 typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
 
@@ -248,21 +248,25 @@ static int deep_demo(FILE *html, const char *out, deep_set *sets, kit_error *err
 
 /* ---- >>chart ------------------------------------------------------------------------------------------------------- */
 
-static int deep_table_of(FILE *html, const deep_table *t, const options *o, deep_set *set, kit_error *err)
+/* Appends a table to the count rows that there are; how many there are then, -1 = failed. */
+static int deep_table_of(FILE *html, const deep_table *t, const options *o, row *rows, int count, kit_error *err)
 {
     entry entries[MOST_ENTRIES];
-    int count = 0;
+    kit_image picture[MOST_ENTRIES];
+    const int all = chosen(entries, t->entries, t->count, o);
     stage s;
-    for (int i = 0; i < t->count; ++i) if (t->entries[i].quick || !o->quick) entries[count++] = t->entries[i];
+    if (!all || (o->quick && !t->quick)) return count;
+    if (!rows) return 1;
     if (deep_load(&s, &t->see, err)) return -1;
-    if (s.otherwise.kind == SCATTER && !o->quick) s.rays *= 4;
+    if (s.otherwise.kind == SCATTER) s.rays *= 4;
     if (stage_show(&s, &t->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
-    count = deep_measure(set->row + set->count, &s, t->see.view.name, entries, count, t->svg ? QUICK_ROUNDS : o->quick ? 1 : DEEP_ROUNDS, NULL, err);
-    if (count < 0) return -1;
-    set->count += count;
+    const int more = deep_measure(rows + count, &s, t->see.view.name, entries, all, t->svg ? QUICK_ROUNDS : o->quick ? 1 : DEEP_ROUNDS, picture, err);
+    if (more < 0) return -1;
     deep_about(html, &s, t->about);
+    if (thumbs(html, o->out, &s, rows + count, picture, all, err)) return -1;
+    for (int i = 0; i < all; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
-    return t->svg ? chart_of(html, o->out, t->svg, t->title, &ao_words, set->row, set->count, (double)NAN, err) : 0;
+    return count + more;
 }
 
 /* A picture of half the width and height brought to full size. */
@@ -282,8 +286,9 @@ static int doubled(kit_image *out, const kit_image *small, kit_error *err)
     return 0;
 }
 
-static int full_sizes_of(FILE *html, int quick, deep_set *set, kit_error *err)
+static int full_sizes_of(FILE *html, int quick, row *rows, kit_error *err)
 {
+    int count = 0;
     static const deep_view see = BUNNY_AO;
     kit_run run[COUNT(deep_figure9)];
     stage s, half;
@@ -297,29 +302,29 @@ static int full_sizes_of(FILE *html, int quick, deep_set *set, kit_error *err)
         const full *f = &deep_figure9[i];
         kit_image picture, whole;
         if (quick && !f->entry.quick) continue;
-        row *r = &set->row[set->count];
+        row *r = &rows[count];
         *r = unscored(OF_DEEP, see.view.name, &f->entry);
-        if (run_open(&run[set->count], f->half ? &half : &s, r->method, r->settings, s.radius, err)) return -1;
-        kit_run_draw(&run[set->count], 1);
-        if (kit_run_read(&picture, &run[set->count], err) || (f->half && doubled(&whole, &picture, err)) || score(r, &s, f->half ? &whole : &picture, err)) return -1;
+        if (run_open(&run[count], f->half ? &half : &s, r->method, r->settings, s.radius, err)) return -1;
+        kit_run_draw(&run[count], 1);
+        if (kit_run_read(&picture, &run[count], err) || (f->half && doubled(&whole, &picture, err)) || score(r, &s, f->half ? &whole : &picture, err)) return -1;
         r->of = OF_DEEP;
         kit_image_free(&picture);
         if (f->half) kit_image_free(&whole);
-        ++set->count;
+        ++count;
     }
-    if (clock_runs(set->row, &s, run, set->count, quick ? 1 : DEEP_ROUNDS, err)) return -1;
+    if (clock_runs(rows, &s, run, count, quick ? 1 : DEEP_ROUNDS, err)) return -1;
     deep_about(html, &s,
         "The paper's figure 9: all reach as far; half sizes are brought to full size bilinearly, which is not in their times; their splats are of their own pixels.");
     kit_gbuffer_free(&half.gbuffer);
     stage_close(&s);
-    return 0;
+    return count;
 }
 
 /* Scores the ground beside the box alone, the same at each step. */
-static int turns_of(FILE *html, const options *o, deep_set *set, kit_error *err)
+static int turns_of(FILE *html, int quick, row *rows, kit_error *err)
 {
     static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
-    const int steps = o->quick ? 5 : TURNS;
+    const int steps = quick ? 5 : TURNS;
     int methods = 0;
     for (int k = 0; k < steps; ++k) {
         const float to_go = 1 - (float)k / (float)(steps - 1), angle = turn_to + (turn_from - turn_to) * to_go * to_go, a = angle * 0.0174532925f;    /* small steps where it leaves */
@@ -345,8 +350,8 @@ static int turns_of(FILE *html, const options *o, deep_set *set, kit_error *err)
         for (int m = 0; m < COUNT(deep_watched); ++m) {
             const entry *e = &deep_watched[m];
             kit_image picture;
-            if (o->quick && !e->quick) continue;
-            row *r = &set->row[methods++ * steps + k];
+            if (quick && !e->quick) continue;
+            row *r = &rows[methods++ * steps + k];
             *r = unscored(OF_TURN, "turn", e);
             if (drawn(&picture, &s, e, err) || kit_score_channels(&r->score, &picture, &s.truth, names, 3, mask, err)) return -1;
             r->figure[DEGREES] = r->relative = (double)(angle - turn_from);
@@ -358,8 +363,7 @@ static int turns_of(FILE *html, const options *o, deep_set *set, kit_error *err)
         free(mask);
         stage_close(&s);
     }
-    set->count = methods * steps;
-    return chart_of(html, o->out, "chart-deep-turn.svg", "Deep screen space: the camera turns away", &turn_words, set->row, set->count, (double)NAN, err);
+    return methods * steps;
 }
 
 /* What a picture holds at a place, between four pixels; 0 if the frame shows something else there. */
@@ -385,7 +389,7 @@ static int held(double *value, const kit_image *picture, const kit_image *frame,
 }
 
 /* The places that frame 0 shows, in all frames: the truth's pictures first, then a method's, one after the other. */
-static int motion_of(FILE *html, int quick, deep_set *set, kit_error *err)
+static int motion_of(FILE *html, int quick, row *rows, kit_error *err)
 {
     const int frames = quick ? 3 : MOST_FRAMES;
     const float step = 0.01f;
@@ -431,7 +435,7 @@ static int motion_of(FILE *html, int quick, deep_set *set, kit_error *err)
         ++places;
     }
     for (int m = 0; m < methods; ++m) {
-        row *r = &set->row[set->count++];
+        row *r = &rows[m];
         *r = unscored(OF_MOTION, "bunny-on-floor", shown[m]);
         r->score.pixels = places;
         r->figure[FLICKER] = sqrt(sum[1 + m] / (double)places);
@@ -442,65 +446,80 @@ static int motion_of(FILE *html, int quick, deep_set *set, kit_error *err)
         kit_image_free(&frame[k]);
         for (int m = 0; m <= methods; ++m) kit_image_free(&pictures[m][k]);
     }
-    return 0;
+    return methods;
 }
 
-/* Times alone, no truth: entries on one picture. */
-static int deep_costs(deep_set *set, const deep_view *v, int width, int height, const entry *entries, int count, int of, int rounds, kit_error *err)
+/* Times alone, no truth: entries on one picture. How many rows. */
+static int deep_costs(row *rows, const deep_view *v, int width, int height, const entry *entries, int count, int of, int rounds, kit_error *err)
 {
     kit_run run[COUNT(deep_growth)];
-    row *rows = set->row + set->count;
     stage s;
     if (deep_load(&s, v, err) || stage_look(&s, &v->view, width, height, err)) return -1;
     for (int i = 0; i < count; ++i) {
         rows[i] = unscored(of, v->view.name, &entries[i]);
-        rows[i].figure[PICTURE] = 1e-3 * width * height;
+        rows[i].figure[PICTURE] = 1e-3 * s.frame.width * s.frame.height;
         if (run_open(&run[i], &s, entries[i].method, entries[i].settings, s.radius, err)) return -1;
         kit_run_draw(&run[i], 1);
     }
     if (clock_runs(rows, &s, run, count, rounds, err)) return -1;
-    set->count += count;
     stage_close(&s);
-    return 0;
+    return count;
 }
 
-static int growth_of(int quick, deep_set *set, kit_error *err)
+static int growth_of(int quick, row *rows, kit_error *err)
 {
+    int count = 0;
     static const deep_view see = BUNNY_AO;
     for (int i = 0; i < COUNT(deep_growth); ++i) {
         const growth *g = &deep_growth[i];
         const entry e = { g->label, "dss", g->settings, 1 };
         if (quick && !g->quick) continue;
-        if (deep_costs(set, &see, g->width, g->width * 9 / 16, &e, 1, OF_GROWTH, quick ? 1 : DEEP_ROUNDS, err)) return -1;
+        if (deep_costs(&rows[count++], &see, g->width, g->width * 9 / 16, &e, 1, OF_GROWTH, quick ? 1 : DEEP_ROUNDS, err) < 0) return -1;
     }
-    return 0;
+    return count;
+}
+
+static const char *deep_title(int k)
+{
+    static const char *const titles[] = { "Deep screen space: full size, half size", "Deep screen space: the camera turns away", "Deep screen space: the camera moves",
+        "Deep screen space: where the time goes", "Deep screen space: what costs grow with" };
+    return k < DEEP_TABLES ? deep_tables[k].title : titles[k - DEEP_TABLES];
+}
+
+static int deep_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    static const deep_view lights = WHOLE_LIGHT;
+    int count = 0;
+    if (rows) fprintf(html, "<h2>%s</h2>\n", deep_title(k));
+    if (k < DEEP_TABLES) {
+        for (int j = k; deep_tables[k].title && j < DEEP_TABLES && (j == k || !deep_tables[j].title) && count >= 0; ++j) count = deep_table_of(html, &deep_tables[j], o, rows, count, err);
+        return count;
+    }
+    if (!asked(o, "dss") || (o->quick && k != TURN_SET && k != STAGE_SET)) return 0;
+    if (!rows) return 1;
+    if (k == STAGE_SET)
+        fprintf(html, "<p>The paper's test: bunny, floor and four boxes, some 69,000 triangles, %d x %d pixels; surfels by tessellation, captured. Shares of one frame's time.</p>\n", PAPER_SIDE / thrift, PAPER_SIDE / thrift);
+    if (k == GROWTH_SET) fputs("<p>Bunny on a floor; one thing grows at a time.</p>\n", html);
+    return k == FULL_SET ? full_sizes_of(html, o->quick, rows, err) : k == TURN_SET ? turns_of(html, o->quick, rows, err) : k == MOTION_SET ? motion_of(html, o->quick, rows, err)
+         : k == STAGE_SET ? deep_costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects, o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1, err) : growth_of(o->quick, rows, err);
 }
 
 static int deep_chart(FILE *html, const options *o, deep_set *sets, kit_error *err)
 {
-    static const char *const titles[] = { "Deep screen space: full size, half size", "Deep screen space: the camera turns away", "Deep screen space: the camera moves",
-        "Deep screen space: where the time goes", "Deep screen space: what costs grow with" };
-    static const deep_view lights = WHOLE_LIGHT;
+    int shown = 0;
     page csv;
+    if (page_open(&csv, err)) return -1;
     for (int k = 0; k < DEEP_SETS; ++k) {
         deep_set *set = &sets[k];
-        const char *title = k < DEEP_TABLES ? deep_tables[k].title : titles[k - DEEP_TABLES];
-        if (!title) continue;
-        set->title = title;
-        fprintf(html, "<h2>%s</h2>\n", title);
-        for (int j = k; j < DEEP_TABLES && (j == k || !deep_tables[j].title); ++j) if (deep_table_of(html, &deep_tables[j], o, set, err)) return -1;
-        if (k == FULL_SET && full_sizes_of(html, o->quick, set, err)) return -1;
-        if (k == TURN_SET && turns_of(html, o, set, err)) return -1;
-        if (k == MOTION_SET && motion_of(html, o->quick, set, err)) return -1;
-        if (k == STAGE_SET && deep_costs(set, &lights, 512, 512, deep_effects, o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1, err)) return -1;
-        if (k == STAGE_SET)
-            fputs("<p>The paper's test: bunny, floor and four boxes, some 69,000 triangles, 512 x 512 pixels; surfels by tessellation, captured. Shares of one frame's time.</p>\n", html);
-        if (k == GROWTH_SET && growth_of(o->quick, set, err)) return -1;
-        if (k == GROWTH_SET) fputs("<p>Bunny on a floor; one thing grows at a time.</p>\n", html);
+        const char *svg = k < DEEP_TABLES ? deep_tables[k].svg : k == TURN_SET ? "chart-deep-turn.svg" : NULL;
+        set->title = deep_title(k);
+        set->count = unit(html, o, "deep", k, deep_unit, set->row, err);
+        if (set->count < 0) return -1;
+        if (!set->count) continue;
+        if (svg && chart_of(html, o->out, svg, set->title, k == TURN_SET ? &turn_words : &ao_words, set->row, set->count, (double)NAN, err)) return -1;
         table_html(html, set->row, set->count);
+        table_csv(csv.file, set->row, set->count, !shown++);
     }
-    if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < DEEP_SETS; ++k) if (sets[k].count) table_csv(csv.file, sets[k].row, sets[k].count, !k);
     return page_close(&csv, o->out, "chart-deep.csv", err);
 }
 

@@ -44,8 +44,8 @@ enum { FIELD_PARTS = COUNT(field_parts), FIELD_DEMO_ROWS = 3 * COUNT(moving_entr
 #define EIGHT "bits=8,resolution="
 static const entry field_entries[] = {         /* rows of one label make one curve */
     AOF("vector", "resolution=4", 1), AOF("vector", "resolution=8", 1), AOF("vector", "resolution=16", 1), AOF("vector", "resolution=32", 0),
-    AOF("solid angle", ANGLE "4", 1), AOF("solid angle", ANGLE "8", 1), AOF("solid angle", ANGLE "16", 1),
-    AOF("vector, 8 bits", EIGHT "4", 0), AOF("vector, 8 bits", EIGHT "8", 1), AOF("vector, 8 bits", EIGHT "16", 0), AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
+    AOF("solid angle", ANGLE "4", 1), AOF("solid angle", ANGLE "8", 1), AOF("solid angle", ANGLE "16", 0),
+    AOF("vector, 8 bits", EIGHT "4", 0), AOF("vector, 8 bits", EIGHT "8", 0), AOF("vector, 8 bits", EIGHT "16", 0), AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
 };
 typedef struct field_scene { const char *title; setup setup; int most; const char *curve[2]; } field_scene;     /* most: texels along a side */
 static const field_scene field_scenes[] = {
@@ -73,10 +73,10 @@ static const struct { setup setup; const cost *costs; int count; } cost_sets[] =
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */
 typedef struct bake { const char *label, *settings; int triangles, threads, quick; } bake;
 static const bake bakes[] = {
-    { "lumpy ball", "", 1000, 0, 1 }, { "lumpy ball", "", 10000, 0, 1 }, { "lumpy ball", "", 100000, 0, 1 }, { "lumpy ball", "", 1000000, 0, 0 }, { "lumpy ball", "", 10000, 1, 0 }, { "lumpy ball", "", 1000000, 1, 0 },
-    { "lumpy ball", "resolution=4", 10000, 0, 1 }, { "lumpy ball", "resolution=8", 10000, 0, 1 }, { "lumpy ball", "resolution=32", 10000, 0, 0 },
-    { "lumpy ball", "rays=32", 10000, 0, 1 }, { "lumpy ball", "rays=64", 10000, 0, 1 }, { "lumpy ball", "rays=128", 10000, 0, 1 }, { "lumpy ball", "rays=256", 10000, 0, 0 },
-    { "bunny", "", 0, 1, 1 }, { "bunny", "", 0, 0, 1 },
+    { "lumpy ball", "", 1000, 0, 1 }, { "lumpy ball", "", 10000, 0, 1 }, { "lumpy ball", "", 100000, 0, 0 }, { "lumpy ball", "", 1000000, 0, 0 }, { "lumpy ball", "", 10000, 1, 0 }, { "lumpy ball", "", 1000000, 1, 0 },
+    { "lumpy ball", "resolution=4", 10000, 0, 0 }, { "lumpy ball", "resolution=8", 10000, 0, 1 }, { "lumpy ball", "resolution=32", 10000, 0, 0 },
+    { "lumpy ball", "rays=32", 10000, 0, 1 }, { "lumpy ball", "rays=64", 10000, 0, 0 }, { "lumpy ball", "rays=128", 10000, 0, 0 }, { "lumpy ball", "rays=256", 10000, 0, 0 },
+    { "bunny", "", 0, 1, 0 }, { "bunny", "", 0, 0, 1 },
     { "bunny, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "bunny, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "bunny, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 },
     { "cube, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "cube, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "cube, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 }
 };
@@ -86,7 +86,7 @@ static const struct { const char *label[2]; setup setup; } pairs[] = {
     { { "cubes, each traced", "cubes, each by its field" }, { CLOSE("two-cubes"), { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 512 } }
 };
 
-enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32 };
+enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32, COST_WIDTH = 640, COST_HEIGHT = 360 };
 typedef struct field_row_set { const char *title; row row[MOST_FIELD_ROWS]; int count; } field_row_set;
 
 /* ---- >>measuring --------------------------------------------------------------------------------------------------- */
@@ -148,7 +148,7 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
 static row blank(int of, const char *scene, const char *label, const char *settings)
 {
     const double none = (double)NAN;
-    row r = { .scene = scene, .label = label, .method = "aof", .settings = settings, .fetches = none, .relative = none, .ms = none, .share = none, .score = { none, none, none, none, 0 }, .of = of };
+    row r = { .scene = scene, .label = label, .method = "aof", .settings = settings, .fetches = none, .bytes = none, .relative = none, .ms = none, .share = none, .score = { none, none, none, none, 0 }, .of = of };
     for (int k = 0; k < FIGURES; ++k) r.figure[k] = none;
     return r;
 }
@@ -288,7 +288,7 @@ static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
 
 /* ---- >>chart ------------------------------------------------------------------------------------------------------- */
 
-static int accuracy_of(FILE *html, const field_scene *f, int quick, field_row_set *set, row *curve, int *points, kit_error *err)
+static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *rows, kit_error *err)
 {
     const entry *const all = field_entries;
     entry entries[COUNT(field_entries)];
@@ -298,22 +298,27 @@ static int accuracy_of(FILE *html, const field_scene *f, int quick, field_row_se
     for (int i = 0; i < COUNT(field_entries); ++i) {
         ssgi_field_desc d;
         if (desc_of(&d, all[i].settings, err)) return -1;
-        if (d.resolution <= f->most && (all[i].quick || !quick)) entries[count++] = all[i];
+        if (d.resolution <= f->most && (all[i].quick || !o->quick)) entries[count++] = all[i];
     }
-    if (field_open(&s, &f->setup, 240, 135, err) || field_measure(set->row, &s, entries, count, picture, err) || field_about(html, &s, "", err)) return -1;
-    set->count = count + 1;
-    for (int i = 0; i <= count; ++i) set->row[i].scene = f->setup.view.name;
-    for (int i = 0; i < count; ++i) {
-        kit_image_free(&picture[i]);
-        if (!f->curve[0] || strstr(entries[i].label, "bits")) continue;
-        curve[*points] = set->row[i];
-        curve[*points].label = f->curve[!!strcmp(entries[i].label, "vector")];
-        curve[*points].relative = set->row[i].figure[BYTES];
-        curve[*points].fetches = set->row[i].figure[RESOLUTION];
-        curve[(*points)++].share = 100 * set->row[i].score.rmse;
-    }
+    if (field_open(&s, &f->setup, 240, 135, err) || field_measure(rows, &s, entries, count, picture, err) || field_about(html, &s, "", err)) return -1;
+    if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
+    for (int i = 0; i <= count; ++i) rows[i].scene = f->setup.view.name;
+    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
-    return 0;
+    return count + 1;
+}
+
+/* Points of the chart of error against memory. */
+static void curve_of(row *curve, int *points, const field_scene *f, const row *rows, int count)
+{
+    for (int i = 0; i + 1 < count; ++i) {                       /* the last is no field's */
+        if (!f->curve[0] || strstr(rows[i].label, "bits")) continue;
+        curve[*points] = rows[i];
+        curve[*points].label = f->curve[!!strcmp(rows[i].label, "vector")];
+        curve[*points].relative = rows[i].figure[BYTES];
+        curve[*points].fetches = rows[i].figure[RESOLUTION];
+        curve[(*points)++].share = 100 * rows[i].score.rmse;
+    }
 }
 
 /* Pixels that casters reach, each caster's, over all pixels. */
@@ -369,14 +374,15 @@ static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error 
     return 0;
 }
 
-static int costs_of(field_row_set *set, int quick, kit_error *err)
+static int costs_of(row *all, int quick, kit_error *err)
 {
+    int sum = 0;
     for (int k = 0; k < COUNT(cost_sets); ++k) {
         kit_run run[COUNT(of_casters)];
-        row *const rows = set->row + set->count;
+        row *const rows = all + sum;
         int count = 0;
         stage s;
-        if (field_open(&s, &cost_sets[k].setup, 640, 360, err)) return -1;
+        if (field_open(&s, &cost_sets[k].setup, COST_WIDTH, COST_HEIGHT, err)) return -1;
         for (int i = 0; i < cost_sets[k].count; ++i) {
             const cost *c = &cost_sets[k].costs[i];
             ssgi_field_desc d;
@@ -387,10 +393,10 @@ static int costs_of(field_row_set *set, int quick, kit_error *err)
             kit_run_draw(&run[count++], 1);
         }
         if (clock_runs(rows, &s, run, count, quick ? QUICK_ROUNDS : CHART_ROUNDS, err)) return -1;
-        set->count += count;
+        sum += count;
         stage_close(&s);
     }
-    return 0;
+    return sum;
 }
 
 /* Positions alone, of so many triangles or a few less. */
@@ -412,8 +418,9 @@ static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
     return 0;
 }
 
-static int bakes_of(field_row_set *set, int quick, kit_error *err)
+static int bakes_of(row *rows, int quick, kit_error *err)
 {
+    int count = 0;
     kit_scene casters, bunny;
     const kit_mesh *cube = NULL;
     const char *threads = getenv("KIT_THREADS");
@@ -422,7 +429,7 @@ static int bakes_of(field_row_set *set, int quick, kit_error *err)
     for (int i = 0; i < casters.objects && !cube; ++i) if (!strcmp(casters.object[i].name, "cube")) cube = &casters.shape[casters.object[i].shape];
     for (int i = 0; i < COUNT(bakes); ++i) {
         const bake *b = &bakes[i];
-        row *r = &set->row[set->count];
+        row *r = &rows[count];
         ssgi_field_desc d;
         kit_mesh ball = { 0 };
         if (quick && !b->quick) continue;
@@ -434,12 +441,12 @@ static int bakes_of(field_row_set *set, int quick, kit_error *err)
         if (was) setenv("KIT_THREADS", was, 1); else unsetenv("KIT_THREADS");
         r->figure[THREADS] = b->threads ? b->threads : was ? atoi(was) : (double)sysconf(_SC_NPROCESSORS_ONLN);
         free(ball.position);
-        ++set->count;
+        ++count;
     }
     free(was);
     kit_scene_free(&casters);
     kit_scene_free(&bunny);
-    return 0;
+    return count;
 }
 
 /* Two casters' visibilities, each alone, against that of both. */
@@ -460,8 +467,9 @@ static void combined(row *r, const stage *s, const kit_image *each)
     r->figure[BETWEEN] = (double)between / (double)n;
 }
 
-static int pairs_of(field_row_set *set, kit_error *err)
+static int pairs_of(row *rows, kit_error *err)
 {
+    int count = 0;
     for (int k = 0; k < COUNT(pairs); ++k) {
         kit_image each[2][2];                                   /* traced, by its field */
         int one = 0, other;
@@ -479,44 +487,57 @@ static int pairs_of(field_row_set *set, kit_error *err)
             kit_run_close(&run);
         }
         for (int i = 0; i < 2; ++i) {
-            row *r = &set->row[set->count++];
+            row *r = &rows[count++];
             *r = blank(OF_PAIR, pairs[k].setup.view.name, pairs[k].label[i], "");
             combined(r, &s, each[i]);
             for (int j = 0; j < 2; ++j) kit_image_free(&each[i][j]);
         }
         stage_close(&s);
     }
-    return 0;
+    return count;
+}
+
+static const char *field_title(int k) { return k < FIELD_SCENES ? field_scenes[k].title : k == COST_SET ? "Fields: what casters cost" : k == BAKE_SET ? "Fields: what a bake takes" : "Fields: two casters"; }
+
+static int field_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    static const char *const about[] = {
+        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone. Covered: pixels within the casters' reach, "
+        "each caster's; a software rasteriser works for all pixels of the rectangles around those spheres.",
+        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of both.",
+        "Two casters by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
+    if (!asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
+    if (!rows) return 1;
+    if (!k) fputs("<h2>Fields: error against memory</h2>\n", html);
+    fprintf(html, "<h%d>%s</h%d>\n", k < FIELD_SCENES ? 3 : 2, field_title(k), k < FIELD_SCENES ? 3 : 2);
+    if (k == COST_SET) fprintf(html, "<p>%d x %d pixels. ", COST_WIDTH / thrift, COST_HEIGHT / thrift);
+    if (k >= FIELD_SCENES) fprintf(html, "%s%s</p>\n", k == COST_SET ? "" : "<p>", about[k - FIELD_SCENES]);
+    return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err) : k == COST_SET ? costs_of(rows, o->quick, err) : k == BAKE_SET ? bakes_of(rows, o->quick, err) : pairs_of(rows, err);
 }
 
 static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_error *err)
 {
-    static const char *const about[] = {
-        "640 x 360 pixels. Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone. Covered: pixels within the casters' reach, "
-        "each caster's; a software rasteriser works for all pixels of the rectangles around those spheres.",
-        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of both.",
-        "Two casters by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
     row curve[FIELD_SCENES * COUNT(field_entries)];
-    int points = 0;
+    int points = 0, shown = 0;
     page csv;
-    fputs("<h2>Fields: error against memory</h2>\n", html);
-    for (int k = 0; k < FIELD_SETS; ++k) {
-        sets[k].title = k < FIELD_SCENES ? field_scenes[k].title : k == COST_SET ? "Fields: what casters cost" : k == BAKE_SET ? "Fields: what a bake takes" : "Fields: two casters";
-        fprintf(html, "<h%d>%s</h%d>\n", k < FIELD_SCENES ? 3 : 2, sets[k].title, k < FIELD_SCENES ? 3 : 2);
-        if (k >= FIELD_SCENES) fprintf(html, "<p>%s</p>\n", about[k - FIELD_SCENES]);
-        if (k < FIELD_SCENES && accuracy_of(html, &field_scenes[k], o->quick, &sets[k], curve, &points, err)) return -1;
-        if ((k == COST_SET && costs_of(&sets[k], o->quick, err)) || (k == BAKE_SET && bakes_of(&sets[k], o->quick, err)) || (k == PAIR_SET && pairs_of(&sets[k], err))) return -1;
-        table_html(html, sets[k].row, sets[k].count);
-        if (k + 1 == FIELD_SCENES && chart_of(html, o->out, "chart-aof.svg", "Fields: error against memory", &field_words, curve, points, (double)NAN, err)) return -1;
-    }
     if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < FIELD_SETS; ++k) table_csv(csv.file, sets[k].row, sets[k].count, !k);
+    for (int k = 0; k < FIELD_SETS; ++k) {
+        field_row_set *set = &sets[k];
+        set->title = field_title(k);
+        set->count = unit(html, o, "fields", k, field_unit, set->row, err);
+        if (set->count < 0) return -1;
+        if (set->count) table_html(html, set->row, set->count);
+        if (set->count) table_csv(csv.file, set->row, set->count, !shown++);
+        if (k < FIELD_SCENES) curve_of(curve, &points, &field_scenes[k], set->row, set->count);
+        if (k + 1 == FIELD_SCENES && points && chart_of(html, o->out, "chart-aof.svg", "Fields: error against memory", &field_words, curve, points, (double)NAN, err)) return -1;
+    }
     return page_close(&csv, o->out, "chart-aof.csv", err);
 }
 
 static void field_chart_text(FILE *f, const field_row_set *sets)
 {
     for (int k = 0; k < FIELD_SETS; ++k) {
+        if (!sets[k].count) continue;
         fprintf(f, "\n%s\n", sets[k].title);
         table_text(f, sets[k].row, sets[k].count);
     }

@@ -9,14 +9,14 @@
 #define RIGHT_SUN(colour) "sun:1,0.8,0.35," colour
 
 static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 384, 0.4f, { { 450, 194, 192, 108 } } };
-static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 1024, 1, { { 0 } } };
-static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 1024, 1, { { 0 } } };
+static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 512, 1, { { 0 } } };
+static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 512, 1, { { 0 } } };
 static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 172, 225, 192, 108 } } };
 #define BETWEEN_BOXES { { 180, 185, 192, 108 }, { 390, 185, 192, 108 } }
 static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
 static const lit suns_changed = { NULL, { LEFT_SUN(TURQUOISE), RIGHT_SUN(PINK) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
 static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f, { { 262, 290, 192, 108 }, { 440, 230, 192, 108 } } };
-static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 4096, 1, { { 0 } } };
+static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 2048, 1, { { 0 } } };
 static const lit band_lits[] = {
     { "white", { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
     { "sky",   { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
@@ -131,57 +131,38 @@ static const entry vector_entries[] = {
     { "4 bands, vectors filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
 };
 
-typedef struct lit_table { const char *title, *about; view view; const entry *entries; int count, of; } lit_table;
+typedef struct lit_table { const char *title, *about; view view; const entry *entries; int count, of, quick; } lit_table;
 #define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 static const lit_table lit_demos[] = {
-    { "Light: a sky and a sun", "Bunny and four boxes under the built-in sky and a sun with shadows.", { BOXES_VIEW, &sun_and_sky }, sun_entries, COUNT(sun_entries), OF_LIT },
-    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.", SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT },
-    { "Harmonics: two suns", "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL, SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT },
-    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL, SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT },
-    { "Harmonics: a sky and a bright sun", "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny side. " LOCAL, SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT }
+    { "Light: a sky and a sun", "Bunny and four boxes under the built-in sky and a sun with shadows.", { BOXES_VIEW, &sun_and_sky }, sun_entries, COUNT(sun_entries), OF_LIT, 0 },
+    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.", SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
+    { "Harmonics: two suns", "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL, SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL, SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: a sky and a bright sun", "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny side. " LOCAL, SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
 };
 static const lit_table lit_tables[] = {
-    { "Light: speed against accuracy", "Bunny and four boxes under the sky, one bounce.", { BOXES_VIEW, &sky_boxes }, deep_entries, COUNT(deep_entries), OF_LIT },
-    { "What light costs", "The same scene; 16 directions, no filter.", { BOXES_VIEW, &sky_boxes }, cost_entries, COUNT(cost_entries), OF_LIT },
-    { "What is hidden: columns", "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.", SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
-    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.", SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
-    { "What is hidden: room", "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and cameras stand outside.", SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT },
-    { "What harmonics cost", "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they meet the light.", { BOXES_VIEW, &sky_boxes }, vector_entries, COUNT(vector_entries), OF_LIT },
-    { "Under a high-contrast probe", "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of the light from.", SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT }
+    { "Light: speed against accuracy", "Bunny and four boxes under the sky, one bounce.", { BOXES_VIEW, &sky_boxes }, deep_entries, COUNT(deep_entries), OF_LIT, 1 },
+    { "What light costs", "The same scene; 16 directions, no filter.", { BOXES_VIEW, &sky_boxes }, cost_entries, COUNT(cost_entries), OF_LIT, 0 },
+    { "What is hidden: columns", "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.", SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.", SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
+    { "What is hidden: room", "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and cameras stand outside.", SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What harmonics cost", "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they meet the light.", { BOXES_VIEW, &sky_boxes }, vector_entries, COUNT(vector_entries), OF_LIT, 0 },
+    { "Under a high-contrast probe", "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of the light from.", SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
 };
 
 /* The same entries under one light each; shown as one table. */
 static const char *const bands_title = "How many bands";
 static const lit_table band_tables[] = {
-    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries, COUNT(band_entries), OF_LIT },
-    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries), OF_LIT },
-    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL, SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT },
-    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.", SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT },
-    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]), band_entries, COUNT(band_entries), OF_LIT }
+    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL, SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.", SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]), band_entries, COUNT(band_entries), OF_LIT, 0 }
 };
 enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables), BAND_TABLES = COUNT(band_tables), LIT_SETS = LIT_TABLES + BAND_TABLES, PHASES = 8 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
 
 /* ---- >>pages ------------------------------------------------------------------------------------------------------- */
-
-/* The part of a picture in crop (NULL: all), each pixel times x times: exposed R, G, B and their luminance Y. */
-static int exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times, kit_error *err)
-{
-    static const char *const names[3] = { "R", "G", "B" };
-    static const float weight[3] = { 0.2126f, 0.7152f, 0.0722f };
-    const int all[4] = { 0, 0, picture->width, picture->height };
-    size_t i = 0;
-    if (!crop) crop = all;
-    if (kit_image_new(out, crop[2] * times, crop[3] * times, "R,G,B,Y", err)) return -1;
-    for (int y = 0; y < out->height; ++y)
-        for (int x = 0; x < out->width; ++x, ++i)
-            for (size_t c = 0; c < 3; ++c) {
-                const float v = exposure * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width + (size_t)(crop[0] + x / times)];
-                out->data[c * (size_t)out->width * (size_t)out->height + i] = v;
-                out->data[3 * (size_t)out->width * (size_t)out->height + i] += weight[c] * v;
-            }
-    return 0;
-}
 
 /* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some of it with more rays. */
 static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
@@ -190,11 +171,11 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     kit_image probe;
     row noise;
     memset(&noise, 0, sizeof noise);
-    if (trace(&probe, s, 4 * s->lit->rays, 23, err) || score(&noise, s, &probe, err)) return -1;
+    if (trace(&probe, s, 4 * s->rays, 23, err) || score(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
     if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
     fprintf(html, "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
-            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->lit->rays, noise.error[0], noise.error[1], bounce);
+            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays, noise.error[0], noise.error[1], bounce);
     return 0;
 }
 
@@ -255,54 +236,58 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     return 0;
 }
 
-/* What an entry's irradiance is off by under an environment: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. */
-static int split(row *r, stage *s, const entry *e, const kit_image *picture, kit_error *err)
+/* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. A
+   second phase that is the first over again is the last: there is no noise. */
+static int split(row *r, stage *s, const entry *e, int phases, const kit_image *picture, kit_error *err)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
-    static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
-    const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height;
-    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3];
-    const int phases = e ? PHASES : 1;
-    double *sum = calloc(6 * pixels, sizeof *sum), *squares = sum + 3 * pixels, level = 0, off = 0, noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
+    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = { "Y" };
+    const char *const *names = s->lit ? lit_names : ao_names;
+    const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height, channels = s->lit ? 3 : 1;
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
+    double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0, noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
+    int drawn = 0, differs = 0;
     kit_run run;
     if (!sum) return kit_fail(err, "out of memory");
     if (e && run_open(&run, s, e->method, e->settings, s->radius, err)) return -1;
-    for (int k = 0; k < phases; ++k) {
-        kit_image drawn;
+    while (drawn < (e ? drawn == 2 && !differs ? 2 : phases : 1)) {
+        kit_image now;
         if (e) {
-            run.frame.phase = (float)k / PHASES;
+            run.frame.phase = (float)drawn / (float)phases;
             kit_run_update(&run);
             kit_run_draw(&run, 0);
-            if (kit_run_read(&drawn, &run, err) || (!run.lit && light_by(&drawn, s, err))) return -1;
-            picture = &drawn;
+            if (kit_run_read(&now, &run, err) || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
+            picture = &now;
         }
-        for (size_t c = 0; c < 3; ++c) {
+        for (size_t c = 0; c < channels; ++c) {
             const float *v = kit_image_channel(picture, names[c]);
             for (size_t i = 0; i < pixels; ++i) {
-                sum[c * pixels + i] += (double)v[i] / phases;
-                squares[c * pixels + i] += (double)v[i] * (double)v[i] / phases;
+                differs |= drawn && (double)v[i] * drawn != sum[c * pixels + i];
+                sum[c * pixels + i] += (double)v[i];
+                squares[c * pixels + i] += (double)v[i] * (double)v[i];
             }
         }
-        if (e) kit_image_free(&drawn);
+        if (e) kit_image_free(&now);
+        ++drawn;
     }
     if (e) kit_run_close(&run);
-    for (int c = 0; c < 3; ++c) {
+    for (size_t c = 0; c < channels; ++c) {
         truth[c] = kit_image_channel(&s->truth, names[c]);
-        open[c] = kit_image_channel(&s->given[0].picture, names[c]);
+        if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, names[c]);
     }
     for (size_t i = 0; i < pixels; ++i) {
         double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
-        if (!(z[i] > 0)) continue;
-        for (size_t c = 0; c < 3; ++c) {
-            const double is = sum[c * pixels + i], should = (double)truth[c][i];
+        if (!(z[i] > 0) || isnan(sum[i])) continue;
+        for (size_t c = 0; c < channels; ++c) {
+            const double is = sum[c * pixels + i] / drawn, should = (double)truth[c][i];
             level += should;
             off += (is - should) * (is - should);
-            if (e) noise += fmax(0, squares[c * pixels + i] - is * is) * phases / (phases - 1);
+            if (differs) noise += fmax(0, squares[c * pixels + i] / drawn - is * is) * drawn / (drawn - 1);
             of[0] += is * is;
             of[1] += should * should;
             product += is * should;
-            bright += luminance[c] * should;
-            unblocked += luminance[c] * (double)open[c][i];
+            if (s->lit) bright += luminance[c] * should;
+            if (s->lit) unblocked += luminance[c] * (double)open[c][i];
             values += 1;
         }
         if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
@@ -311,13 +296,24 @@ static int split(row *r, stage *s, const entry *e, const kit_image *picture, kit
             weight[k] += bright;
         }
     }
-    level /= values;
-    r->of = OF_SPLIT;
-    r->split[0] = sqrt((off + noise * (phases - 1) / phases) / values) / level;
-    r->split[1] = sqrt(fmax(0, off - noise / phases) / values) / level;
-    r->split[2] = sqrt(noise / values) / level;
+    level = s->lit ? level / values : 1;
+    r->of = s->lit ? OF_SPLIT : r->of | OF_PHASES;
+    r->split[0] = sqrt((off + noise * (drawn - 1) / drawn) / values) / level;
+    r->split[1] = sqrt(fmax(0, off - noise / drawn) / values) / level;
+    r->split[2] = e ? sqrt(noise / values) / level : (double)NAN;
     for (int k = 0; k < 2; ++k) r->split[3 + k] = hue[k] / weight[k] * 180 / acos(-1);
     free(sum);
+    return 0;
+}
+
+/* Of all that was measured. */
+static int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
+{
+    for (int i = 0; i < count + s->givens; ++i) {
+        kit_progress("noise", (double)i / (count + s->givens));
+        if (split(&rows[i], s, i < count ? &entries[i] : NULL, phases, i < count ? NULL : &s->given[i - count].picture, err)) return -1;
+    }
+    kit_progress("noise", 1);
     return 0;
 }
 
@@ -339,42 +335,54 @@ static void bands_table(FILE *f, const lit_row_set *sets, int html)
     fputs(html ? "\n</table></div>\n" : "\n", f);
 }
 
+static const lit_table *lit_table_at(int k) { return k < LIT_TABLES ? &lit_tables[k] : &band_tables[k - LIT_TABLES]; }
+
+static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    const lit_table *t = lit_table_at(k);
+    entry entries[MOST_ENTRIES];
+    kit_image picture[MOST_ENTRIES];
+    const int count = chosen(entries, t->entries, t->count, o);
+    stage s;
+    if (!count || (o->quick && !t->quick)) return 0;
+    if (!rows) return 1;
+    if (stage_open(&s, &t->view, 640, 360, err) || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err)) return -1;
+    if (t->of == OF_SPLIT && splits(rows, &s, entries, count, PHASES, err)) return -1;
+    for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
+    if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
+    if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err))) return -1;
+    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
+    stage_close(&s);
+    return count + s.givens;
+}
+
 static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error *err)
 {
-    stage s;
+    int shown = 0;
     page csv;
     if (page_open(&csv, err)) return -1;
     for (int k = 0; k < LIT_SETS; ++k) {
-        const lit_table *t = k < LIT_TABLES ? &lit_tables[k] : &band_tables[k - LIT_TABLES];
-        entry entries[MOST_ENTRIES];
+        const lit_table *t = lit_table_at(k);
         lit_row_set *set = &sets[k];
-        int count = 0;
-        for (int i = 0; i < t->count; ++i) if (t->entries[i].quick || !o->quick) entries[count++] = t->entries[i];
-        if (stage_open(&s, &t->view, 640, 360, err) || measure(set->row, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, NULL, err)) return -1;
-        set->count = count + s.givens;
-        for (int i = 0; i < set->count && t->of == OF_SPLIT; ++i) {
-            kit_progress("noise", (double)i / set->count);
-            if (split(&set->row[i], &s, i < count ? &entries[i] : NULL, i < count ? NULL : &s.given[i - count].picture, err)) return -1;
-        }
-        kit_progress("noise", 1);
-        if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
-        if (lit_about(html, &s, t, err)) return -1;
-        stage_close(&s);
-        for (int i = 0; i < set->count; ++i) set->row[i].scene = t->view.name;
+        set->count = unit(html, o, "lit", k, lit_unit, set->row, err);
+        if (set->count < 0) return -1;
+        if (!set->count) continue;
         if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err)) return -1;
         if (k < LIT_TABLES) table_html(html, set->row, set->count);
-        table_csv(csv.file, set->row, set->count, !k);
+        table_csv(csv.file, set->row, set->count, !shown++);
     }
-    bands_table(html, sets + LIT_TABLES, 1);
+    if (sets[LIT_TABLES].count) bands_table(html, sets + LIT_TABLES, 1);
     return page_close(&csv, o->out, "chart-lit.csv", err);
 }
 
 static void lit_chart_text(FILE *f, const lit_row_set *sets)
 {
     for (int k = 0; k < LIT_TABLES; ++k) {
+        if (!sets[k].count) continue;
         fprintf(f, "\n%s\n", lit_tables[k].title);
         table_text(f, sets[k].row, sets[k].count);
     }
+    if (!sets[LIT_TABLES].count) return;
     fprintf(f, "\n%s\n", bands_title);
     bands_table(f, sets + LIT_TABLES, 0);
 }

@@ -3,21 +3,22 @@
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
 
 enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
-       OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };
+       OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_PHASES = 8192, OF_PEER = 16384,
+       OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };
 
 /* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. Of deep screen space:
    what is splatted; its stages' shares of the time; how far the camera is turned; what a place's visibility varies by while the camera moves. */
 enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN,
-       SURFELS, SPLATS, PICTURE, STAGE, STAGES = 7, DEGREES = STAGE + STAGES, FLICKER, FLICKER_TRUE, FLICKER_ADDED, FIGURES };
+       SURFELS, SPLATS, PICTURE, STAGE, STAGES = 7, DEGREES = STAGE + STAGES, FLICKER, FLICKER_TRUE, FLICKER_ADDED, FITTED, FIGURES };
 
 /* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
 typedef struct row {
     const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
-    double fetches, relative, ms, share;
+    double fetches, bytes, relative, ms, share;
     kit_score score;                                 /* of ambient visibility, or of radiance */
     int of;                                          /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
     double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
-    double split[SPLITS];                            /* OF_SPLIT: irradiance's total error, what of it is bias and noise; hue, of all and of what is in shade */
+    double split[SPLITS];                            /* OF_SPLIT, OF_PHASES: irradiance's or visibility's total error, what of it is the model's and noise; hue, of all and of what is in shade */
     double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
 } row;
 
@@ -41,6 +42,14 @@ static int page_close(page *p, const char *folder, const char *name, kit_error *
     else status = kit_file_write(path, p->text, p->size, err);
     free(p->text);
     return status;
+}
+
+/* What a page holds becomes part of another file. */
+static void page_into(page *p, FILE *f)
+{
+    fclose(p->file);
+    fwrite(p->text, 1, p->size, f);
+    free(p->text);
 }
 
 static void escaped(FILE *f, const char *s)
@@ -74,13 +83,17 @@ static const column columns[] = {
     { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels", "texels that splats cover at all levels, over the picture's pixels; predicted", offsetof(row, figure[SPLATS]), 1, 0 },
     { OF_TURN, "degrees",   "degrees",       "that the camera has turned away",                    offsetof(row, figure[DEGREES]), 1, 0 },
     { OF_AO | OF_LIT | OF_SPLIT, "fetches", "fetches", "texel fetches per pixel, all passes",      offsetof(row, fetches),    1, 0 },
+    { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH, "bytes", "bytes", "moved per pixel, all passes, each texel of a pass's inputs and outputs once", offsetof(row, bytes), 0, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "time", "relative_time", "GL time relative to one unblurred 16-sample ssao", offsetof(row, relative),   2, 0 },
     { OF_AO | OF_LIT | OF_SPLIT | OF_COST | OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "ms", "ms", "GL time, milliseconds",                              offsetof(row, ms),         1, 0 },
     { OF_FIELD, "median",   "median",        "half of the pixels are off by less",                 offsetof(row, figure[MEDIAN]), 4, 0 },
     { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "RMSE", "rmse",      "root mean square difference to the truth",           offsetof(row, score.rmse), 4, 0 },
     { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "share", "share",          "RMSE over the RMSE of having no AO",                 offsetof(row, share),      3, 0 },
+    { OF_PEER, "fitted",    "share_fitted",  "the share after the best fit of two numbers to this picture", offsetof(row, figure[FITTED]), 3, 0 },
     { OF_AO | OF_FIELD | OF_DEEP | OF_TURN, "bias", "bias",            "mean difference to the truth; below 0: too dark",    offsetof(row, score.bias), 4, 1 },
     { OF_AO | OF_FIELD | OF_DEEP, "p95", "p95",        "95 % of the pixels are off by less",                 offsetof(row, score.p95),  4, 0 },
+    { OF_PHASES, "model",   "model_error",   "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
+    { OF_PHASES, "noise",   "noise",         "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4, 0 },
     { OF_FIELD, "most",     "most",          "the worst pixel",                                    offsetof(row, figure[MOST]), 3, 0 },
     { OF_PAIR, "product",   "product",       "RMSE of 1 - (1 - a)(1 - b), a and b being the two casters' occlusions", offsetof(row, figure[BY_PRODUCT]), 4, 0 },
     { OF_PAIR, "max",       "max_of_two",    "RMSE of the larger one",                             offsetof(row, figure[BY_MOST]), 4, 0 },
@@ -110,10 +123,10 @@ static const column columns[] = {
     { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim",        "structural similarity with the truth, 1 = the same", offsetof(row, score.ssim), 4, 0 }
 };
 
-/* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. */
+/* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. A software rasteriser's milliseconds would mislead. */
 static int next_column(int c, int of)
 {
-    while (++c < (int)(sizeof columns / sizeof columns[0])) if (columns[c].of & of) return c;
+    while (++c < (int)(sizeof columns / sizeof columns[0])) if (columns[c].of & of && !(columns[c].offset == offsetof(row, ms) && kit_gl_is_software())) return c;
     return -1;
 }
 
@@ -178,7 +191,7 @@ static void csv_field(FILE *f, const char *s)
 
 static void table_csv(FILE *f, const row *rows, int count, int head)
 {
-    const int of = rows->of & OF_AO ? OF_AO : rows->of & OF_FIELDS ? OF_FIELDS : rows->of & OF_DEEPS ? OF_DEEPS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another, all of deep screen space a third */
+    const int of = rows->of & OF_AO ? OF_PHASES | (rows->of & (OF_AO | OF_PEER)) : rows->of & OF_FIELDS ? OF_FIELDS : rows->of & OF_DEEPS ? OF_DEEPS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another, all of deep screen space a third */
     if (head) {
         fputs("scene,label,method,settings", f);
         for (int c = -1; (c = next_column(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
@@ -204,7 +217,8 @@ typedef struct scale { double x0, x1, y0, y1; int even; } scale;   /* what lies 
 
 /* Okabe and Ito's palette, told apart by colour-blind eyes too; orange and sky are left for curves five and six. */
 static const char *const colours[] = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", "#3A9BD9" };
-#define COLOUR(series) colours[(series) % (int)(sizeof colours / sizeof colours[0])]
+#define COLOUR(series) ((series) < others ? colours[(series) % (int)(sizeof colours / sizeof colours[0])] : "#77777f")
+static int others;                                   /* curves from this one on are other people's, fitted */
 
 static double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * ((s->even ? v : log(v)) - s->x0) / (s->x1 - s->x0); }
 static double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
@@ -258,10 +272,10 @@ static double step_of(double least, double span)     /* 1, 2 or 5 times a power 
 }
 
 typedef struct words { const char *about, *across, *up, *relative, *fetches; int even; } words;    /* what stands at a chart's top and sides; in tooltips (fetches NULL: no numbers beside the points); even: no log scale */
-static const words ao_words    = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches", 0 };
-static const words lit_words   = { "left is faster, down is closer to the truth; numbers beside the points: texel fetches per pixel", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches", 0 };
+static const words ao_words    = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches", 0 };
+static const words lit_words   = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches", 0 };
 static const words turn_words  = { "down is closer to the truth; 1 is as far off as no ambient occlusion at all", "degrees that the camera has turned away from what occludes", "error (RMSE) on the same ground, share of having no AO at all", "degrees", NULL, 1 };
-static const words field_words = { "left is smaller, down is closer to the truth; numbers beside the points: texels along a side of the cube map", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side", 0 };
+static const words field_words = { "left is smaller, down is closer to the truth; numbers: texels along a side of the cube map; grey band: nothing beats these", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side", 0 };
 
 /* rows: points with a relative time; others (floor, no AO) are skipped. floor_: share, NAN = no line. */
 static void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int count, double floor_)
@@ -310,11 +324,25 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
         taken[boxes++] = (box){ LEFT, up(&s, floor_) - 1.5, RIGHT - LEFT, 3 };
     }
 
+    if (!s.even) {                       /* the Pareto front: what no other point beats */
+        const row *front[256];
+        double least = HUGE_VAL;
+        memcpy(front, sorted, (size_t)points * sizeof *front);
+        qsort(front, (size_t)points, sizeof *front, by_relative);
+        fputs("<path fill=\"none\" stroke=\"#dedede\" stroke-width=\"15\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"", f);
+        for (int i = 0; i < points; ++i) {
+            if (!(front[i]->share < least)) continue;
+            fprintf(f, "%c%.1f %.1f", least < HUGE_VAL ? 'L' : 'M', across(&s, front[i]->relative), up(&s, front[i]->share));
+            least = front[i]->share;
+        }
+        fputs("\"/>\n", f);
+    }
     /* Curves, and the boxes of markers and lines for the labels to avoid; then markers with tooltips; then labels. */
     for (int i = 0; i < points; i = at, ++series) {
         for (at = i; at < points && !strcmp(sorted[at]->label, sorted[i]->label);) ++at;
         qsort(sorted + i, (size_t)(at - i), sizeof *sorted, by_relative);
-        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\" d=\"", COLOUR(series));
+        if (!series || !(sorted[i]->of & OF_PEER) || isnan(sorted[i]->figure[FITTED])) others = series + 1;
+        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\"%s d=\"", COLOUR(series), series < others ? "" : " stroke-dasharray=\"6 4\"");
         for (int k = i; k < at; ++k) {
             double x = across(&s, sorted[k]->relative), y = up(&s, sorted[k]->share);
             fprintf(f, "%c%.1f %.1f", k > i ? 'L' : 'M', x, y);
@@ -324,13 +352,14 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
                 taken[boxes++] = (box){ x0 + (x - x0) * t - 3, y0 + (y - y0) * t - 3, 6, 6 };
             }
         }
-        const int room = 38 + (int)(7.0 * (double)strlen(sorted[i]->label));
+        const char *fitted = series < others ? "" : ", fitted";
+        const int room = 38 + (int)(7.0 * (double)(strlen(sorted[i]->label) + strlen(fitted)));
         if (legend > LEFT && legend + room > RIGHT) { legend = LEFT; line += 18; }
         fputs("\"/>\n<path ", f);
         marker(f, series, legend + 7, line);
         fprintf(f, "/><text x=\"%d\" y=\"%.1f\" fill=\"#222\">", legend + 21, line + 4.5);
         escaped(f, sorted[i]->label);
-        fputs("</text>\n", f);
+        fprintf(f, "%s</text>\n", fitted);
         legend += room;
     }
     if (!isnan(floor_)) {                /* its words: above or below, where along the line they cover least */
@@ -385,6 +414,7 @@ static void html_head(FILE *f, const char *title, const char *about)
         "p, dl { max-width: 76ch; margin: .4rem 0 } dt { font-weight: 600; margin-top: .6rem } dd { margin: 0 } .faint, figcaption span, dd { color: var(--faint) }\n"
         ".grid { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)) }\n"
         ".crops { grid-template-columns: repeat(auto-fit, minmax(min(100%, 260px), 1fr)); margin-top: 1.4rem }\n"
+        ".thumbs { grid-template-columns: repeat(auto-fit, minmax(min(100%, 200px), 1fr)); gap: .8rem; max-width: 900px; margin: .8rem 0 } .thumbs figure { align-self: end } .thumbs figcaption, .thumbs figcaption span { display: block; font-size: .85rem; overflow-wrap: anywhere }\n"
         ".charts { display: grid; gap: 1.4rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 600px), 1fr)) } svg { display: block; width: 100%; height: auto; max-width: 900px }\n"
         "figure { margin: 0 } figcaption { margin: 0 0 .35rem; display: flex; justify-content: space-between; gap: 1rem } figcaption span { font-variant-numeric: tabular-nums }\n"
         "img { display: block; width: 100%; height: auto; border: 1px solid var(--line) } img + img, a + a img { border-top: 0 }\n"
@@ -418,10 +448,14 @@ static void html_terms(FILE *f)
 {
     fputs("<h2>What the figures mean</h2>\n<dl>\n"
         "<dt>fetches<dd>Texel fetches per pixel, summed over all passes of the method.\n"
+        "<dt>bytes<dd>What a frame moves per pixel at the least: each pass reads each texel of its inputs once and writes each texel of its outputs once, in the formats in which they are stored; "
+        "of splats, which are blended, each texel that they cover is read and written, and surfels are read once.\n"
         "<dt>time<dd>GL time of all passes, over that of one unblurred 16-sample SSAO drawn right before and after it in the same run; the median of several rounds. Below 1 is cheaper than that SSAO.\n"
         "<dt>RMSE, share<dd>Root mean square difference to the ray-traced truth, over the pixels that show something, of ambient visibility (0 closed, 1 open), as it comes, with no fit or gain. "
         "The share is RMSE over the RMSE of having no AO at all, so 1 means that the pass might as well be left out.\n"
         "<dt>bias, p95, SSIM<dd>The mean difference (below 0: too dark), the difference that 95 % of the pixels stay under, the structural similarity.\n"
+        "<dt>model, noise<dd>Drawn with four phases of its noise: the model's error is what their mean picture is off, the noise what a pixel varies by, as under light below. The noise is 0 where no phase changes the picture.\n"
+        "<dt>grey band<dd>The Pareto front: no other point of the chart is both faster and closer to the truth.\n"
         "<dt>floor<dd>The exact answer from one depth layer, ray-traced against the visible surface taken as thin sheets. What lies between it and the truth is not in the depth buffer: "
         "more layers or cameras buy it. A method above the floor can win by more samples; one below it does so by assuming how thick things are.\n</dl>\n", f);
 }

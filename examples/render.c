@@ -6,6 +6,7 @@
       build/render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
       build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
+      build/render SCENE.obj --plan visibility:0.03 --out ao.exr
       build/render --list
 
    Bad input: one line on stderr that names it, status 2, nothing written. */
@@ -26,6 +27,8 @@ static const char usage[] =
     "                      layer1.Z .. (farther depth layers); --camera tells where it was taken\n"
     "  --method NAME       --list names all, with their settings   [hsao]\n"
     "  --set key=value,..  settings of the method\n"
+    "  --plan WHAT:ERROR[:BUDGET]  visibility, light or bounce: takes the method that is predicted to err by ERROR at the least cost (within BUDGET 16-sample ssaos), and says why\n"
+    "  --closed            all is closed solids: a plan may take depth layers and extra cameras\n"
     "  --radius R          farthest occluder, scene units   [the scene's own]\n"
     "  --truth RAYS        ray-traced reference instead of the method\n"
     "  --floor RAYS        exact answer from what the depth buffer holds, instead of the method\n"
@@ -38,9 +41,9 @@ static const char usage[] =
 
 typedef struct options {
     const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
-    int sets, lights, ground, list, json, truth, floor, time, has_camera, has_up;
+    int sets, lights, ground, planned, closed, list, json, truth, floor, time, has_camera, has_up;
     float camera[6], up[3];
-    double fovy, ortho_height, znear, zfar, radius;
+    double fovy, ortho_height, znear, zfar, radius, plan[2];
     int width, height;
 } options;
 
@@ -82,6 +85,23 @@ static int whole(const char *name, const char *text, int least, int most, int *o
     return 0;
 }
 
+static int plan_of(options *o, const char *text, kit_error *err)
+{
+    static const char *const wanted[] = { "visibility:", "light:", "bounce:" };
+    char *end;
+    for (o->planned = 0; o->planned < 3; ++o->planned) {
+        const size_t n = strlen(wanted[o->planned]);
+        if (strncmp(text, wanted[o->planned], n)) continue;
+        o->plan[0] = strtod(text + n, &end);
+        if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6) || (*end && *end != ':')) break;
+        o->plan[1] = *end ? strtod(text = end + 1, &end) : 0;
+        if (end == text || *end || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
+        ++o->planned;
+        return 0;
+    }
+    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR or bounce:ERROR, perhaps :BUDGET behind", text);
+}
+
 static int parse(options *o, int argc, char **argv, kit_error *err)
 {
     memset(o, 0, sizeof *o);
@@ -97,6 +117,7 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--list")) { o->list = 1; continue; }
         if (!strcmp(a, "--json")) { o->json = 1; continue; }
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
+        if (!strcmp(a, "--closed")) { o->closed = 1; continue; }
         if (!v) return kit_fail(err, "%s: %s", a, strstr(usage, a) ? "needs a value" : "there is no such option (render alone prints them)");
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
@@ -114,6 +135,7 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--ortho-height")) bad = number(a, v, 1e-12, 1e12, &o->ortho_height, err);
         else if (!strcmp(a, "--near")) bad = number(a, v, 1e-12, 1e12, &o->znear, err);
         else if (!strcmp(a, "--far")) bad = number(a, v, 1e-12, 1e12, &o->zfar, err);
+        else if (!strcmp(a, "--plan")) bad = plan_of(o, v, err);
         else if (!strcmp(a, "--radius")) bad = number(a, v, 1e-12, 1e12, &o->radius, err);
         else if (!strcmp(a, "--truth")) bad = whole(a, v, 1, 65536, &o->truth, err);
         else if (!strcmp(a, "--floor")) bad = whole(a, v, 1, 65536, &o->floor, err);
@@ -127,6 +149,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->list) return 0;
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
     if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
+    if (o->planned && (o->sets || o->floor || o->truth)) return kit_fail(err, "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
+    if (o->planned > 1 && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth) return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
     if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0)) return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
@@ -241,7 +265,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             print_string(kit_gl_name());
             if (m->between) printf(", \"casters\": %d, \"field_bytes\": %zu", r->run->casters, r->run->field_bytes);
         }
-        if (o->time) {
+        if (o->time && r->run) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);
             for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
             printf("]");
@@ -254,7 +278,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         printf("}\n");
         return;
     }
-    if (o->time) {
+    if (o->time && r->run) {
         double sum = 0;
         for (int i = 0; i < r->run->passes; ++i) {
             printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
@@ -295,7 +319,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < o.sets; ++i) if (kit_method_set(&method, o.set[i], &err)) return fail(err.text);
     for (; lighting.lights < o.lights; ++lighting.lights) if (kit_light_parse(&lighting.light[lighting.lights], o.light[lighting.lights], &err)) return fail(err.text);
     if (o.env && kit_env_read(&lighting.env, o.env, &err)) return fail(err.text);
-    if (!method.lit && (o.env || o.lights)) { kit_fail(&err, "%s: method %s is not lit; ssdo is", o.env ? "--env" : "--light", method.name); return fail(err.text); }
+    if (!method.lit && !o.planned && (o.env || o.lights)) { kit_fail(&err, "%s: method %s is not lit; ssdo is", o.env ? "--env" : "--light", method.name); return fail(err.text); }
     if ((method.lit || method.between) && o.floor) return fail("--floor: is of ambient visibility within a radius; this method has none");
     r.lit = method.lit;
     if (kit_gl_open(o.context, &err)) return fail(err.text);
@@ -327,6 +351,21 @@ int main(int argc, char **argv)
     if (kit_gbuffer_read(&r.frame, &gbuffer, &err)) return fail(err.text);
     if (o.save && kit_exr_write(&r.frame, o.save, &err)) return fail(err.text);
 
+    if (o.planned) {
+        ssgi_plan_scene numbers;
+        ssgi_plan plan;
+        const char *why = "";
+        if (kit_plan_numbers(&numbers, &gbuffer, &world, (float)radius, o.planned - 1, o.closed, &err)) return fail(err.text);
+        numbers.error = (float)o.plan[0];
+        numbers.budget = (float)o.plan[1];
+        if (ssgi_plan_make(&plan, &numbers, &why) != SSGI_OK) return fail(why);
+        printf(o.json ? "" : "%s; cost %.2f\n", plan.why, (double)plan.cost);
+        if (plan.method == SSGI_PLAN_NOTHING) {
+            if (kit_image_new(&r.picture, gbuffer.viewport[2], gbuffer.viewport[3], "Y", &err)) return fail(err.text);
+            for (int i = 0; i < r.picture.width * r.picture.height; ++i) r.picture.data[i] = 1;
+        } else if (kit_plan_method(&method, &plan, o.planned - 1, &err)) return fail(err.text);
+        r.lit = method.lit || o.planned > 1;
+    }
     attenuation = falloffs[(int)kit_method_value(&method, "falloff")];
     if (kit_method_value(&method, "hard") > 0) attenuation = KIT_ATTENUATION_NONE;
     if (o.truth && r.lit) {
@@ -339,7 +378,7 @@ int main(int argc, char **argv)
         if (kit_truth_ao(&r.picture, &scene, &gbuffer.camera, (float)radius, attenuation, o.truth, 1, &err)) return fail(err.text);
     } else if (o.floor) {
         if (kit_floor_ao(&r.picture, &r.frame, &gbuffer.camera, (float)radius, attenuation, o.floor, 1, &err)) return fail(err.text);
-    } else if (o.out || o.score || o.time) {
+    } else if (!r.picture.data && (o.out || o.score || o.time)) {
         if (kit_run_open(&run, &gbuffer, &method, (float)radius, &world, &err)) return fail(err.text);
         kit_run_draw(&run, 0);
         r.run = &run;
@@ -359,6 +398,7 @@ int main(int argc, char **argv)
         }
         if (kit_run_read(&r.picture, &run, &err)) return fail(err.text);
     }
+    if (r.lit && r.picture.channels == 1 && kit_light_by(&r.picture, &gbuffer, &world, (float)radius, &err)) return fail(err.text);
     if (o.score && score_of(&r, o.score, &err)) return fail(err.text);
     if (o.out) {
         int png = !strcmp(strrchr(o.out, '.'), ".png");

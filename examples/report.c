@@ -1,10 +1,10 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--mesh M.obj]                 pictures, tables and demo.html, in two minutes
-      build/report chart [--out report] [--quick] [--scene NAME]...    chart*.csv, chart*.svg and chart.html, in some minutes
+      build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in two minutes
+      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv, chart*.svg and index.html, in 20 minutes, or 5
 
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. Truth is kept under build/cache/. Bad input, or a write that fails: one
-   line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields, deep.c of deep screen space. */
+   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the rows of methods whose names begin so. Truth is kept under
+   build/cache/, and so is what an interrupted chart has measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields, deep.c of deep screen space. */
 #include "kit/kit_gl.h"
 #include <ctype.h>
 #include <errno.h>
@@ -20,7 +20,10 @@
 
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
-enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 7, CHART_ROUNDS = 5, QUICK_ROUNDS = 3 };
+#define BED     "build/models/iron-bed.obj"    /* make chart puts it there */
+enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 7, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640, AO_HEIGHT = 360, AO_PHASES = 4 };      /* SLOW: so many times the reference's time */
+static int thrift = 1;                         /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than LEAST_RAYS */
+enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;   /* quick: shown by chart --quick too */
 
@@ -47,16 +50,26 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "hsao, half size", "hsao",       "",                                    1 },
     { "hsao, half size", "hsao",       "directions=3",                        0 },
     { "hsao, half size", "hsao",       "directions=4,steps=8",                1 },
+    { "hsao, half size", "hsao",       "directions=6,steps=6",                1 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=3",                0 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=4",                1 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=6",                1 },
     { "hsao, full size", "hsao-best",  "directions=2,steps=6",                0 },
     { "hsao, full size", "hsao-best",  "",                                    1 },
+    { "hsao, full size", "hsao-best",  "directions=4,steps=6,blur=2",         1 },
     { "hsao, full size", "hsao-best",  "directions=8,steps=12",               0 },
     { "hsao-march",      "hsao-march", "directions=4,steps=6,normal_rays=0",  1 },
     { "hsao-march",      "hsao-march", "directions=4,steps=6,normal_rays=1",  0 },
     { "hsao-march",      "hsao-march", "",                                    1 },
-    { "hsao-march",      "hsao-march", "directions=8,steps=18,normal_rays=2", 0 }
+    { "hsao-march",      "hsao-march", "directions=8,steps=18,normal_rays=2", 0 },
+    { "ssao, 2 layers",  "ssao",       "layers=2",                            1 },
+    { "ssao, 2 layers",  "ssao",       "steps=4,layers=2",                    1 },
+    { "march, 2 layers", "hsao-march", "directions=4,steps=6,normal_rays=0,layers=2", 0 },
+    { "march, 2 layers", "hsao-march", "layers=2",                            1 },
+    { "4 cameras",       "ssao",       "views=4",                             1 },
+    { "4 cameras",       "hsao-march", "directions=4,steps=6,normal_rays=0,views=4", 0 },
+    { "dss",             "dss",        "size=0.03",                           1 },
+    { "dss",             "dss",        "",                                    0 }
 };
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
@@ -78,7 +91,10 @@ static const view views[] = {
     { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
     { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
     { "grass",     "grass",     0, { 0 }, { 0 }, 0, 0, NULL },
-    { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL }
+    { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL },
+    { "plates",    "plates",    0, { 0 }, { 0 }, 0, 0, NULL },
+    { "pebbles",   "pebbles",   0, { 0 }, { 0 }, 0, 0, NULL },
+    { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL }
 };
 
 /* Four coloured boxes around the bunny, just above the floor. Bounds, albedo. */
@@ -220,7 +236,7 @@ static int stage_ao(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     kit_image picture;
-    if (!s->between && kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, RAYS, FLOOR_STRIDE, err)) return -1;
+    if (!s->between && kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, s->rays, FLOOR_STRIDE, err)) return -1;
     if (!s->between) give(s, "floor", "floor", &picture);
     if (kit_image_new(&s->unit, c->width, c->height, "Y", err) || kit_image_new(&picture, c->width, c->height, "Y", err)) return -1;
     for (size_t i = 0; i < (size_t)c->width * (size_t)c->height; ++i) s->unit.data[i] = picture.data[i] = 1;
@@ -279,8 +295,9 @@ static int stage_look(stage *s, const view *v, int width, int height, kit_error 
         memcpy(camera.target, v->target, sizeof v->target);
         camera.fovy = v->fovy;
     }
-    camera.width = width;
-    camera.height = height;
+    camera.width = width / thrift;
+    camera.height = height / thrift;
+    if (s->rays > LEAST_RAYS) s->rays = s->rays > LEAST_RAYS * thrift * thrift ? s->rays / (thrift * thrift) : LEAST_RAYS;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) ? -1 : 0;
 }
@@ -308,6 +325,20 @@ static void stage_close(stage *s)
     kit_run_close(&s->lights);
     kit_gbuffer_free(&s->gbuffer);
     kit_scene_free(&s->scene);
+}
+
+/* ---- >>options: what a chart is asked for --------------------------------------------------------------------------- */
+
+typedef struct options { const char *out, *mesh, *method, *context, *scene[MOST_SCENES]; int quick, scenes; } options;
+
+static int asked(const options *o, const char *method) { return !o->method || !strncmp(method, o->method, strlen(o->method)); }
+
+/* The entries that a chart shows; how many. */
+static int chosen(entry *out, const entry *entries, int count, const options *o)
+{
+    int n = 0;
+    for (int i = 0; i < count; ++i) if ((entries[i].quick || !o->quick) && asked(o, entries[i].method)) out[n++] = entries[i];
+    return n;
 }
 
 /* ---- >>measure ----------------------------------------------------------------------------------------------------- */
@@ -382,36 +413,57 @@ static void count_surfels(row *r, const kit_run *run)
     }
 }
 
-/* Times runs: each once a round between two drawings of the reference, whose mean its time is divided by; medians. Where there is light, ambient visibility's
-   includes the lights' passes. Closes the runs. */
-static int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err)
+/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose mean its time is divided by; medians. Slow ones sit out late rounds. */
+static int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err)
 {
     double *ratio = calloc((size_t)(2 * count * rounds), sizeof *ratio), *ms = ratio + count * rounds, before, after;
     kit_run fixed;
     char what[128];
     if (!ratio) return kit_fail(err, "out of memory");
-    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
+    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) { free(ratio); return -1; }
     kit_run_draw(&fixed, 1);
     snprintf(what, sizeof what, "%s: times", s->name);
     kit_progress(what, 0);
     for (int k = 0; k < rounds; ++k) {
         before = draw(&fixed);
-        for (int i = 0; i < count; ++i, before = after) {
-            ms[i * rounds + k] = draw(&run[i]) + (s->lit && !run[i].lit ? draw(&s->lights) : 0);
+        for (int i = 0; i < count; ++i) {
+            if (k >= SLOW_ROUNDS && ms[i * rounds] > SLOW * before) continue;
+            ms[i * rounds + k] = once(of, i);
             after = draw(&fixed);
             ratio[i * rounds + k] = ms[i * rounds + k] / (0.5 * (before + after));
+            before = after;
             kit_progress(what, (k * count + i + 0.99) / (rounds * count));
         }
     }
     kit_progress(what, 1);
     for (int i = 0; i < count; ++i) {
-        rows[i].relative = median(ratio + i * rounds, rounds);
-        rows[i].ms = median(ms + i * rounds, rounds);
-        if (run[i].surfels) count_surfels(&rows[i], &run[i]);
-        kit_run_close(&run[i]);
+        const int drawn = rounds > SLOW_ROUNDS && !(ms[i * rounds + SLOW_ROUNDS] > 0) ? SLOW_ROUNDS : rounds;
+        rows[i].relative = median(ratio + i * rounds, drawn);
+        rows[i].ms = median(ms + i * rounds, drawn);
     }
     kit_run_close(&fixed);
     free(ratio);
+    return 0;
+}
+
+/* Where there is light, ambient visibility's time includes the lights' passes. */
+typedef struct runs { stage *s; kit_run *run; } runs;
+static double run_once(void *of, int i)
+{
+    const runs *all = of;
+    return draw(&all->run[i]) + (all->s->lit && !all->run[i].lit ? draw(&all->s->lights) : 0);
+}
+
+/* Times runs, and closes them. */
+static int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err)
+{
+    runs all = { s, run };
+    if (clock_all(rows, s, run_once, &all, count, rounds, err)) return -1;
+    for (int i = 0; i < count; ++i) {
+        rows[i].bytes = run[i].bytes + (s->lit && !run[i].lit ? s->lights.bytes : 0);
+        if (run[i].surfels) count_surfels(&rows[i], &run[i]);
+        kit_run_close(&run[i]);
+    }
     return 0;
 }
 
@@ -446,7 +498,7 @@ static int measure(row *rows, stage *s, const entry *entries, int count, int rou
         r->label = s->given[i].label;
         r->method = s->given[i].method;
         r->settings = "";
-        r->fetches = r->relative = r->ms = (double)NAN;
+        r->fetches = r->bytes = r->relative = r->ms = (double)NAN;
         if (score(r, s, &s->given[i].picture, err)) return -1;
         if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* has no neighbours */
     }
@@ -454,9 +506,10 @@ static int measure(row *rows, stage *s, const entry *entries, int count, int rou
     return 0;
 }
 
-/* ---- >>demo -------------------------------------------------------------------------------------------------------- */
+#include "peers.c"
+#include "costs.c"
 
-typedef struct options { const char *out, *mesh, *scene[MOST_SCENES]; int quick, scenes; } options;
+/* ---- >>demo -------------------------------------------------------------------------------------------------------- */
 
 static int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending, kit_error *err)
 {
@@ -495,9 +548,172 @@ static int chart_of(FILE *html, const char *out, const char *name, const char *t
     return page_close(&p, out, name, err);
 }
 
+/* The part of a picture in crop (NULL: all), each pixel times x times: exposed R, G, B and their luminance Y. */
+static int exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times, kit_error *err)
+{
+    static const char *const names[3] = { "R", "G", "B" };
+    static const float weight[3] = { 0.2126f, 0.7152f, 0.0722f };
+    const int all[4] = { 0, 0, picture->width, picture->height };
+    size_t i = 0;
+    if (!crop) crop = all;
+    if (kit_image_new(out, crop[2] * times, crop[3] * times, "R,G,B,Y", err)) return -1;
+    for (int y = 0; y < out->height; ++y)
+        for (int x = 0; x < out->width; ++x, ++i)
+            for (size_t c = 0; c < 3; ++c) {
+                const float v = exposure * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width + (size_t)(crop[0] + x / times)];
+                out->data[c * (size_t)out->width * (size_t)out->height + i] = v;
+                out->data[3 * (size_t)out->width * (size_t)out->height + i] += weight[c] * v;
+            }
+    return 0;
+}
+
+/* Means of blocks of pixels: no wider than most. */
+static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, kit_error *err)
+{
+    const int block = (picture->width + most - 1) / most;
+    if (kit_image_new(out, picture->width / block, picture->height / block, names, err)) return -1;
+    for (int c = 0; c < out->channels; ++c) {
+        const float *from = kit_image_channel(picture, out->name[c]);
+        float *to = kit_image_channel(out, out->name[c]);
+        for (int y = 0; y < out->height * block; ++y)
+            for (int x = 0; x < out->width * block; ++x) to[y / block * out->width + x / block] += from[y * picture->width + x] / (float)(block * block);
+    }
+    return 0;
+}
+
+/* ---- >>units: what a chart is made of ------------------------------------------------------------------------------ */
+
+/* A table on a scene: its rows, and what stands in the page. Kept until the chart is whole, so that an interrupted one goes on where it was. */
+typedef int measuring(FILE *html, const options *o, int k, row *rows, kit_error *err);      /* the k-th of its kind: how many rows; -1 = failed. rows NULL: whether there are any */
+enum { MOST_UNITS = 64 };
+static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
+
+static uint64_t hashed_file(uint64_t h, const char *path)
+{
+    char *data;
+    size_t size;
+    if (kit_file_read(&data, &size, path, NULL)) return h;
+    h = hashed(h, data, size);
+    free(data);
+    return h;
+}
+
+static int planned(measuring *measure_, int count, const options *o)
+{
+    int sum = 0;
+    for (int k = 0; k < count; ++k) sum += measure_(NULL, o, k, NULL, NULL);
+    return sum;
+}
+
+/* What all units depend on: the program with its tables, what it is asked for, meshes. */
+static void units_begin(const options *o, int all)
+{
+    const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->quick ? "quick" : "" };
+    memset(&units, 0, sizeof units);
+    units.all = all;
+    units.begun = kit_seconds();
+    units.key = hashed_file(hashed_file(hashed_file(14695981039346656037u, "/proc/self/exe"), BUNNY), BED);
+    for (int i = 0; i < COUNT(text); ++i) units.key = hashed(units.key, text[i], strlen(text[i]) + 1);
+    for (int i = 0; i < o->scenes; ++i) units.key = hashed_file(hashed(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
+}
+
+static void units_end(void)
+{
+    for (int i = 0; i < units.count; ++i) remove(units.path[i]);
+}
+
+/* Whether the pictures that a part of the page shows are still in the folder. */
+static int pictured(const char *html, const char *out)
+{
+    char path[4096];
+    while ((html = strstr(html, "src=\"")) != NULL) {
+        html += strlen("src=\"");
+        snprintf(path, sizeof path, "%s/%.*s", out, (int)strcspn(html, "\""), html);
+        if (access(path, R_OK)) return 0;
+    }
+    return 1;
+}
+
+/* One table on one scene: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 = failed. */
+static int unit(FILE *html, const options *o, const char *kind, int k, measuring *measure_, row *rows, kit_error *err)
+{
+    char *path = units.path[units.count], *text, *at, left[64] = "";
+    size_t size;
+    int count = measure_(NULL, o, k, NULL, NULL);
+    page part, kept;
+    kit_error note;
+    if (!count) return 0;
+    ++units.count;
+    snprintf(units.now, sizeof units.now, "%s-%d", kind, k);
+    snprintf(path, sizeof *units.path, "build/cache/unit-%s-%016llx", units.now, (unsigned long long)units.key);
+    if (!kit_file_read(&text, &size, path, NULL)) {            /* text stays: rows point into it */
+        memcpy(&count, text, sizeof count);
+        memcpy(rows, text + sizeof count, (size_t)count * sizeof *rows);
+        at = text + sizeof count + (size_t)count * sizeof *rows;
+        for (int i = 0; i < count; ++i) {
+            const char **name[] = { &rows[i].scene, &rows[i].label, &rows[i].method, &rows[i].settings };
+            for (int j = 0; j < COUNT(name); ++j, at += strlen(at) + 1) *name[j] = at;
+        }
+        if (pictured(at, o->out)) {
+            fputs(at, html);
+            return count;
+        }
+    }
+    if (units.measured) snprintf(left, sizeof left, ", about %.0f min left", ceil((kit_seconds() - units.begun) / units.measured * (units.all - units.count + 1) / 60));
+    if (isatty(2)) fprintf(stderr, "%d of %d%s\n", units.count, units.all, left);
+    if (page_open(&part, err)) return -1;
+    count = measure_(part.file, o, k, rows, err);
+    ++units.measured;
+    fflush(part.file);
+    if (count >= 0 && !page_open(&kept, err)) {
+        fwrite(&count, sizeof count, 1, kept.file);
+        fwrite(rows, sizeof *rows, (size_t)count, kept.file);
+        for (int i = 0; i < count; ++i) fprintf(kept.file, "%s%c%s%c%s%c%s%c", rows[i].scene, 0, rows[i].label, 0, rows[i].method, 0, rows[i].settings, 0);
+        fwrite(part.text, 1, part.size, kept.file);
+        if (folder("build/cache", &note) || page_close(&kept, "build/cache", path + strlen("build/cache/"), &note)) fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+    }
+    page_into(&part, html);
+    return count;
+}
+
+/* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best of all. */
+static int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count, kit_error *err)
+{
+    static const char *const endings[] = { "truth", "fast", "best" };
+    const char *const names = s->lit ? "R,G,B" : "Y";
+    int fast = 0, best = 0;
+    for (int i = 1; i < count; ++i) {
+        const row *r = &rows[i], *f = &rows[fast];
+        if (f->relative > 1 ? r->relative < f->relative : r->relative < 1 && r->score.rmse < f->score.rmse) fast = i;
+        if (r->score.rmse < rows[best].score.rmse) best = i;
+    }
+    fputs("<div class=\"grid thumbs\">\n", html);
+    for (int k = 0; k < (best == fast ? 2 : 3); ++k) {
+        const row *r = &rows[k > 1 ? best : fast];
+        const kit_image *from = k ? &pictures[r - rows] : &s->truth;
+        kit_image bright = { 0 }, small;
+        char slug[160], label[160], note[64] = "";
+        if (s->lit && exposed(&bright, from, s->lit->exposure, NULL, 1, err)) return -1;
+        if (shrunk(&small, s->lit ? &bright : from, names, 320, err)) return -1;
+        snprintf(slug, sizeof slug, "thumb-%s-", units.now);
+        slug_of(slug + strlen(slug), s->name);
+        snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);
+        snprintf(label, sizeof label, k ? "%s, %s" : "ray-traced truth", r->label, settings_of(r));
+        if (k) snprintf(note, sizeof note, "time %.2f, error %.3f", r->relative, r->share);
+        if (save(&small, names, s->lit != NULL, out, slug, ".png", err)) return -1;
+        figure_html(html, slug, label, note, small.width, small.height, 0);
+        fputs("</figure>\n", html);
+        kit_image_free(&bright);
+        kit_image_free(&small);
+    }
+    fputs("</div>\n", html);
+    return 0;
+}
+
 #include "lit.c"
 #include "fields.c"
 #include "deep.c"
+#include "plan.c"
 
 static int demo(const options *o, kit_error *err)
 {
@@ -555,7 +771,7 @@ static int demo(const options *o, kit_error *err)
         table_text(stdout, field_rows, FIELD_DEMO_ROWS);
         deep_text(stdout, deep_sets, DEEP_DEMOS);
     }
-    printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
     if (!o->mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
     printf("pictures: %s/demo.html\n", o->out);
     return 0;
@@ -563,18 +779,25 @@ static int demo(const options *o, kit_error *err)
 
 /* ---- >>chart ------------------------------------------------------------------------------------------------------- */
 
-static void mean_of(row *mean, const row (*rows)[MOST_ROWS], int scenes, int count)
+enum { AO_GIVENS = 2, CHART_ROWS = MOST_ROWS + MOST_PEERS };   /* methods, floor and no AO; peers */
+
+static void mean_of(row *mean, const row (*rows)[CHART_ROWS], int scenes, int count)
 {
     for (int i = 0; i < count; ++i) {
         row m = rows[0][i];
         m.scene = "mean";
-        m.relative = m.ms = m.share = 0;
+        m.bytes = m.relative = m.ms = m.share = m.fetches = m.figure[FITTED] = 0;
         memset(&m.score, 0, sizeof m.score);
+        memset(m.split, 0, sizeof m.split);
         for (int s = 0; s < scenes; ++s) {
             const row *r = &rows[s][i];
+            m.bytes += r->bytes / scenes;
             m.relative += r->relative / scenes;
+            for (int j = 0; j < SPLITS; ++j) m.split[j] += r->split[j] / scenes;
             m.ms += r->ms / scenes;
             m.share += r->share / scenes;
+            m.fetches += r->fetches / scenes;
+            m.figure[FITTED] += r->figure[FITTED] / scenes;
             m.score.rmse += r->score.rmse / scenes;
             m.score.bias += r->score.bias / scenes;
             m.score.p95 += r->score.p95 / scenes;
@@ -585,74 +808,144 @@ static void mean_of(row *mean, const row (*rows)[MOST_ROWS], int scenes, int cou
     }
 }
 
+/* The k-th scene of those asked for, else of all that are there. */
+static view view_at(const options *o, int k)
+{
+    view v = { .name = o->scenes ? o->scene[k] : views[k].name, .path = o->scenes ? o->scene[k] : NULL };
+    for (int i = 0; i < COUNT(views); ++i) if (!strcmp(views[i].name, v.name)) v = views[i];
+    return v;
+}
+
+static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    static char names[MOST_SCENES][64];
+    const view v = view_at(o, k);
+    entry entries[MOST_ENTRIES];
+    kit_image picture[MOST_ENTRIES];
+    const int count = chosen(entries, chart_entries, COUNT(chart_entries), o);
+    int peers;
+    stage s;
+    if (!count || (!o->scenes && !strcmp(v.path, BED) && access(BED, R_OK))) return 0;
+    if (!rows) return 1;
+    if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err) || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err)) return -1;
+    if (splits(rows, &s, entries, count, AO_PHASES, err)) return -1;
+    peers = o->method ? 0 : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, err);
+    if (peers < 0) return -1;
+    memcpy(names[k], s.name, sizeof names[k]);
+    for (int i = 0; i < count + s.givens + peers; ++i) {
+        rows[i].scene = names[k];
+        if (peers) rows[i].of |= OF_PEER;
+    }
+    fputs("<div><h3>", html);
+    escaped(html, s.name);
+    fprintf(html, "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.</p>\n", s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays);
+    if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
+    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
+    stage_close(&s);
+    return count + AO_GIVENS + peers;
+}
+
+static int ao_chart(FILE *html, const options *o, row *mean, int *count, int *methods, kit_error *err)
+{
+    static row rows[MOST_SCENES][CHART_ROWS], points[CHART_ROWS];
+    const int scenes = o->scenes ? o->scenes : COUNT(views);
+    entry entries[MOST_ENTRIES];
+    char title[256], file[128];
+    page csv, each;
+    int shown = 0, drawn;
+    *count = CHART_ROWS;
+    *methods = chosen(entries, chart_entries, COUNT(chart_entries), o) + AO_GIVENS;
+    if (page_open(&csv, err) || page_open(&each, err)) return -1;
+    for (int k = 0; k < scenes; ++k) {
+        row *r = rows[shown];
+        const int n = unit(each.file, o, "ao", k, ao_unit, r, err);
+        if (n < 0) return -1;
+        if (!n) {
+            static const char *const without = "iron-bed: left out, " BED " is not there; make chart takes it from Debian's package sweethome3d-furniture";
+            fprintf(stderr, "report: note: %s\n", without);
+            fprintf(each.file, "<p class=\"faint\">%s.</p>\n", without);
+            continue;
+        }
+        if (n < *count) *count = n;
+        snprintf(file, sizeof file, "chart-%.63s.svg", r->scene);
+        snprintf(title, sizeof title, "Speed against accuracy: %.63s", r->scene);
+        drawn = peers_points(points, r, *methods, n);
+        if (chart_of(each.file, o->out, file, title, &ao_words, points, drawn, r[*methods - 2].share, err)) return -1;
+        fputs("<details><summary>Figures</summary>\n", each.file);
+        table_html(each.file, r, n);
+        fputs("</details></div>\n", each.file);
+        table_csv(csv.file, r, n, !shown++);
+    }
+    if (page_close(&csv, o->out, "chart.csv", err)) return -1;
+    mean_of(mean, (const row (*)[CHART_ROWS])rows, shown, *count);
+    drawn = peers_points(points, mean, *methods, *count);
+    snprintf(title, sizeof title, shown > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy", shown);
+    fputs("<h2>Ambient occlusion</h2>\n", html);
+    if (chart_of(html, o->out, "chart.svg", title, &ao_words, points, drawn, mean[*methods - 2].share, err)) return -1;
+    fprintf(html, "<p class=\"faint\">Rest the pointer on a point for its settings. %s</p>\n", peers_note());
+    table_html(html, mean, *count);
+    fputs("<h2>Scene by scene</h2>\n<div class=\"charts\">\n", html);
+    page_into(&each, html);
+    fputs("</div>\n", html);
+    return 0;
+}
+
+/* What --method names must be there. */
+static int check_asked(const options *o, kit_error *err)
+{
+    entry e[MOST_ENTRIES];
+    kit_method m;
+    int known = 0;
+    for (int i = 0; kit_method_at(&m, i); ++i) known |= asked(o, m.name);
+    if (!known) return kit_fail(err, "--method %s: no method's name begins so (build/render --list names all)", o->method);
+    return o->scenes && !chosen(e, chart_entries, COUNT(chart_entries), o) ? kit_fail(err, "--method %s: no row of ambient occlusion's chart is of such a method, and --scene shows that alone", o->method) : 0;
+}
+
 static int chart(const options *o, kit_error *err)
 {
-    static row rows[MOST_SCENES][MOST_ROWS];
-    static char names[MOST_SCENES][64];
     static lit_row_set lit_rows[LIT_SETS];
     static field_row_set field_sets[FIELD_SETS];
     static deep_set deep_sets[DEEP_SETS];
-    row mean[MOST_ROWS];
-    entry entries[MOST_ENTRIES];
-    page html, csv;
-    char about[512], title[256], file[128];
-    int count = 0, scenes = o->scenes ? o->scenes : COUNT(views), width = o->quick ? 640 : 1280, height = o->quick ? 360 : 720;
-    for (int i = 0; i < COUNT(chart_entries); ++i) if (chart_entries[i].quick || !o->quick) entries[count++] = chart_entries[i];
-    for (int k = 0; k < scenes; ++k) {
-        view v;
-        stage s;
-        memset(&v, 0, sizeof v);
-        if (o->scenes) v.name = v.path = o->scene[k]; else v = views[k];
-        for (int i = 0; i < COUNT(views); ++i) if (!strcmp(views[i].name, v.name)) v = views[i];
-        if (stage_open(&s, &v, width, height, err) || measure(rows[k], &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, NULL, err)) return -1;
-        memcpy(names[k], s.name, sizeof names[k]);
-        for (int i = 0; i < count + 2; ++i) rows[k][i].scene = names[k];
-        stage_close(&s);
-    }
-    count += 2;
-    mean_of(mean, (const row (*)[MOST_ROWS])rows, scenes, count);
-
-    if (page_open(&csv, err)) return -1;
-    for (int k = 0; k < scenes; ++k) table_csv(csv.file, rows[k], count, !k);
-    if (page_close(&csv, o->out, "chart.csv", err)) return -1;
-
+    static row mean[CHART_ROWS];
+    verdict verdicts[2];
+    entry e[MOST_ENTRIES];
+    page html;
+    char about[512];
+    int count = 0, methods = 0;
+    const int ao = chosen(e, chart_entries, COUNT(chart_entries), o) > 0, all = !o->scenes;
+    if (check_asked(o, err)) return -1;
+    if (o->quick) thrift = QUICK_THRIFT;
+    units_begin(o, planned(ao_unit, all ? COUNT(views) : o->scenes, o) + (all ? planned(lit_unit, LIT_SETS, o) + planned(field_unit, FIELD_SETS, o) + planned(deep_unit, DEEP_SETS, o) : 0));
     if (page_open(&html, err)) return -1;
-    snprintf(about, sizeof about, "Ambient occlusion against ray-traced truth (%d rays a pixel, linear attenuation), %d x %d pixels. Times: %s.", RAYS, width, height, kit_gl_name());
+    snprintf(about, sizeof about, "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else is said. Times: %s.%s", kit_gl_name(),
+        o->quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
     html_head(html.file, "ssgi: speed against accuracy", about);
-    snprintf(title, sizeof title, scenes > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy", scenes);
-    fprintf(html.file, "<h2>Mean of the scenes</h2>\n");
-    if (chart_of(html.file, o->out, "chart.svg", title, &ao_words, mean, count, mean[count - 2].share, err)) return -1;
-    fputs("<p class=\"faint\">Rest the pointer on a point for its settings.</p>\n", html.file);
-    table_html(html.file, mean, count);
-    fputs("<h2>Scene by scene</h2>\n<div class=\"charts\">\n", html.file);
-    for (int k = 0; k < scenes; ++k) {
-        snprintf(file, sizeof file, "chart-%.63s.svg", names[k]);
-        snprintf(title, sizeof title, "Speed against accuracy: %.63s", names[k]);
-        if (chart_of(html.file, o->out, file, title, &ao_words, rows[k], count, rows[k][count - 2].share, err)) return -1;
-    }
-    fputs("</div>\n", html.file);
-    for (int k = 0; k < scenes; ++k) {
-        fputs("<details><summary>Figures: ", html.file);
-        escaped(html.file, names[k]);
-        fputs("</summary>\n", html.file);
-        table_html(html.file, rows[k], count);
-        fputs("</details>\n", html.file);
-    }
-    if (!o->scenes && (lit_chart(html.file, o, lit_rows, err) || field_chart(html.file, o, field_sets, err) || deep_chart(html.file, o, deep_sets, err))) return -1;
+    if (ao && ao_chart(html.file, o, mean, &count, &methods, err)) return -1;
+    if (all && (lit_chart(html.file, o, lit_rows, err) || field_chart(html.file, o, field_sets, err) || deep_chart(html.file, o, deep_sets, err))) return -1;
+    if (all && !o->method && (plan_chart(html.file, o, verdicts, err) || (!o->quick && costs_chart(html.file, o->out, err)))) return -1;
+    const struct { const char *name; int rows; } csv[] = { { "chart.csv", ao }, { "chart-lit.csv", all && planned(lit_unit, LIT_SETS, o) }, { "chart-aof.csv", all && planned(field_unit, FIELD_SETS, o) },
+        { "chart-deep.csv", all && planned(deep_unit, DEEP_SETS, o) } };
     html_terms(html.file);
-    if (!o->scenes) lit_terms(html.file);
-    if (!o->scenes) field_terms(html.file);
-    if (!o->scenes) deep_terms(html.file);
-    fprintf(html.file, "<p class=\"faint\">The same figures as text: <a href=\"chart.csv\">chart.csv</a>%s.</p>\n", o->scenes ? "" : ", <a href=\"chart-lit.csv\">chart-lit.csv</a>, <a href=\"chart-aof.csv\">chart-aof.csv</a>, <a href=\"chart-deep.csv\">chart-deep.csv</a>");
-    if (page_close(&html, o->out, "chart.html", err)) return -1;
-    printf("mean of:");
-    for (int k = 0; k < scenes; ++k) printf("%s %s", k ? "," : "", names[k]);
-    printf("\n");
-    table_text(stdout, mean, count);
-    if (!o->scenes) lit_chart_text(stdout, lit_rows);
-    if (!o->scenes) field_chart_text(stdout, field_sets);
-    if (!o->scenes) deep_text(stdout, deep_sets, DEEP_SETS);
-    printf("\ntime: relative to one unblurred 16-sample ssao; ms on %s\ncharts: %s/chart.html\n", kit_gl_name(), o->out);
+    if (count > methods) peers_terms(html.file);
+    if (all) lit_terms(html.file);
+    if (all) field_terms(html.file);
+    if (all) deep_terms(html.file);
+    fputs("<p class=\"faint\">The same figures as text:", html.file);
+    for (int i = 0; i < COUNT(csv); ++i) if (csv[i].rows) fprintf(html.file, " <a href=\"%s\">%s</a>", csv[i].name, csv[i].name);
+    fputs("</p>\n", html.file);
+    if (page_close(&html, o->out, "index.html", err)) return -1;
+    units_end();
+    if (ao) {
+        printf("ambient occlusion, %s\n", mean->scene);
+        table_text(stdout, mean, count);
+        printf("%s\n", peers_note());
+        if (count > methods) peers_verdict(stdout, mean, methods, count);
+    }
+    if (all) lit_chart_text(stdout, lit_rows);
+    if (all) field_chart_text(stdout, field_sets);
+    if (all) deep_text(stdout, deep_sets, DEEP_SETS);
+    if (all && !o->method) plan_text(stdout, verdicts);
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\ncharts: %s/index.html\n", kit_gl_name(), o->out);
     return 0;
 }
 
@@ -665,11 +958,13 @@ static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err
     for (int i = 2; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
         if (is_chart && !strcmp(a, "--quick")) { o->quick = 1; continue; }
-        if (strcmp(a, "--out") && strcmp(a, is_chart ? "--scene" : "--mesh")) return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
+        if (strcmp(a, "--out") && strcmp(a, "--context") && strcmp(a, is_chart ? "--scene" : "--mesh") && (!is_chart || strcmp(a, "--method"))) return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
         ++i;
         if (!strcmp(a, "--out")) o->out = v;
+        else if (!strcmp(a, "--context")) o->context = v;
         else if (!is_chart) o->mesh = v;
+        else if (!strcmp(a, "--method")) o->method = v;
         else if (o->scenes == MOST_SCENES) return kit_fail(err, "--scene %s: at most %d of them", v, MOST_SCENES);
         else o->scene[o->scenes++] = v;
     }
@@ -682,13 +977,25 @@ int main(int argc, char **argv)
     kit_error err = { "" };
     int is_chart;
     if (argc < 2) {
-        fputs("usage: report demo  [--out FOLDER] [--mesh M.obj]                pictures beside the truth\n"
-              "       report chart [--out FOLDER] [--quick] [--scene NAME]...   speed against accuracy\n", stderr);
+        fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside the truth\n"
+              "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     speed against accuracy\n", stderr);
         return 2;
     }
     is_chart = !strcmp(argv[1], "chart");
+    if (!strcmp(argv[1], "fit")) {
+        if (folder("report", &err) || kit_gl_open(NULL, &err) || plan_fit("report", &err)) { fprintf(stderr, "report: %s\n", err.text); return 2; }
+        return 0;
+    }
+    if (!strcmp(argv[1], "judge")) {
+        verdict v[2];
+        memset(&o, 0, sizeof o); o.out = "report"; o.quick = argc > 2;
+        FILE *html = fopen("report/plan.html", "w");
+        if (folder("report", &err) || kit_gl_open(NULL, &err) || plan_chart(html, &o, v, &err)) { fprintf(stderr, "report: %s\n", err.text); return 2; }
+        printf("%d of %d, blind %d of %d, needless %d of %d\n", v[0].good, v[0].pairs, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
+        return 0;
+    }
     if (!is_chart && strcmp(argv[1], "demo")) kit_fail(&err, "%s: there is no such command (demo, chart)", argv[1]);
-    else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(NULL, &err)
+    else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
         && !(is_chart ? chart(&o, &err) : demo(&o, &err)) && (fflush(stdout) || ferror(stdout))) kit_fail(&err, "standard output: cannot be written");
     if (*err.text) {
         kit_progress("", 1);

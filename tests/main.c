@@ -7,7 +7,7 @@ extern int t_passed, t_failed;
 int main(int argc, char **argv)
 {
     static const struct { const char *name; void (*run)(void); } groups[] = {
-        { "math", test_math }, { "trace", test_trace }, { "files", test_files }, { "text", test_text }, { "pipeline", test_pipeline }, { "light", test_light }, { "vectors", test_vectors }, { "field", test_field }, { "casters", test_casters }, { "surfels", test_surfels }, { "build", test_build }
+        { "math", test_math }, { "trace", test_trace }, { "files", test_files }, { "text", test_text }, { "pipeline", test_pipeline }, { "light", test_light }, { "vectors", test_vectors }, { "field", test_field }, { "casters", test_casters }, { "surfels", test_surfels }, { "plan", test_plan }, { "stability", test_stability }, { "build", test_build }
     };
     for (size_t g = 0; g < sizeof groups / sizeof groups[0]; ++g) {
         int wanted = argc < 2;

@@ -24,5 +24,7 @@ void test_vectors(void);
 void test_field(void);
 void test_casters(void);
 void test_surfels(void);
+void test_plan(void);
+void test_stability(void);
 void test_build(void);
 #endif

@@ -631,7 +631,7 @@ static void off(void)
         if (ssgi_gl_check(d, NULL) != SSGI_OK) d->dialect = SSGI_GL_320ES;
         int ssao = d->pass == SSGI_GL_SSAO, hsao = d->pass == SSGI_GL_HSAO, ssdo = d->pass == SSGI_GL_SSDO, lights = d->pass == SSGI_GL_LIGHTS, senders = d->pass == SSGI_GL_SENDERS;
         int s3ho = d->pass == SSGI_GL_S3HO, shade = d->pass == SSGI_GL_SHADE, field = d->pass == SSGI_GL_FIELD, atlas = field && !d->storage, closed_cap = field && !d->cap;
-        int blur = d->pass == SSGI_GL_BLUR, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
+        int blur = d->pass == SSGI_GL_BLUR, survey = d->pass == SSGI_GL_SURVEY, march = hsao && d->search == SSGI_GL_MARCH, slices = hsao && !march, points = ssao || ssdo || s3ho, ortho = d->orthographic;
         int grey = blur && d->colour == SSGI_GL_GREY, colour = blur && d->colour == SSGI_GL_COLOUR, vectors = blur && !grey && !colour;
         int sh = ssdo && d->environment == SSGI_GL_ENVIRONMENT_SH, light = sh || (s3ho && d->shaded) || (shade && !d->shading), exact = light && d->exact && (sh || d->transfer != SSGI_GL_TRANSFER_REFLECTED);
         int surfels = d->pass == SSGI_GL_SURFELS, shuffle = d->pass == SSGI_GL_SHUFFLE, splat = d->pass == SSGI_GL_SPLAT, unshuffle = d->pass == SSGI_GL_UNSHUFFLE, smooth = d->pass == SSGI_GL_SMOOTH;
@@ -641,11 +641,11 @@ static void off(void)
         int rays = march && d->normal_rays, box = blur && d->filter == SSGI_GL_BILATERAL, normals = blur ? box : deep_space ? placed || (sum && hides) : !shade || exact;
         int from_depth = normals && d->normal == SSGI_GL_NORMAL_FROM_DEPTH, depth = deep_space ? placed || sum : !blur || d->half || from_depth || vectors, map = normals && d->normal < SSGI_GL_NORMAL_FROM_DEPTH, window = depth && d->depth == SSGI_GL_DEPTH_WINDOW;
         int fill = d->shadow == SSGI_GL_SHADOW_FILL, maps = (lights || sunlit) && (d->shadow == SSGI_GL_SHADOW_MAP || fill), segments = lights && (d->shadow == SSGI_GL_SHADOW_SEGMENT || fill);
-        int tested = points || rays || segments, projected = points || march || segments, noise = hsao || tested;
+        int tested = points || rays || segments, projected = points || march || segments || survey, noise = hsao || tested || survey;
         int reflected = s3ho && d->transfer, bounce = (ssdo && d->bounce) || reflected, areas = ssdo && d->bounce > SSGI_GL_BOUNCE_SOLID_ANGLE;
         int facing = areas || (bounce && !d->two_sided), env = (ssdo && d->environment == SSGI_GL_ENVIRONMENT_MAP) || (splat && hides);
         int views = tested && d->views, deep = views || (tested && d->layers > 1), textures = tested && !bounce, hidden = d->receiver && (ssdo || lights || senders);
-        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders && !field && !deep_space;
+        int layers = hidden || (textures && d->layers > 1), range = points && d->range, faded = range || (points && d->fade), half = d->half && !lights && !senders && !field && !deep_space && !survey;
         int toward = slices || from_depth || (splat && effect == SSGI_GL_EFFECT_SPECULAR);
         int custom = d->depth == SSGI_GL_DEPTH_CUSTOM, bent = shade && d->shading == SSGI_GL_SHADING_BENT, cone = shade && d->shading == SSGI_GL_SHADING_BENT_CONE;
         int open = (env && !splat) || cone || exact || (shade && d->shading == SSGI_GL_SHADING_BENT_NORMAL) || skylit || (sum && hides), lamps = shade && !bent && d->lamps;
@@ -656,7 +656,7 @@ static void off(void)
         int bands = !any ? 0 : shade && d->shading && !lamps && d->bands > 2 ? 2 : d->bands, packed = kept && d->packed, words = kept && !packed, one = packed && !three;
         int native = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_300ES;
         const struct { const char *word; int wanted; } table[] = {
-            { "#line", d->lines }, { "SSGI_KERNEL", points && !d->kernel }, { "t_ssgi_kernel", points && d->kernel }, { "SSGI_SAMPLES", points || segments },
+            { "#line", d->lines }, { "SSGI_KERNEL", points && !d->kernel }, { "t_ssgi_kernel", points && d->kernel }, { "SSGI_SAMPLES", points || segments || survey }, { "o_ssgi_survey", survey },
             { "SSGI_STEPS", hsao || (points && d->steps > 1) }, { "SSGI_DIRECTIONS", hsao }, { "SSGI_FILTER_RADIUS", blur }, { "SSGI_LAYERS", deep },
             { "SSGI_VIEWS", views }, { "SSGI_VIEW_LAYERS", views }, { "SSGI_RECEIVER", hidden }, { "SSGI_NORMAL_RAYS", rays }, { "ssgi_ray(", rays },
             { "ssgi_above(", rays }, { "ssgi_horizon(", march }, { "ssgi_attenuation(", march }, { "max(1.0 - d / u_ssgi_radius", march && !d->hard },
@@ -691,7 +691,7 @@ static void off(void)
             { "ssgi_custom_normal(p +", normals && d->normal == SSGI_GL_NORMAL_CUSTOM }, { "ssgi_tangent(", from_depth },
             { "xyz * 2.0", normals && d->normal == SSGI_GL_NORMAL_UNSIGNED }, { "1.0 - abs(e.x)", (normals && d->normal == SSGI_GL_NORMAL_OCTAHEDRAL) || (splat && form) },
             { "u_ssgi_rotation", (normals && d->world_normals) || open || env }, { "ssgi_toward(", toward }, { "ssgi_project(", projected },
-            { "ssgi_inside(", blur || hsao || tested || from_depth || placed }, { "u_ssgi_size", field || blur || hsao || tested || from_depth || placed || splat || patches || unshuffle },
+            { "ssgi_inside(", blur || hsao || survey || tested || from_depth || placed }, { "u_ssgi_size", field || blur || hsao || survey || tested || from_depth || placed || splat || patches || unshuffle },
             { "ssgi_position(", deep_space ? normals : !shade || lamps || exact },
             { "(u_ssgi_project.xy / -P.z)", (projected || slices) && !ortho }, { "-inversesqrt(dot(P, P))", toward && !ortho },
             { "SSGI_FAR ? 1.0 / w", window && !ortho },
@@ -922,7 +922,7 @@ static void sentences(void)
 {
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
     static const struct { const char *start; size_t offset; int most; } ints[] = {
-        INT(pass, 14), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
+        INT(pass, 15), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 2), INT(samples, 64), INT(search, 1),
         INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 2), INT(kernel, 1), INT(fade, 3), INT(range, 1),
         INT(layers, 8), INT(views, 4), INT(view_layers, 8), INT(receiver, 7), INT(environment, 2), INT(bounce, 3), INT(bands, 4), INT(packed, 1), INT(transfer, 2),
         INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
@@ -1043,6 +1043,7 @@ static void defaults(void)
         { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
           { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
         ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
+        ROW(2 + 32, (.pass = SSGI_GL_SURVEY), (.samples = 32)),
         ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2)) };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole), "row %zu, %s: its defaults written out give another text", i, ssgi_gl_pass_name(rows[i].plain.pass));

@@ -30,11 +30,11 @@
     X(GetQueryObjectuiv, GETQUERYOBJECTUIV) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) X(GetUniformiv, GETUNIFORMIV) \
     X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) \
     X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) \
-    X(Uniform1f, UNIFORM1F) X(Uniform1i, UNIFORM1I) \
+    X(Uniform1f, UNIFORM1F) X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform2fv, UNIFORM2FV) X(Uniform3fv, UNIFORM3FV) X(Uniform4fv, UNIFORM4FV) \
     X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) X(UseProgram, USEPROGRAM) \
     X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
-    X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
+    X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
 #define KIT_GL_DESKTOP(X) \
     X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
 #if defined(__GNUC__)
@@ -222,6 +222,8 @@ typedef struct kit_run {
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
     float        *equirect, harmonics[48]; /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
+    double        bytes;                   /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its outputs once, as stored,
+                                              of farther layers those that it asks for; of splats surfels once and each texel that they cover, read and written. NAN: the context cannot tell */
 } kit_run;
 
 /* Peels the G-buffer as far as the method asks, when the world has a scene. */
@@ -232,6 +234,16 @@ double kit_run_ms(const kit_run *run);     /* sum over the passes of the last ti
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R .. (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);
+
+/* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
+
+/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the survey; a trial of hsao where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so
+   that depth layers and extra cameras may be used. */
+int  kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted, int closed, kit_error *err);
+/* The method that a plan means, with its settings. A plan of NOTHING fails. */
+int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
+/* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): what the environment brings to an open surface, dimmed by it, and the lights with their shadows. */
+int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);

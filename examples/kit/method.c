@@ -1259,6 +1259,61 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     return failed ? -1 : 0;
 }
 
+static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
+{
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    for (int i = 0, n = p->vectors < 0 ? 0 : ssgi_gl_reflect(&run->pass[p->vectors].desc, io, SSGI_GL_MAX_IO); i < n; ++i)
+        if (io[i].kind == SSGI_GL_OUTPUT && !strcmp(io[i].name + 1, name + 1)) return run->pass[p->vectors].target[io[i].slot];
+    const struct { const char *name; GLuint texture; } table[] = {
+        { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
+        { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
+        { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
+        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
+    return 0;
+}
+
+static GLenum target_of(const ssgi_gl_io *io) { return strstr(io->type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io->type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
+
+/* Bytes of a texel, and how many texels there are. */
+static double texel_of(double *texels, GLuint texture, GLenum target)
+{
+    static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE };
+    const GLenum face = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
+    GLint size[3] = { 0 }, bits = 0, all = 0;
+    glBindTexture(target, texture);
+    for (GLenum i = 0; i < 2; ++i) glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH + i, &size[i]);
+    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_DEPTH, &size[2]);
+    for (size_t i = 0; i < sizeof bits_of / sizeof *bits_of; ++i, all += bits) glGetTexLevelParameteriv(face, 0, bits_of[i], &bits);
+    glBindTexture(target, 0);
+    *texels = (double)size[0] * size[1] * (target == GL_TEXTURE_CUBE_MAP ? 6 : size[2]);
+    return all / 8.0;
+}
+
+static double bytes_of(const kit_run *run)
+{
+    double bytes = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const int splats = p->desc.pass == SSGI_GL_SPLAT;
+        ssgi_gl_io io[SSGI_GL_MAX_IO];
+        for (int k = 0, n = p->aside ? 0 : ssgi_gl_reflect(&p->desc, io, SSGI_GL_MAX_IO); k < n; ++k) {
+            const int in = io[k].kind == SSGI_GL_TEXTURE;
+            const GLuint texture = in ? texture_of(run, p, io[k].name) : p->target[0] ? p->target[io[k].slot] : run->senders;      /* without targets of its own it draws into a slice */
+            const kit_gbuffer *g = p->gbuffer;
+            const int slices = texture == g->layer_depth ? p->desc.layers - 1 : texture == g->layer_normal || texture == g->layer_albedo;      /* of the G-buffer's farther layers */
+            double texels, texel;
+            if ((!in && (io[k].kind != SSGI_GL_OUTPUT || !p->framebuffer)) || !texture) continue;
+            texel = texel_of(&texels, texture, in ? target_of(&io[k]) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
+            if (slices) texels *= (double)slices / (g->layers - 1);
+            if (!in) texels = splats ? 2 * run->splat_pixels : (double)p->width * p->height;
+            bytes += texel * texels;
+        }
+        if (splats || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
+    }
+    return bytes / ((double)run->frame.size[0] * run->frame.size[1]);
+}
+
 int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
 {
     static const kit_world nothing;
@@ -1319,6 +1374,7 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
         ssgi_jitter_tile(tile, 4, m.gather.directions ? m.gather.directions : 1, NULL);
         run->noise = keep(run, kit_texture(4, 4, GL_RGBA32F, tile));
     }
+    run->bytes = !failed && glGetTexLevelParameteriv ? bytes_of(run) : (double)NAN;
     glGenBuffers(KIT_FRAMES, run->block);
     if (!failed) kit_run_update(run);
     if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);      /* a last frame to reuse */
@@ -1340,20 +1396,6 @@ void kit_run_update(kit_run *run)
     for (int i = 0; i < 2 * run->views; ++i) upload(run->block[1 + i], &run->extra[i], sizeof run->extra[i]);
     upload(run->block[KIT_FRAME_VPLS], &vpls, sizeof vpls);
     upload(run->block[KIT_FRAME_VIEWS], &run->cameras, sizeof run->cameras);
-}
-
-static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
-{
-    ssgi_gl_io io[SSGI_GL_MAX_IO];
-    for (int i = 0, n = p->vectors < 0 ? 0 : ssgi_gl_reflect(&run->pass[p->vectors].desc, io, SSGI_GL_MAX_IO); i < n; ++i)
-        if (io[i].kind == SSGI_GL_OUTPUT && !strcmp(io[i].name + 1, name + 1)) return run->pass[p->vectors].target[io[i].slot];
-    const struct { const char *name; GLuint texture; } table[] = {
-        { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
-        { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
-        { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
-        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
-    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
-    return 0;
 }
 
 /* Makes surfels or splats them, from patches or from a buffer. */
@@ -1409,7 +1451,7 @@ void kit_run_draw(kit_run *run, int timed)
         for (int k = 0, n = ssgi_gl_reflect(&p->desc, io, SSGI_GL_MAX_IO); k < n; ++k)
             if (io[k].kind == SSGI_GL_TEXTURE) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)io[k].slot);
-                glBindTexture(strstr(io[k].type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io[k].type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, texture_of(run, p, io[k].name));
+                glBindTexture(target_of(&io[k]), texture_of(run, p, io[k].name));
             }
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);     /* surfels: any complete one, which a context without a surface has not */

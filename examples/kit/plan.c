@@ -1,0 +1,215 @@
+/* plan.c - what a scene needs: the numbers that ssgi_plan_make asks for, taken from a G-buffer, and its answer as a method of the kit. Part of the kit. */
+#include "kit_gl.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 256 };
+
+/* Draws the pass "survey" with a run's frame, and reads it. */
+static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
+{
+    const kit_gbuffer *g = run->gbuffer;
+    const int width = (g->viewport[2] + 7) / 8, height = (g->viewport[3] + 7) / 8;
+    const GLuint target = kit_texture(width, height, GL_RGBA32F, NULL);
+    ssgi_gl_desc desc = run->pass[0].desc;
+    const char *why = "";
+    float *texels = malloc(4 * (size_t)(width * height) * sizeof *texels);
+    GLuint program, framebuffer;
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    int failed;
+    desc.pass = SSGI_GL_SURVEY;
+    desc.samples = 0;
+    program = kit_pass_program(&desc, err);
+    if (!program || !texels) { free(texels); glDeleteTextures(1, &target); return program ? kit_fail(err, "out of memory") : -1; }
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[0]);
+    for (int i = 0, n = ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO); i < n; ++i) {
+        if (io[i].kind != SSGI_GL_TEXTURE) continue;
+        glActiveTexture(GL_TEXTURE0 + (GLenum)io[i].slot);
+        glBindTexture(GL_TEXTURE_2D, !strcmp(io[i].name, "t_ssgi_depth") ? g->depth : g->normal);
+    }
+    glActiveTexture(GL_TEXTURE0);
+    glViewport(0, 0, width, height);
+    glUseProgram(program);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    failed = kit_texture_read(target, width, height, 4, texels) ? kit_fail(err, "the survey cannot be read back") : 0;
+    if (!failed && ssgi_survey_of(survey, texels, width, height, 0, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
+    glDeleteProgram(program);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &target);
+    free(texels);
+    return failed;
+}
+
+/* Traces some places of a picture of ambient visibility. */
+static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_image *picture, const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
+{
+    const size_t triangles = scene->mesh.triangles, size = ssgi_trace_size(triangles), pixels = (size_t)frame->width * (size_t)frame->height;
+    const float *z = kit_image_channel(frame, "Z"), *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"), kit_image_channel(frame, "N.Z") };
+    float *places = malloc(7 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
+    void *memory = malloc(size);
+    size_t count = 0;
+    ssgi_trace trace;
+    ssgi_hit hit;
+    const char *why = "";
+    int failed = places && memory ? 0 : kit_fail(err, "out of memory");
+    kit_camera_matrices(camera, to_view, projection);
+    if (!failed && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 3 * sizeof(float), NULL, triangles, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
+    for (int i = 0; i < 20 * PLACES && count < PLACES && !failed; ++i) {           /* the R2 sequence over the picture */
+        const int x = (int)(fmod(0.7548776662466927 * (i + 1), 1) * frame->width), y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
+        const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
+        if (!(z[at] > 0) || at >= pixels) continue;
+        kit_camera_ray(camera, x, y, origin, ray);             /* not from depth, whose rounding is more than a small radius far away */
+        if (!ssgi_trace_closest(&trace, origin, ray, 0, 1e12f, &hit)) continue;
+        for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
+        for (int k = 0; k < 3; ++k) places[3 * (PLACES + count) + (size_t)k] = to_view[4 * k] * n[0][at] + to_view[4 * k + 1] * n[1][at] + to_view[4 * k + 2] * n[2][at];
+        places[6 * PLACES + count++] = picture->data[at];
+    }
+    if (!failed && !count) failed = kit_fail(err, "the picture shows nothing");
+    if (!failed && ssgi_plan_try(trial, &trace, places, places + 3 * PLACES, places + 6 * PLACES, count, PLACE_RAYS, radius, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
+    free(places);
+    free(memory);
+    return failed;
+}
+
+/* Harmonics of all that lights: the environment, and suns. */
+static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
+{
+    const size_t texels = (size_t)light->env.width * (size_t)light->env.height;
+    float sh[48] = { 0 };
+    if (light->env.data) {
+        float *rgb = malloc(3 * texels * sizeof *rgb);
+        if (!rgb) return kit_fail(err, "out of memory");
+        for (size_t i = 0; i < 3 * texels; ++i) rgb[i] = light->env.data[i % 3 * texels + i / 3];
+        ssgi_sh_project_equirect(sh, 4, rgb, light->env.width, light->env.height, NULL);
+        free(rgb);
+    }
+    ssgi_sh_energy(energy, 4, sh, 3);
+    return 0;
+}
+
+/* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open surfaces. */
+static int try_light(ssgi_trial *trial, const kit_image *frame, kit_image *picture, kit_gbuffer *g, const kit_world *world, float radius, int bounce, kit_error *err)
+{
+    static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" } };
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
+    const float *z = kit_image_channel(frame, "Z");
+    double square[2] = { 0 }, mean = 0;
+    size_t count = 0;
+    kit_image truth, open;
+    if (kit_image_new(&open, frame->width, frame->height, "Y", err)) return -1;
+    for (int i = 0; i < frame->width * frame->height; ++i) open.data[i] = 1;
+    if (kit_light_by(&open, g, world, radius, err) || kit_light_by(picture, g, world, radius, err)
+        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR, bounce, LIGHT_RAYS, stride, err)) return -1;
+    for (int c = 0; c < 3; ++c) {
+        const float *a[2] = { kit_image_channel(&open, names[0][c]), kit_image_channel(picture, names[0][c]) }, *b = kit_image_channel(&truth, names[0][c]), *more = kit_image_channel(&truth, names[1][c]);
+        for (int i = 0; i < frame->width * frame->height; ++i) {
+            if (!(z[i] > 0) || isnan(b[i])) continue;
+            const double t = (double)b[i] + (bounce ? (double)more[i] : 0);
+            for (int k = 0; k < 2; ++k) square[k] += ((double)a[k][i] - t) * ((double)a[k][i] - t);
+            mean += t;
+            ++count;
+        }
+    }
+    kit_image_free(&open);
+    kit_image_free(&truth);
+    if (!(mean > 0)) return 0;
+    mean /= (double)count;
+    *trial = (ssgi_trial){ 1, (float)(sqrt(square[0] / (double)count) / mean), (float)(sqrt(square[1] / (double)count) / mean) };
+    return 0;
+}
+
+int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted, int closed, kit_error *err)
+{
+    kit_method method;
+    kit_run run;
+    kit_image frame, picture;
+    double reach = 0, albedo = 0;
+    size_t seen = 0;
+    memset(s, 0, sizeof *s);
+    s->wanted = wanted;
+    if (kit_method_find(&method, "hsao", err) || kit_run_open(&run, g, &method, radius, world, err)) return -1;
+    kit_run_draw(&run, 0);
+    int failed = survey_of(&s->survey, &run, err) || kit_run_read(&picture, &run, err);
+    const double per_depth = fabs((double)run.frame.project[1]);
+    kit_run_close(&run);
+    if (failed) return -1;
+    failed = kit_gbuffer_read(&frame, g, err);
+    if (!failed) {
+        const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
+        for (int i = 0; i < frame.width * frame.height; ++i) {
+            if (!(z[i] > 0)) continue;
+            reach += (double)radius * per_depth / (g->camera.fovy > 0 ? (double)z[i] : 1) / frame.height;
+            albedo += green ? (double)green[i] : 0.8;
+            ++seen;
+        }
+        s->reach = (float)(reach / fmax(1, (double)seen));
+        s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
+        if (world->scene && wanted == SSGI_PLAN_VISIBILITY) failed = try_picture(&s->trial, &frame, &picture, world->scene, &g->camera, radius, err);
+        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting) failed = try_light(&s->trial, &frame, &picture, g, world, radius, wanted == SSGI_PLAN_BOUNCE, err);
+        kit_image_free(&frame);
+    }
+    kit_image_free(&picture);
+    s->map = world->lighting && world->lighting->env.data;
+    if (!failed && world->lighting) failed = energy_of(s->energy, world->lighting, err);
+    if (failed || !world->scene) return failed;
+    s->layers = closed ? 4 : 1;
+    s->cameras = closed ? 4 : 0;
+    s->triangles = (double)world->scene->mesh.triangles;
+    for (int i = 0; i < world->scene->objects; ++i) s->casters += world->scene->object[i].casts > 0;
+    return 0;
+}
+
+int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *err)
+{
+    static const char *const names[] = { "", "hsao", "hsao-march", "ssdo", "s3ho", "dss", "aof" };
+    char set[256];
+    size_t n = 0;
+    if (p->method == SSGI_PLAN_NOTHING) return kit_fail(err, "nothing needs no method");
+    if (kit_method_find(m, names[p->method], err)) return -1;
+    const struct { const char *key; int value; } asked[] = {
+        { "half", p->half }, { "directions", p->directions }, { "samples", p->samples }, { "steps", p->steps }, { "bands", p->bands }, { "layers", p->layers }, { "views", p->cameras }, { "levels", p->levels },
+        { "blur", p->filter }, { "resolution", p->resolution }, { "bounce", wanted == SSGI_PLAN_BOUNCE }, { "indirect", wanted == SSGI_PLAN_BOUNCE } };
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i) {
+        const int words = i >= 10, has = !strcmp(asked[i].key, "bounce") ? p->method == SSGI_PLAN_SSDO : p->method == SSGI_PLAN_S3HO;
+        if (words ? !has || asked[i].value : !asked[i].value && strcmp(asked[i].key, "half")) continue;      /* bounce is their default */
+        if (!words && (p->method == SSGI_PLAN_SURFELS ? i != 7 : p->method == SSGI_PLAN_FIELD ? i != 9 : 0)) continue;
+        n += (size_t)snprintf(set + n, sizeof set - n, words ? "%s%s=none" : "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
+    }
+    if (p->method == SSGI_PLAN_SURFELS) snprintf(set + n, sizeof set - n, "%ssize=%g", n ? "," : "", (double)p->size);
+    return kit_method_set(m, set, err);
+}
+
+static int lit_of(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *set, float radius, kit_error *err)
+{
+    kit_method method;
+    kit_run run;
+    int failed;
+    if (kit_method_find(&method, "ssdo", err) || kit_method_set(&method, set, err) || kit_run_open(&run, g, &method, radius, world, err)) return -1;
+    kit_run_draw(&run, 0);
+    failed = kit_run_read(out, &run, err);
+    kit_run_close(&run);
+    return failed;
+}
+
+int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, float radius, kit_error *err)
+{
+    const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
+    kit_image open, direct = { 0 };
+    if (lit_of(&open, g, world, "bounce=none,blur=0", 1e-4f * radius, err)) return -1;         /* nothing is in the way within so small a radius */
+    if (world->lighting && world->lighting->lights && lit_of(&direct, g, world, "environment=none,bounce=none", radius, err)) { kit_image_free(&open); return -1; }
+    for (size_t i = 0; i < pixels * (size_t)open.channels; ++i) {
+        const float d = direct.data ? direct.data[i] : 0;
+        open.data[i] = d + (open.data[i] - d) * visibility->data[i % pixels];
+    }
+    kit_image_free(&direct);
+    kit_image_free(visibility);
+    *visibility = open;
+    return 0;
+}

@@ -1,0 +1,288 @@
+/* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose well; and the fit itself, whose numbers stand in
+   ssgi.h's room >>plan. Included by report.c. */
+
+/* ---- >>tables ------------------------------------------------------------------------------------------------------ */
+
+typedef struct plan_view { const char *scene; int fits; float turn, nearer, radius; } plan_view;    /* turn: of the eye about its target, radians; radius: of the scene's own */
+static const plan_view planned_views[] = {
+    { "room",      1, 0, 1, 1.2f }, { "room",      1, -0.25f, 0.9f, 0.45f }, { "colonnade", 1, 0, 1, 1.2f }, { "colonnade", 1, -0.25f, 0.9f, 0.45f },
+    { "cornell",   1, 0, 1, 1.2f }, { "cornell",   1, -0.25f, 0.9f, 0.45f }, { "columns",   1, 0, 1, 1.2f }, { "columns",   1, 0.7f, 0.8f, 0.45f },
+    { "boxes",     1, 0, 1, 1.2f }, { "boxes",     1, 0.7f, 0.8f, 0.45f },   { "pebbles",   1, 0, 1, 1.2f }, { "pebbles",   1, 0.7f, 0.8f, 0.45f },
+    { "casters",   1, 0, 1, 1.2f }, { "casters",   1, 0.7f, 0.8f, 0.45f },   { "groove",    1, 0, 1, 1.2f }, { "groove",    1, 0.7f, 0.8f, 0.45f },
+    { "bunny",     0, 0, 1, 1.2f }, { "bunny",     0, 0.7f, 0.8f, 0.45f },   { "grass",     0, 0, 1, 1.2f }, { "grass",     0, 0.7f, 0.8f, 0.45f },
+    { "plates",    0, 0, 1, 1.2f }, { "plates",    0, 0.7f, 0.8f, 0.45f },   { "blocks",    0, 0, 1, 1.2f }, { "blocks",    0, 0.7f, 0.8f, 0.45f },
+    { "sphere",    0, 0, 1, 1.2f }, { "corner",    0, 0.4f, 1, 0.8f },       { "hole",      0, 0, 1, 1.2f }
+};
+static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };      /* suns: two soft ones, pink and turquoise */
+static const double planned_errors[3][6] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 }, { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 }, { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 } };     /* of each wanted */
+enum { PLANNED_VIEWS = COUNT(planned_views), PLANNED_ERRORS = 6, PLANNED_WIDTH = 640, PLANNED_HEIGHT = 360, PLANNED_LIT_WIDTH = 320, PLANNED_LIT_HEIGHT = 180, MOST_PLANNED = 3 * PLANNED_VIEWS * 2 };
+
+/* What choices cost and err by on one view, under one light. */
+typedef struct planned_row {
+    char name[64];
+    ssgi_plan_scene numbers;
+    double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES];      /* NAN: not for this */
+} planned_row;
+
+/* ---- >>measuring --------------------------------------------------------------------------------------------------- */
+
+/* Where the truth is known: RMSE of ambient visibility; or of irradiance, with bounce both together, over their mean. */
+static double planned_error(const stage *s, const kit_image *picture, const kit_image *truth, int wanted)
+{
+    static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" } };
+    const float *z = kit_image_channel(&s->frame, "Z");
+    double square = 0, mean = 0;
+    size_t count = 0;
+    for (int c = 0; c < (wanted ? 3 : 1); ++c) {
+        const float *a = kit_image_channel(picture, wanted ? names[0][c] : "Y"), *b = kit_image_channel(truth, wanted ? names[0][c] : "Y");
+        const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL, *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
+        for (int i = 0; i < truth->width * truth->height; ++i) {
+            if (!(z[i] > 0) || isnan(b[i])) continue;
+            const double x = (double)a[i] + (more_a ? (double)more_a[i] : 0), y = (double)b[i] + (more_b ? (double)more_b[i] : 0);
+            square += (x - y) * (x - y);
+            mean += y;
+            ++count;
+        }
+    }
+    return sqrt(square / (double)count) / (wanted ? mean / (double)count : 1);
+}
+
+static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
+{
+    static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } }, { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
+    view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
+    for (int i = 0; i < COUNT(views); ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
+    if (stage_load(s, &v, err)) return -1;
+    if (suns) {
+        kit_image_free(&s->lighting.env);
+        memset(&s->lighting.env, 0, sizeof s->lighting.env);
+        for (int i = 0; i < 2; ++i) if (kit_env_add_sun(&s->lighting.env, &two[i], 14, err)) return -1;
+        s->traced = s->lighting;
+    }
+    if (!(v.fovy > 0)) {
+        memcpy(v.eye, s->scene.camera.eye, sizeof v.eye);
+        memcpy(v.target, s->scene.camera.target, sizeof v.target);
+        v.fovy = s->scene.camera.fovy;
+    }
+    v.radius = p->radius * (v.radius > 0 ? v.radius : s->scene.radius);
+    const float d[3] = { v.eye[0] - v.target[0], v.eye[1] - v.target[1], v.eye[2] - v.target[2] }, c = cosf(p->turn), n = sinf(p->turn);
+    const float e[3] = { c * d[0] + n * d[2], p->turn > 0.5f ? 0.7f * d[1] : d[1], c * d[2] - n * d[0] };
+    for (int k = 0; k < 3; ++k) v.eye[k] = v.target[k] + p->nearer * e[k];
+    return stage_look(s, &v, light ? PLANNED_LIT_WIDTH : PLANNED_WIDTH, light ? PLANNED_LIT_HEIGHT : PLANNED_HEIGHT, err);
+}
+
+/* The picture of a choice, scored and timed; of light, what visibility leaves of an open surface's. */
+static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed, int rounds, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    double ratio[5], before, after;
+    kit_method m;
+    kit_run run;
+    *time = 0;
+    if (p->method == SSGI_PLAN_NOTHING) {
+        if (kit_image_new(out, s->frame.width, s->frame.height, "Y", err)) return -1;
+        for (int i = 0; i < out->width * out->height; ++i) out->data[i] = 1;
+        return wanted ? light_by(out, s, err) : 0;
+    }
+    if (kit_plan_method(&m, p, wanted, err) || kit_run_open(&run, &s->gbuffer, &m, s->radius, &world, err)) return -1;
+    kit_run_draw(&run, 1);
+    if (kit_run_read(out, &run, err) || (wanted && !run.lit && light_by(out, s, err))) return -1;
+    if (fixed) {
+        if (p->cost > 8 || rounds > COUNT(ratio)) rounds = p->cost > 8 ? 1 : COUNT(ratio);
+        before = draw(fixed);
+        for (int i = 0; i < rounds; ++i, before = after) {
+            const double ms = draw(&run);
+            after = draw(fixed);
+            ratio[i] = ms / (0.5 * (before + after));
+        }
+        *time = median(ratio, rounds);
+    }
+    kit_run_close(&run);
+    return 0;
+}
+
+static int planned_measure(planned_row *r, stage *s, kit_image *truth, const char *name, int wanted, int rounds, kit_error *err)
+{
+    const kit_world world = { &s->scene, s->lit ? &s->lighting : NULL };
+    kit_image picture;
+    kit_run fixed;
+    ssgi_plan p;
+    snprintf(r->name, sizeof r->name, "%s", name);
+    if (kit_plan_numbers(&r->numbers, &s->gbuffer, &world, s->radius, wanted, 1, err)) return -1;
+    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) return -1;
+    kit_run_draw(&fixed, 1);
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        r->error[i] = r->cost[i] = (double)NAN;
+        if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
+        if (planned_draw(&picture, &r->cost[i], s, &p, wanted, &fixed, rounds, err)) return -1;
+        r->error[i] = planned_error(s, &picture, truth, wanted);
+        kit_image_free(&picture);
+    }
+    kit_run_close(&fixed);
+    return 0;
+}
+
+/* ---- >>judging ----------------------------------------------------------------------------------------------------- */
+
+typedef struct verdict { int pairs, good, needed, good_needed, needless, asked_more; } verdict;     /* needed: pairs where doing nothing errs by more; needless: bands, layers, cameras or levels without which the picture hardly changes; of so many plans that ask for any */
+
+static const char *plan_name(char out[128], const ssgi_plan *p, int wanted)
+{
+    kit_method m;
+    kit_error err;
+    size_t n;
+    if (p->method == SSGI_PLAN_NOTHING || kit_plan_method(&m, p, wanted, &err)) return strcpy(out, "nothing");
+    n = (size_t)snprintf(out, 128, "%s", m.name);
+    const struct { const char *key; int value; } shown[] = { { "half", p->half }, { "directions", p->directions }, { "samples", p->samples }, { "steps", p->steps }, { "bands", p->bands },
+        { "layers", p->layers }, { "cameras", p->cameras }, { "levels", p->levels }, { "resolution", p->resolution } };
+    for (int i = 0; i < COUNT(shown); ++i) if (shown[i].value > (i == 5)) n += (size_t)snprintf(out + n, 128 - n, " %s %d", shown[i].key, shown[i].value);
+    if (p->size > 0) snprintf(out + n, 128 - n, " size %g", (double)p->size);
+    return out;
+}
+
+static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
+{
+    return a->method == b->method && a->half == b->half && a->directions == b->directions && a->samples == b->samples && a->steps == b->steps && a->bands == b->bands && a->layers == b->layers
+        && a->cameras == b->cameras && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
+}
+
+/* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest choice that meets the error would cost. NULL: counts alone. */
+static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *r, int blind)
+{
+    static const char *const wanted[] = { "visibility", "light", "bounce" };
+    for (int k = 0; k < PLANNED_ERRORS; ++k) {
+        const double asked = planned_errors[r->numbers.wanted][k];
+        ssgi_plan_scene numbers = r->numbers;
+        ssgi_plan plan, p;
+        char text[2][128];
+        int taken = -1, best = -1;
+        numbers.error = (float)asked;
+        if (blind) numbers.trial.known = 0;
+        if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) continue;
+        for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+            if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &r->numbers)) continue;
+            if (same_plan(&p, &plan)) taken = i;
+            if (r->error[i] <= asked && (best < 0 || r->cost[i] < r->cost[best])) best = i;
+        }
+        if (best < 0 || taken < 0) continue;                    /* nothing on the chart meets it */
+        const int good = r->cost[taken] <= 1.25 * r->cost[best] + 1e-9 && r->error[taken] <= 1.2 * asked;
+        ssgi_plan_choice(&p, best, &r->numbers);
+        ++v->pairs;
+        v->good += good;
+        v->needed += p.method != SSGI_PLAN_NOTHING;
+        v->good_needed += p.method != SSGI_PLAN_NOTHING && good;
+        plan_name(text[0], &plan, numbers.wanted);
+        plan_name(text[1], &p, numbers.wanted);
+        if (html) fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n", r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken],
+                          r->cost[taken], text[1], r->error[best], r->cost[best], good ? "yes" : "<b>no</b>");
+        if (csv) fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken], r->cost[taken], text[1], r->error[best], r->cost[best], good);
+    }
+}
+
+/* What plans that ask for bands, layers, cameras or levels would lose without the last of them: more than a tenth of the error, or they asked needlessly. */
+static int planned_needs(verdict *v, stage *s, const planned_row *r, kit_error *err)
+{
+    ssgi_plan last;
+    memset(&last, 0, sizeof last);
+    for (int k = 0; k < PLANNED_ERRORS; ++k) {
+        ssgi_plan_scene numbers = r->numbers;
+        ssgi_plan plan, less;
+        kit_image with, without;
+        double time;
+        numbers.error = (float)planned_errors[numbers.wanted][k];
+        if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK || same_plan(&plan, &last)) continue;
+        last = less = plan;
+        if (plan.bands > 1) --less.bands;
+        else if (plan.layers > 1) --less.layers;
+        else if (plan.cameras) --less.cameras;
+        else if (plan.levels > 1) --less.levels;
+        else continue;
+        if (planned_draw(&with, &time, s, &plan, numbers.wanted, NULL, 0, err) || planned_draw(&without, &time, s, &less, numbers.wanted, NULL, 0, err)) return -1;
+        ++v->asked_more;
+        v->needless += planned_error(s, &without, &with, numbers.wanted) < 0.1 * (double)numbers.error;
+        kit_image_free(&with);
+        kit_image_free(&without);
+    }
+    return 0;
+}
+
+static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
+{
+    const ssgi_plan_scene *n = &r->numbers;
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+        if (isnan(r->error[i])) continue;
+        fprintf(f, "%s,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g", r->name, fits, n->wanted, i, r->error[i], r->cost[i], (double)n->trial.open, (double)n->trial.picture, (double)n->reach, (double)n->albedo,
+                (double)n->energy[0], (double)n->energy[1], (double)n->energy[2], (double)n->energy[3], (double)n->survey.seen);
+        for (int k = 0; k < 4; ++k) fprintf(f, ",%g", k < 3 ? (double)n->survey.blocked[k] : (double)n->survey.off);
+        for (int k = 0; k < 4; ++k) fprintf(f, k < 3 ? ",%g" : ",%g\n", (double)n->survey.square[k]);
+    }
+}
+
+/* Measures choices on the views that fit, or on those that judge. which: 1, 0; quick: fewer. */
+static int planned_all(planned_row *rows, int *count, verdict *needs, int which, int quick, kit_error *err)
+{
+    *count = 0;
+    for (int k = 0, shown = 0; k < PLANNED_VIEWS; ++k) {
+        const plan_view *p = &planned_views[k];
+        char name[64];
+        if (p->fits != which || (quick && ++shown % 3 != 1)) continue;
+        for (int wanted = 0; wanted < 3; ++wanted) {
+            const int at = which ? k : k + 1, white = !which && k % 5 == 0;
+            const char *const light = planned_lights[white ? 3 : (at + (wanted == 2)) % 3];
+            const lit of_light = { !strcmp(light, "suns") ? "white" : light, { NULL }, 0, 1, 0, quick ? 256 : 768, 1, NO_CROPS };
+            stage s;
+            kit_image truth;
+            if (wanted && quick && shown % 2) continue;
+            if (planned_open(&s, p, wanted ? &of_light : NULL, !strcmp(light, "suns"), err)) return -1;
+            if (trace(&truth, &s, wanted ? of_light.rays : quick ? 128 : 256, wanted ? 3 : 4, err) || (wanted && stage_lit(&s, err))) return -1;
+            snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, wanted ? " " : "", wanted ? light : "");
+            if (planned_measure(&rows[*count], &s, &truth, name, wanted, 3, err)) return -1;
+            if (needs && planned_needs(needs, &s, &rows[*count], err)) return -1;
+            ++*count;
+            kit_image_free(&truth);
+            stage_close(&s);
+        }
+        kit_progress("plan", (k + 1.0) / PLANNED_VIEWS);
+    }
+    kit_progress("plan", 1);
+    return 0;
+}
+
+/* Everything that the fit reads: examples/fit.c. */
+static int plan_fit(const char *out, kit_error *err)
+{
+    static planned_row rows[MOST_PLANNED];
+    int count;
+    page csv;
+    if (planned_all(rows, &count, NULL, 1, 0, err) || page_open(&csv, err)) return -1;
+    for (int i = 0; i < count; ++i) planned_numbers_csv(csv.file, &rows[i], 1);
+    return page_close(&csv, out, "plan-fit.csv", err);
+}
+
+static int plan_chart(FILE *html, const options *o, verdict verdicts[2], kit_error *err)
+{
+    static planned_row rows[MOST_PLANNED];
+    int count;
+    page csv, numbers;
+    memset(verdicts, 0, 2 * sizeof *verdicts);
+    if (planned_all(rows, &count, &verdicts[0], 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err)) return -1;
+    fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
+          "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are left out. Names: scene, radius, light.</p>\n"
+          "<div class=\"wide\"><table>\n<tr><th>scene<th>wanted<th>asked<th>plan<th>predicted<th>measured<th>cost<th>cheapest that meets it<th>error<th>cost<th>good\n", html);
+    fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv.file);
+    for (int i = 0; i < count; ++i) {
+        planned_judge(&verdicts[0], html, csv.file, &rows[i], 0);
+        planned_judge(&verdicts[1], NULL, NULL, &rows[i], 1);
+        planned_numbers_csv(numbers.file, &rows[i], 0);
+    }
+    fprintf(html, "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the survey alone, without a trial: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by less than a tenth of the error without the last of "
+            "them. The same as text: <a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more,
+            verdicts[0].needless);
+    return page_close(&csv, o->out, "plan.csv", err) || page_close(&numbers, o->out, "plan-numbers.csv", err) ? -1 : 0;
+}
+
+static void plan_text(FILE *f, const verdict v[2])
+{
+    fprintf(f, "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a trial %d of %d; asks needlessly %d times of %d\n", v[0].good, v[0].pairs, v[0].good_needed,
+            v[0].needed, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
+}

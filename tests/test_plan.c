@@ -1,0 +1,191 @@
+/* test_plan.c - what a scene needs: survey, trial, choice. */
+#include "t.h"
+#include "../examples/kit/kit_gl.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static ssgi_plan made(const ssgi_plan_scene *s)
+{
+    ssgi_plan p;
+    const char *why = "";
+    memset(&p, 0, sizeof p);
+    CHECK(ssgi_plan_make(&p, s, &why) == SSGI_OK && *p.why && strlen(p.why) < sizeof p.why, "a plan of good numbers: \"%s\"", why);
+    return p;
+}
+
+/* What must follow from a scene's numbers, whatever the table was fitted to. */
+static void follows(void)
+{
+    const float up[3] = { 0, 1, 0.2f }, left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f }, turquoise[3] = { 0.5f, 2.3f, 2.2f };
+    float sh[48] = { 0 };
+    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT, .reach = 0.2f, .trial = { 1, 0.15f, 0.045f }, .survey = { 1, { 0.02f, 0.03f, 0.03f }, 0.02f, { 0.002f, 0.004f, 0.01f, 0.002f } }, .layers = 4, .cameras = 4, .triangles = 1e5, .map = 1 };
+    ssgi_plan p;
+    ssgi_sh_sky(sh, 4, up, pink, pink, NULL);
+    ssgi_sh_energy(s.energy, 4, sh, 3);
+    CHECK(s.energy[0] > 1 && s.energy[1] + s.energy[2] + s.energy[3] < 1e-6f * s.energy[0], "a constant sky has energies %g %g %g %g", (double)s.energy[0], (double)s.energy[1], (double)s.energy[2], (double)s.energy[3]);
+    for (s.error = 0.046f; s.error < 0.16f; s.error += 0.01f) {
+        p = made(&s);
+        CHECK(p.meets && !p.bands && (p.method == SSGI_PLAN_HSAO || p.method == SSGI_PLAN_NOTHING), "under a constant sky, for %g: %s", (double)s.error, p.why);
+    }
+    memset(sh, 0, sizeof sh);
+    ssgi_sh_light(sh, 4, left, 0.25f, pink, SSGI_SH_WINDOW_NONE, NULL);
+    ssgi_sh_light(sh, 4, right, 0.25f, turquoise, SSGI_SH_WINDOW_NONE, NULL);
+    ssgi_sh_energy(s.energy, 4, sh, 3);
+    s.trial = (ssgi_trial){ 1, 0.16f, 0.11f };
+    s.layers = s.cameras = s.map = 0;
+    int bands = 0;
+    for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
+        p = made(&s);
+        CHECK(!p.meets || p.method != SSGI_PLAN_S3HO || p.bands == 2 || p.bands == 3, "under two lights, for %g: %s, %d bands", (double)s.error, p.why, p.bands);
+        bands += p.meets && p.method == SSGI_PLAN_S3HO;
+    }
+    CHECK(bands >= 2, "under two lights harmonics are taken %d times", bands);
+
+    /* One layer: nothing stands behind what is seen by more than the radius. */
+    memset(&s, 0, sizeof s);
+    s.trial = (ssgi_trial){ 1, 0.15f, 0.07f };
+    s.layers = s.cameras = 4;
+    s.map = 1;
+    s.survey = (ssgi_survey){ 1, { 0.05f, 0, 0 }, 0, { 0.006f, 0, 0, 0 } };
+    for (s.wanted = 0; s.wanted < 3; ++s.wanted)
+        for (s.error = 0.01f; s.error < 0.2f; s.error *= 1.3f) {
+            p = made(&s);
+            CHECK(p.layers <= 1 && !p.cameras, "one layer, %g of %d: %s", (double)s.error, s.wanted, p.why);
+        }
+
+    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and casters. */
+    s = (ssgi_plan_scene){ .trial = { 1, 0.15f, 0.05f }, .layers = 4, .cameras = 4, .triangles = 1e5, .casters = 10, .map = 1 };
+    for (s.wanted = 0; s.wanted < 4; ++s.wanted) {
+        float last = 1e9f, cost = 0;
+        s.error = 0;
+        for (s.budget = 0.01f; s.budget < 200; s.budget *= 1.5f) {
+            p = made(&s);
+            CHECK(p.cost <= s.budget && p.error <= last + 1e-6f && !p.meets, "budget %g of %d: %s", (double)s.budget, s.wanted, p.why);
+            last = p.error;
+        }
+        s.budget = 0;
+        for (s.error = 0.2f; s.error > 0.02f; s.error *= 0.8f) {
+            p = made(&s);
+            CHECK(!p.meets || (p.error <= s.error && p.cost >= cost), "error %g of %d: %s costs %g after %g", (double)s.error, s.wanted, p.why, (double)p.cost, (double)cost);
+            if (p.meets) cost = p.cost;
+        }
+    }
+    int choices[4] = { 0 };
+    for (int w = 0; w < 4; ++w) {
+        s.wanted = w;
+        for (int i = -1; i <= SSGI_PLAN_CHOICES; ++i) choices[w] += ssgi_plan_choice(&p, i, &s);
+    }
+    CHECK(choices[0] + choices[1] + choices[2] + choices[3] == SSGI_PLAN_CHOICES && choices[3] == 4, "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
+}
+
+static void refused(void)
+{
+    const ssgi_plan_scene good = { .error = 0.05f };
+    const float nan_ = NAN;
+    ssgi_plan plan, was;
+    ssgi_survey survey, none;
+    const struct { size_t offset; int whole; float value; const char *start; } bad[] = {
+        { offsetof(ssgi_plan_scene, wanted), 1, 4, "scene.wanted" }, { offsetof(ssgi_plan_scene, wanted), 1, -1, "scene.wanted" }, { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
+        { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" }, { offsetof(ssgi_plan_scene, reach), 0, INFINITY, "scene.error, .budget, .reach" }, { offsetof(ssgi_plan_scene, layers), 1, 5, "scene.layers" },
+        { offsetof(ssgi_plan_scene, casters), 1, -1, "scene.layers, .cameras, .casters" }, { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" }, { offsetof(ssgi_plan_scene, trial) + 4, 0, nan_, "scene.trial" } };
+    memset(&was, 7, sizeof was);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        ssgi_plan_scene s = good;
+        const int whole = (int)bad[i].value;
+        const char *why = "";
+        memcpy((char *)&s + bad[i].offset, bad[i].whole ? (const void *)&whole : (const void *)&bad[i].value, 4);
+        plan = was;
+        CHECK(ssgi_plan_make(&plan, &s, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan), "%s: \"%s\"", bad[i].start, why);
+    }
+    memset(&none, 7, sizeof none);
+    survey = none;
+    const float texel[4] = { 0.5f, 0, 0, 0 };
+    CHECK(ssgi_survey_of(&survey, NULL, 1, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_survey_of(&survey, texel, 0, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_survey_of(&survey, texel, 1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
+          && !memcmp(&survey, &none, sizeof none), "a bad survey is taken");
+    ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
+    memset(&plan, 0, sizeof plan);
+    CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT && !memcmp(&desc, &kept, sizeof desc), "nothing becomes a desc");
+}
+
+/* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
+static void drawable(void)
+{
+    ssgi_plan_scene s = { .layers = 4, .cameras = 4, .triangles = 1, .casters = 1, .map = 1 };
+    for (s.wanted = 0; s.wanted < 4; ++s.wanted)
+        for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+            ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR };
+            const char *why = "";
+            kit_method m;
+            kit_error err = { "" };
+            ssgi_plan p;
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
+            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR && desc.steps == p.steps && desc.views == p.cameras && desc.half == p.half, "choice %d: %s", i, why);
+            CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
+            CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD || (int)kit_method_value(&m, "steps") == p.steps, "choice %d: %g steps", i, kit_method_value(&m, "steps"));
+            CHECK(p.method != SSGI_PLAN_SSDO || (kit_method_value(&m, "bounce") > 0) == (s.wanted == SSGI_PLAN_BOUNCE), "choice %d: its bounce", i);
+        }
+}
+
+/* The survey of a plane is empty, that of a corner is not; a trial of the truth itself finds no error, however few its rays, and of nothing what the truth's picture says. */
+static void measured(void)
+{
+    kit_error err = { "" };
+    CHECK(!kit_gl_open(NULL, &err), "%s", err.text);
+    for (int k = 0; k < 2; ++k) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_image truth, frame;
+        ssgi_plan_scene s;
+        ssgi_trace trace;
+        ssgi_trial trial;
+        CHECK(!kit_scene_load(&scene, k ? "corner" : "plane", 0, &err), "%s", err.text);
+        scene.camera.width = 320;
+        scene.camera.height = 180;
+        const kit_world world = { &scene, NULL };
+        CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err), "%s", err.text);
+        CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_VISIBILITY, 1, &err), "%s", err.text);
+        const double blocked = (double)(s.survey.blocked[0] + s.survey.blocked[1] + s.survey.blocked[2]);
+        if (!k) CHECK(s.survey.seen > 0.9f && blocked < 1e-3 && s.trial.open < 1e-3f, "a plane is blocked by %g, and errs by %g", blocked, (double)s.trial.open);
+        if (k) {
+            CHECK(!kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 256, 1, &err), "%s", err.text);
+            const size_t size = ssgi_trace_size(scene.mesh.triangles);
+            void *memory = malloc(size);
+            float *place = malloc(7 * 2000 * sizeof *place), to_view[16], projection[16];
+            const float *z = kit_image_channel(&frame, "Z"), *n[3] = { kit_image_channel(&frame, "N.X"), kit_image_channel(&frame, "N.Y"), kit_image_channel(&frame, "N.Z") };
+            double square = 0, mean = 0;
+            size_t count = 0, seen = 0;
+            kit_camera_matrices(&g.camera, to_view, projection);
+            for (int i = 0; i < 320 * 180; ++i) {
+                if (!(z[i] > 0)) continue;
+                square += pow(1 - (double)truth.data[i], 2);
+                mean += 1 - (double)truth.data[i];
+                ++seen;
+                if (i % 29 || count == 2000) continue;
+                kit_camera_point(&g.camera, i % 320, i / 320, (double)z[i], place + 3 * count);
+                for (int c = 0; c < 3; ++c) place[3 * (2000 + count) + (size_t)c] = to_view[4 * c] * n[0][i] + to_view[4 * c + 1] * n[1][i] + to_view[4 * c + 2] * n[2][i];
+                place[6 * 2000 + count++] = truth.data[i];
+            }
+            const double open = sqrt(square / (double)seen);
+            CHECK(ssgi_trace_build(&trace, memory, size, scene.mesh.position, 12, NULL, scene.mesh.triangles, NULL) == SSGI_OK
+                  && ssgi_plan_try(&trial, &trace, place, place + 6000, place + 12000, count, 16, scene.radius, NULL) == SSGI_OK, "no trial");
+            CHECK(trial.known && trial.picture < 0.006f && fabs((double)trial.open / open - 1) < 0.05, "a trial of the truth: %g, of nothing %g, which is %g", (double)trial.picture, (double)trial.open, open);
+            CHECK(fabs((double)s.trial.open / open - 1) < 0.05 && s.trial.picture > 0.1f * (float)open && s.trial.picture < 0.22f * (float)open, "the kit's trial: open %g of %g, hsao %g", (double)s.trial.open, open, (double)s.trial.picture);
+            CHECK(fabs(blocked / (mean / (double)seen) - 1) < 0.25, "the survey finds %g blocked of %g", blocked, mean / (double)seen);
+            free(place);
+            free(memory);
+            kit_image_free(&truth);
+        }
+        kit_image_free(&frame);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
+    }
+}
+
+void test_plan(void)
+{
+    RUN("plan: constant skies want no harmonics, one layer no peeling, two lights two or three bands; budgets are kept", follows);
+    RUN("plan: bad numbers are named, and nothing is touched", refused);
+    RUN("plan: every choice can be drawn", drawable);
+    RUN("plan: survey and trial find what the truth says", measured);
+}
