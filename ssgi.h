@@ -624,8 +624,9 @@ typedef struct ssgi_plan {
     int   method;           /* SSGI_PLAN_NOTHING .. */
     int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;   /* as in ssgi_gl_desc; resolution: of fields. 0 where the method has none */
     float size;             /* ssgi_surfel_desc.size */
-    float error, cost;      /* predicted; cost in unblurred 16-sample ssaos, without what makes layers, cameras' pictures and fields */
-    int   meets;            /* 1: the error asked for, within the budget */
+    float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes layers, cameras' pictures and fields */
+    float error;            /* predicted */
+    int   meets;            /* 1: that is within a tenth of the error asked for, which predictions are no better than; and cost within the budget */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
@@ -3854,47 +3855,47 @@ enum { SSGI_PLAN__OPEN, SSGI_PLAN__PICTURE, SSGI_PLAN__COARSE, SSGI_PLAN__COARSE
 #define SSGI_PLAN__L 2
 #define SSGI_PLAN__B 4
 #define SSGI_PLAN__O 8
-typedef struct ssgi_plan__row { int wanted, method, half, directions, samples, steps, bands, layers, cameras, filter, resolution; float size, cost, term[SSGI_PLAN__TERMS]; } ssgi_plan__row;
+typedef struct ssgi_plan__row { int wanted; ssgi_plan plan; float term[SSGI_PLAN__TERMS]; } ssgi_plan__row;
 static const ssgi_plan__row ssgi_plan__rows[SSGI_PLAN_CHOICES] = {
-    { SSGI_PLAN__V, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 2, 0, 0, 0, 1, 0, 0.0f, 0.57f, { 0.1246f, 1.1802f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.61f, { 0.0390f, 1.2336f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 1, 0, 6, 0, 0, 0, 1, 0, 0.0f, 0.73f, { 0.0036f, 1.0796f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.01f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 1, 4, 0, 8, 0, 0, 0, 1, 0, 0.0f, 1.62f, { 0.0000f, 0.8908f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0073f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 1, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.57f, { 0.0057f, 0.8941f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0065f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 2.72f, { 0.0047f, 0.8351f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0104f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0.0f, 4.46f, { 0.0000f, 0.7792f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0151f } },
-    { SSGI_PLAN__V, SSGI_PLAN_HSAO, 0, 8, 0, 12, 0, 0, 0, 1, 0, 0.0f, 12.88f, { 0.0000f, 0.6931f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0216f } },
-    { SSGI_PLAN__V, SSGI_PLAN_MARCH, 0, 4, 0, 6, 0, 1, 4, 1, 0, 0.0f, 17.72f, { 0.1086f, 0.1302f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0971f } },
-    { SSGI_PLAN__V, SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.24f, { 0.0012f, 0.0000f, 1.1184f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 56.15f, { 0.0000f, 0.0012f, 1.5042f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.64f, { 0.1139f, 0.7735f, 0.0000f, 0.0000f, 0.0113f, 0.0000f, 0.0000f, 0.0025f } },
-    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.04f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0.0f, 4.50f, { 0.0197f, 0.8815f, 0.0000f, 0.0000f, 0.0025f, 0.0000f, 0.0000f, 0.0023f } },
-    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 1, 0, 4, 4, 2, 1, 0, 1, 0, 0.0f, 0.97f, { 0.0000f, 0.8822f, 0.0000f, 0.0000f, 0.0140f, 0.0000f, 0.0000f, 0.7195f } },
-    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 1, 0, 4, 4, 3, 1, 0, 1, 0, 0.0f, 0.98f, { 0.0364f, 0.6709f, 0.0000f, 0.0000f, 0.0152f, 0.0000f, 0.0000f, 0.6662f } },
-    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 2, 1, 0, 1, 0, 0.0f, 2.32f, { 0.0225f, 0.7125f, 0.0000f, 0.0000f, 0.0138f, 0.0000f, 0.0000f, 0.6153f } },
-    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 3, 1, 0, 1, 0, 0.0f, 2.42f, { 0.0853f, 0.4310f, 0.0000f, 0.0000f, 0.0161f, 0.0000f, 0.0000f, 0.5612f } },
-    { SSGI_PLAN__L, SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 2.56f, { 0.1119f, 0.3198f, 0.0000f, 0.0000f, 0.0149f, 0.0000f, 0.0000f, 0.5365f } },
-    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0.0f, 2.28f, { 0.0711f, 0.4960f, 0.0000f, 0.0000f, 0.0063f, 0.0000f, 0.0000f, 0.5775f } },
-    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0.0f, 6.14f, { 0.0836f, 0.3525f, 0.0000f, 0.0000f, 0.0070f, 0.0000f, 0.0000f, 0.5191f } },
-    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0.0f, 3.03f, { 0.0000f, 0.5747f, 0.0000f, 0.0000f, 0.0017f, 0.0000f, 0.0000f, 0.5713f } },
-    { SSGI_PLAN__L, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0.0f, 21.15f, { 0.0087f, 0.5391f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.5948f } },
-    { SSGI_PLAN__B, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0.0f, 0.64f, { 0.1467f, 0.8102f, 0.0000f, 0.0000f, 0.0003f, 0.0000f, 0.0000f, 0.0114f } },
-    { SSGI_PLAN__B, SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0.0f, 1.07f, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, SSGI_PLAN_S3HO, 1, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 1.36f, { 0.3824f, 0.0000f, 0.0000f, 0.0000f, 0.0255f, 0.0000f, 0.0000f, 2.6180f } },
-    { SSGI_PLAN__B, SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0.0f, 3.30f, { 0.3195f, 0.0000f, 0.0000f, 0.0000f, 0.0196f, 0.0000f, 0.0000f, 2.3450f } },
-    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0.0f, 4.99f, { 0.3021f, 0.0000f, 0.0000f, 0.0000f, 0.0227f, 0.0000f, 0.0000f, 2.2590f } },
-    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0.0f, 14.24f, { 0.2781f, 0.0000f, 0.0000f, 0.0000f, 0.0119f, 0.0000f, 0.0000f, 2.1406f } },
-    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0.0f, 8.30f, { 0.2162f, 0.0000f, 0.0000f, 0.0000f, 0.0346f, 0.0000f, 0.0000f, 1.6316f } },
-    { SSGI_PLAN__B, SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0.0f, 53.12f, { 0.1656f, 0.0000f, 0.0000f, 0.0000f, 0.0379f, 0.0000f, 0.0000f, 2.3169f } },
-    { SSGI_PLAN__O, SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0.0f, 0.05f, { 0.0144f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0.0f, 0.05f, { 0.0121f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0.0f, 0.05f, { 0.0117f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } }
+    { SSGI_PLAN__V, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 2, 0, 0, 0, 0, 1, 0, 0.0f, 0.59f, 0.0f, 0, "" }, { 0.1246f, 1.1802f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.62f, 0.0f, 0, "" }, { 0.0390f, 1.2336f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 0.72f, 0.0f, 0, "" }, { 0.0036f, 1.0796f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 4, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 1.69f, 0.0f, 0, "" }, { 0.0000f, 0.8908f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0073f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.62f, 0.0f, 0, "" }, { 0.0057f, 0.8941f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0065f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 2.63f, 0.0f, 0, "" }, { 0.0047f, 0.8351f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0104f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0000f, 0.7792f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0151f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 8, 0, 12, 0, 0, 0, 0, 1, 0, 0.0f, 12.66f, 0.0f, 0, "" }, { 0.0000f, 0.6931f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0216f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_MARCH, 0, 4, 0, 6, 0, 1, 4, 0, 1, 0, 0.0f, 16.69f, 0.0f, 0, "" }, { 0.1086f, 0.1302f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0971f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.80f, 0.0f, 0, "" }, { 0.0012f, 0.0000f, 1.1184f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 57.85f, 0.0f, 0, "" }, { 0.0000f, 0.0012f, 1.5042f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.68f, 0.0f, 0, "" }, { 0.1139f, 0.7735f, 0.0000f, 0.0000f, 0.0113f, 0.0000f, 0.0000f, 0.0025f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0197f, 0.8815f, 0.0000f, 0.0000f, 0.0025f, 0.0000f, 0.0000f, 0.0023f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 0.94f, 0.0f, 0, "" }, { 0.0000f, 0.8822f, 0.0000f, 0.0000f, 0.0140f, 0.0000f, 0.0000f, 0.7195f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 0.95f, 0.0f, 0, "" }, { 0.0364f, 0.6709f, 0.0000f, 0.0000f, 0.0152f, 0.0000f, 0.0000f, 0.6662f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 2.30f, 0.0f, 0, "" }, { 0.0225f, 0.7125f, 0.0000f, 0.0000f, 0.0138f, 0.0000f, 0.0000f, 0.6153f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 2.40f, 0.0f, 0, "" }, { 0.0853f, 0.4310f, 0.0000f, 0.0000f, 0.0161f, 0.0000f, 0.0000f, 0.5612f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 2.57f, 0.0f, 0, "" }, { 0.1119f, 0.3198f, 0.0000f, 0.0000f, 0.0149f, 0.0000f, 0.0000f, 0.5365f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 2.37f, 0.0f, 0, "" }, { 0.0711f, 0.4960f, 0.0000f, 0.0000f, 0.0063f, 0.0000f, 0.0000f, 0.5775f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 6.12f, 0.0f, 0, "" }, { 0.0836f, 0.3525f, 0.0000f, 0.0000f, 0.0070f, 0.0000f, 0.0000f, 0.5191f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 2.91f, 0.0f, 0, "" }, { 0.0000f, 0.5747f, 0.0000f, 0.0000f, 0.0017f, 0.0000f, 0.0000f, 0.5713f } },
+    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 16.04f, 0.0f, 0, "" }, { 0.0087f, 0.5391f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.5948f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.66f, 0.0f, 0, "" }, { 0.1467f, 0.8102f, 0.0000f, 0.0000f, 0.0003f, 0.0000f, 0.0000f, 0.0114f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.03f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 1.37f, 0.0f, 0, "" }, { 0.3824f, 0.0000f, 0.0000f, 0.0000f, 0.0255f, 0.0000f, 0.0000f, 2.6180f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 3.21f, 0.0f, 0, "" }, { 0.3195f, 0.0000f, 0.0000f, 0.0000f, 0.0196f, 0.0000f, 0.0000f, 2.3450f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 4.88f, 0.0f, 0, "" }, { 0.3021f, 0.0000f, 0.0000f, 0.0000f, 0.0227f, 0.0000f, 0.0000f, 2.2590f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 12.33f, 0.0f, 0, "" }, { 0.2781f, 0.0000f, 0.0000f, 0.0000f, 0.0119f, 0.0000f, 0.0000f, 2.1406f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 9.27f, 0.0f, 0, "" }, { 0.2162f, 0.0000f, 0.0000f, 0.0000f, 0.0346f, 0.0000f, 0.0000f, 1.6316f } },
+    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 44.56f, 0.0f, 0, "" }, { 0.1656f, 0.0000f, 0.0000f, 0.0000f, 0.0379f, 0.0000f, 0.0000f, 2.3169f } },
+    { SSGI_PLAN__O, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0144f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0121f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
+    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0117f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } }
 };
 
 static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* the built-in sky */
@@ -3902,7 +3903,7 @@ static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* th
 static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    const double size = row->size > 0.0f ? (double)row->size / (double)(s->reach > 0.0f ? s->reach : 0.15f) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const double size = row->plan.size > 0.0f ? (double)row->plan.size / (double)(s->reach > 0.0f ? s->reach : 0.15f) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
     int l;
     if (s->survey.seen > 0.0f) {                     /* no more than a guess: what is behind what is seen nobody knows */
@@ -3916,7 +3917,7 @@ static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row
     }
     for (l = 1; l < 4 && s->wanted; ++l) {
         uneven += (double)(energy[l] / energy[0]);
-        if (l >= row->bands) left += (double)(energy[l] / energy[0]);
+        if (l >= row->plan.bands) left += (double)(energy[l] / energy[0]);
     }
     term[SSGI_PLAN__OPEN] = open;
     term[SSGI_PLAN__PICTURE] = picture;
@@ -3932,40 +3933,26 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi_plan__row *row = &ssgi_plan__rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
     double term[SSGI_PLAN__TERMS], square = 0.0, hidden;
-    float error;
     int k;
-    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || !(row->wanted & 1 << s->wanted)) return 0;
-    if (row->layers > (s->layers > 1 ? s->layers : 1) || row->cameras > s->cameras || (row->method == SSGI_PLAN_SURFELS && !(s->triangles > 0.0)) || (row->method == SSGI_PLAN_FIELD && s->casters < 1) || (row->method == SSGI_PLAN_SSDO && !s->map)) return 0;
-    if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {       /* what no more than one layer holds has nothing to peel */
-        hidden = sqrt((double)s->survey.square[1] + (double)s->survey.square[2]) + (row->cameras ? sqrt((double)s->survey.square[3]) : 0.0);
+    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || s->wanted < 0 || s->wanted > SSGI_PLAN_OBJECTS || !(row->wanted & 1 << s->wanted)) return 0;
+    if (row->plan.layers > (s->layers > 1 ? s->layers : 1) || row->plan.cameras > s->cameras || (row->plan.method == SSGI_PLAN_SURFELS && !(s->triangles > 0.0)) || (row->plan.method == SSGI_PLAN_FIELD && s->casters < 1) || (row->plan.method == SSGI_PLAN_SSDO && !s->map)) return 0;
+    if (s->survey.seen > 0.0f && (row->plan.layers > 1 || row->plan.cameras)) {       /* what no more than one layer holds has nothing to peel */
+        hidden = sqrt((double)s->survey.square[1] + (double)s->survey.square[2]) + (row->plan.cameras ? sqrt((double)s->survey.square[3]) : 0.0);
         if (hidden < 0.1 * (double)s->error) return 0;
     }
     ssgi_plan__terms(term, row, s);
-    if (s->wanted == SSGI_PLAN_LIGHT && (row->method == SSGI_PLAN_S3HO || row->method == SSGI_PLAN_SSDO)) {      /* light from everywhere, or nearly so, has no direction; nor have its highest bands */
+    if (s->wanted == SSGI_PLAN_LIGHT && (row->plan.method == SSGI_PLAN_S3HO || row->plan.method == SSGI_PLAN_SSDO)) {      /* light from everywhere, or nearly so, has no direction; nor have its highest bands */
         const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
         if (sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error) return 0;
-        if (row->bands > 2 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[row->bands - 1] / energy[0])) < 0.1 * (double)s->error) return 0;
+        if (row->plan.bands > 2 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[row->plan.bands - 1] / energy[0])) < 0.1 * (double)s->error) return 0;
     }
     for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
-    error = (float)sqrt(square);
-    memset(plan, 0, sizeof *plan);
-    plan->method = row->method;
-    plan->half = row->half;
-    plan->directions = row->directions;
-    plan->samples = row->samples;
-    plan->steps = row->steps;
-    plan->bands = row->bands;
-    plan->layers = row->layers;
-    plan->cameras = row->cameras;
-    plan->filter = row->filter;
-    plan->resolution = row->resolution;
-    plan->size = row->size;
-    plan->error = error;
-    plan->cost = row->cost;
-    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
-    if (row->method == SSGI_PLAN_SURFELS) {
+    *plan = row->plan;
+    plan->error = (float)sqrt(square);
+    if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
+    if (row->plan.method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
-        for (k = 1; k < 7 && row->size * 1.5f * (float)(1 << (k - 1)) < (s->reach > 0.0f ? s->reach : 0.15f); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+        for (k = 1; k < 7 && row->plan.size * 1.5f * (float)(1 << (k - 1)) < (s->reach > 0.0f ? s->reach : 0.15f); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
         plan->levels = k;
     }
     return 1;
@@ -3988,7 +3975,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         ++tried;
-        p.meets = s->error > 0.0f && p.error <= s->error;
+        p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         if (found && p.meets == best.meets && (p.meets ? p.cost >= best.cost : p.error >= best.error)) continue;
         if (found && best.meets && !p.meets) continue;
         best = p;
@@ -3997,12 +3984,12 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i)                 /* the best of those that cost less */
         if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper)) cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
-        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, no more than the %.3g asked for", (double)best.error, (double)s->error);
+        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g", (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest predicted to err by no more than %.3g (%.3g); what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error,
-                 (double)best.error, (double)cheaper);
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest predicted to meet %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
+                 (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to err by %.3g or less; this one errs least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
+        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to meet %.3g; this one errs least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
                  (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;

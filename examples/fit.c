@@ -74,26 +74,27 @@ int main(int argc, char **argv)
     fclose(f);
     for (int i = 0; i < count; ++i)                                  /* a trial of some places is noisy: of these views all is known */
         for (int k = 0; k < count; ++k) {
-            const ssgi_plan__row *r = &ssgi_plan__rows[row[i].choice];
+            const ssgi_plan *r = &ssgi_plan__rows[row[i].choice].plan;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
             if (r->method == SSGI_PLAN_NOTHING) row[k].scene.trial.open = (float)row[i].error;
             if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 6) row[k].scene.trial.picture = (float)row[i].error;      /* the preset BALANCED */
         }
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
-        const ssgi_plan__row *r = &ssgi_plan__rows[c];
+        const ssgi_plan__row *of = &ssgi_plan__rows[c];
+        const ssgi_plan *r = &of->plan;
         int n = 0, w = 0;
         for (int i = 0; i < count; ++i) {
             if (row[i].choice != c) continue;
             costs[n] = row[i].cost;
             equations[n].square = row[i].error * row[i].error;
-            ssgi_plan__terms(equations[n++].term, r, &row[i].scene);
+            ssgi_plan__terms(equations[n++].term, of, &row[i].scene);
         }
-        while (!(r->wanted >> w & 1)) ++w;
+        while (!(of->wanted >> w & 1)) ++w;
         const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
-        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
+        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)of->term[k];
         qsort(costs, (size_t)n, sizeof *costs, by_value);
-        printf("    { SSGI_PLAN__%s, SSGI_PLAN_%s, %d, %d, %d, %d, %d, %d, %d, %d, %d, ", wanted[w], method[r->method], r->half, r->directions, r->samples, r->steps, r->bands, r->layers, r->cameras, r->filter, r->resolution);
-        printf(r->size > 0 ? "%gf, %.2ff, {" : "%.1ff, %.2ff, {", (double)r->size, n ? costs[n / 2] : (double)r->cost);
+        printf("    { SSGI_PLAN__%s, { SSGI_PLAN_%s, %d, %d, %d, %d, %d, %d, %d, 0, %d, %d, ", wanted[w], method[r->method], r->half, r->directions, r->samples, r->steps, r->bands, r->layers, r->cameras, r->filter, r->resolution);
+        printf(r->size > 0 ? "%gf, %.2ff, 0.0f, 0, \"\" }, {" : "%.1ff, %.2ff, 0.0f, 0, \"\" }, {", (double)r->size, n ? costs[n / 2] : (double)r->cost);
         for (int k = 0; k < MOST_TERMS; ++k) printf(" %.4ff%s", x[k], k + 1 < MOST_TERMS ? "," : c + 1 < SSGI_PLAN_CHOICES ? " } }," : " } }");
         fprintf(stderr, "%s choice %d: %d rows, spread %.3f", c ? "\n" : "", c, n, spread);
         putchar('\n');

@@ -126,17 +126,12 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
 
 typedef struct verdict { int pairs, good, needed, good_needed, needless, asked_more; } verdict;     /* needed: pairs where doing nothing errs by more; needless: bands, layers, cameras or levels without which the picture hardly changes; of so many plans that ask for any */
 
-static const char *plan_name(char out[128], const ssgi_plan *p, int wanted)
+static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 {
-    kit_method m;
-    kit_error err;
-    size_t n;
-    if (p->method == SSGI_PLAN_NOTHING || kit_plan_method(&m, p, wanted, &err)) return strcpy(out, "nothing");
-    n = (size_t)snprintf(out, 128, "%s", m.name);
-    const struct { const char *key; int value; } shown[] = { { "half", p->half }, { "directions", p->directions }, { "samples", p->samples }, { "steps", p->steps }, { "bands", p->bands },
-        { "layers", p->layers }, { "cameras", p->cameras }, { "levels", p->levels }, { "resolution", p->resolution } };
-    for (int i = 0; i < COUNT(shown); ++i) if (shown[i].value > (i == 5)) n += (size_t)snprintf(out + n, 128 - n, " %s %d", shown[i].key, shown[i].value);
-    if (p->size > 0) snprintf(out + n, 128 - n, " size %g", (double)p->size);
+    char set[256];
+    const char *name = kit_plan_text(set, p, wanted);
+    snprintf(out, 320, name ? "%s %s" : "nothing", name, set);
+    for (char *at = out; *at; ++at) if (*at == ',') *at = ' ';        /* CSV */
     return out;
 }
 
@@ -154,7 +149,7 @@ static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *
         const double asked = planned_errors[r->numbers.wanted][k];
         ssgi_plan_scene numbers = r->numbers;
         ssgi_plan plan, p;
-        char text[2][128];
+        char text[2][320];
         int taken = -1, best = -1;
         numbers.error = (float)asked;
         if (blind) numbers.trial.known = 0;

@@ -73,7 +73,8 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 };
 
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
-enum { MOST_ENTRIES = COUNT(chart_entries) > COUNT(demo_entries) ? COUNT(chart_entries) : COUNT(demo_entries), MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
+static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
+enum { MOST_ENTRIES = COUNT(chart_entries) > COUNT(demo_entries) ? COUNT(chart_entries) : COUNT(demo_entries) + 1, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
 /* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as the environment is, within the radius, not by
    all of the scene; in the truth they then are discs of SUN degrees around. */
@@ -717,7 +718,11 @@ static int thumbs(FILE *html, const char *out, const stage *s, const row *rows, 
 
 static int demo(const options *o, kit_error *err)
 {
-    enum { ENTRIES = COUNT(demo_entries) };
+    enum { ENTRIES = COUNT(demo_entries) + 1 };              /* the last one is planned */
+    entry entries[ENTRIES];
+    ssgi_plan_scene numbers;
+    ssgi_plan plan;
+    char planned_set[256];
     view mesh = views[0];
     stage s;
     row rows[ENTRIES + 2], lit_rows[LIT_DEMOS][MOST_ROWS], field_rows[FIELD_DEMO_ROWS];
@@ -728,7 +733,14 @@ static int demo(const options *o, kit_error *err)
     char about[512], note[64], slug[64];
     if (o->mesh) { memset(&mesh, 0, sizeof mesh); mesh.name = mesh.path = o->mesh; mesh.ground = 1; }
     if (stage_open(&s, &mesh, 1280, 720, err)) return -1;
-    if (measure(rows, &s, demo_entries, ENTRIES, DEMO_ROUNDS, picture, err)) return -1;
+    if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err)) return -1;
+    numbers.error = DEMO_ERROR;
+    numbers.budget = 20;
+    if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return kit_fail(err, "%s: has no plan", s.name);
+    memcpy(entries, demo_entries, sizeof demo_entries);
+    entries[ENTRIES - 1] = (entry){ "planned", kit_plan_text(planned_set, &plan, SSGI_PLAN_VISIBILITY), planned_set, 1 };
+    const int count = plan.method == SSGI_PLAN_NOTHING ? ENTRIES - 1 : ENTRIES;
+    if (measure(rows, &s, entries, count, DEMO_ROUNDS, picture, err)) return -1;
     if (save(&s.truth, "Y", 0, o->out, "truth", ".png", err) || save(&s.truth, "Y", 0, o->out, "truth", ".exr", err) || save_legend(o->out, err)) return -1;
 
     if (page_open(&p, err)) return -1;
@@ -740,19 +752,21 @@ static int demo(const options *o, kit_error *err)
     figure_html(p.file, "truth", "ray-traced truth", note, 1280, 720, 0);
     key_html(p.file, 0.5);
     fputs("</figure>\n", p.file);
-    for (int i = 0; i < ENTRIES; ++i) {
-        slug_of(slug, demo_entries[i].label);
+    for (int i = 0; i < count; ++i) {
+        slug_of(slug, entries[i].label);
         if (kit_image_difference(&difference, &picture[i], &s.truth, "Y", 0.5f, err)) return -1;
         if (save(&picture[i], "Y", 0, o->out, slug, ".png", err) || save(&picture[i], "Y", 0, o->out, slug, ".exr", err)) return -1;
         if (save(&difference, "R,G,B", 0, o->out, slug, "-difference.png", err) || save(&difference, "R,G,B", 0, o->out, slug, "-difference.exr", err)) return -1;
         kit_image_free(&difference);
         kit_image_free(&picture[i]);
         snprintf(note, sizeof note, "time %.2f, error %.3f", rows[i].relative, rows[i].share);
-        figure_html(p.file, slug, demo_entries[i].label, note, 1280, 720, 1);
+        figure_html(p.file, slug, entries[i].label, note, 1280, 720, 1);
         fputs("</figure>\n", p.file);
     }
-    fputs("</div>\n<h3>Figures</h3>\n", p.file);
-    table_html(p.file, rows, ENTRIES + 2);
+    fprintf(p.file, "</div>\n<p>Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: ", (double)numbers.error);
+    escaped(p.file, plan.why);
+    fputs(".</p>\n<h3>Figures</h3>\n", p.file);
+    table_html(p.file, rows, count + 2);
     stage_close(&s);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) if (lit_demo(p.file, o->out, &lit_demos[k], lit_rows[k], &lit_count[k], err)) return -1;
     if (!o->mesh && (field_demo(p.file, o->out, field_rows, err) || deep_demo(p.file, o->out, deep_sets, err))) return -1;
@@ -761,7 +775,8 @@ static int demo(const options *o, kit_error *err)
     if (!o->mesh) field_terms(p.file);
     if (!o->mesh) deep_terms(p.file);
     if (page_close(&p, o->out, "demo.html", err)) return -1;
-    table_text(stdout, rows, ENTRIES + 2);
+    table_text(stdout, rows, count + 2);
+    printf("planned for an RMSE of %g: %s\n", (double)numbers.error, plan.why);
     for (int k = 0; k < LIT_DEMOS && !o->mesh; ++k) {
         printf("\n%s\n", lit_demos[k].title);
         table_text(stdout, lit_rows[k], lit_count[k]);

@@ -240,7 +240,8 @@ void kit_run_close(kit_run *run);
 /* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the survey; a trial of hsao where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so
    that depth layers and extra cameras may be used. */
 int  kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted, int closed, kit_error *err);
-/* The method that a plan means, with its settings. A plan of NOTHING fails. */
+/* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method: a plan of NOTHING fails. */
+const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
 /* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): what the environment brings to an open surface, dimmed by it, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 256 };
+enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 768 };
 
 /* Draws the pass "survey" with a run's frame, and reads it. */
 static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
@@ -166,24 +166,27 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     return 0;
 }
 
+const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
+{
+    static const char *const names[] = { NULL, "hsao", "hsao-march", "ssdo", "s3ho", "dss", "aof" };
+    enum { ALL = 1 << SSGI_PLAN_HSAO | 1 << SSGI_PLAN_MARCH | 1 << SSGI_PLAN_SSDO | 1 << SSGI_PLAN_S3HO };      /* methods that have a setting */
+    const struct { const char *key; int value, least, of; } asked[] = {
+        { "half", p->half, 0, ALL }, { "directions", p->directions, 1, ALL }, { "samples", p->samples, 1, ALL }, { "steps", p->steps, 1, ALL }, { "bands", p->bands, 1, ALL }, { "layers", p->layers, 2, ALL },
+        { "views", p->cameras, 1, ALL }, { "blur", p->filter, 1, ALL }, { "levels", p->levels, 1, 1 << SSGI_PLAN_SURFELS }, { "resolution", p->resolution, 1, 1 << SSGI_PLAN_FIELD } };
+    size_t n = 0;
+    *set = 0;
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
+        if (asked[i].value >= asked[i].least && asked[i].of >> p->method & 1) n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
+    if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
+    if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO)) snprintf(set + n, 256 - n, p->method == SSGI_PLAN_SSDO ? ",bounce=none" : ",indirect=none");
+    return names[p->method];
+}
+
 int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *err)
 {
-    static const char *const names[] = { "", "hsao", "hsao-march", "ssdo", "s3ho", "dss", "aof" };
     char set[256];
-    size_t n = 0;
-    if (p->method == SSGI_PLAN_NOTHING) return kit_fail(err, "nothing needs no method");
-    if (kit_method_find(m, names[p->method], err)) return -1;
-    const struct { const char *key; int value; } asked[] = {
-        { "half", p->half }, { "directions", p->directions }, { "samples", p->samples }, { "steps", p->steps }, { "bands", p->bands }, { "layers", p->layers }, { "views", p->cameras }, { "levels", p->levels },
-        { "blur", p->filter }, { "resolution", p->resolution }, { "bounce", wanted == SSGI_PLAN_BOUNCE }, { "indirect", wanted == SSGI_PLAN_BOUNCE } };
-    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i) {
-        const int words = i >= 10, has = !strcmp(asked[i].key, "bounce") ? p->method == SSGI_PLAN_SSDO : p->method == SSGI_PLAN_S3HO;
-        if (words ? !has || asked[i].value : !asked[i].value && strcmp(asked[i].key, "half")) continue;      /* bounce is their default */
-        if (!words && (p->method == SSGI_PLAN_SURFELS ? i != 7 : p->method == SSGI_PLAN_FIELD ? i != 9 : 0)) continue;
-        n += (size_t)snprintf(set + n, sizeof set - n, words ? "%s%s=none" : "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
-    }
-    if (p->method == SSGI_PLAN_SURFELS) snprintf(set + n, sizeof set - n, "%ssize=%g", n ? "," : "", (double)p->size);
-    return kit_method_set(m, set, err);
+    const char *name = kit_plan_text(set, p, wanted);
+    return !name ? kit_fail(err, "nothing needs no method") : kit_method_find(m, name, err) || kit_method_set(m, set, err) ? -1 : 0;
 }
 
 static int lit_of(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *set, float radius, kit_error *err)

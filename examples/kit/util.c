@@ -41,7 +41,9 @@ void kit_progress(const char *what, double fraction)
 {
     static double started, drawn;
     static int shown;
-    if (!isatty(STDERR_FILENO)) return;
+    static char running[128];                  /* the outermost: what runs inside it does not restart its clock */
+    if (!isatty(STDERR_FILENO) || (*running && *what && strcmp(what, running))) return;
+    snprintf(running, sizeof running, "%s", fraction >= 1 ? "" : what);
     double now = kit_seconds();
     if (fraction >= 1) {
         if (shown) fputs("\r\033[K", stderr);
