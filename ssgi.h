@@ -3932,6 +3932,7 @@ static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi_plan__row *row = &ssgi_plan__rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
+    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
     double term[SSGI_PLAN__TERMS], square = 0.0, hidden;
     int k;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || s->wanted < 0 || s->wanted > SSGI_PLAN_OBJECTS || !(row->wanted & 1 << s->wanted)) return 0;
@@ -3941,14 +3942,12 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
         if (hidden < 0.1 * (double)s->error) return 0;
     }
     ssgi_plan__terms(term, row, s);
-    if (s->wanted == SSGI_PLAN_LIGHT && (row->plan.method == SSGI_PLAN_S3HO || row->plan.method == SSGI_PLAN_SSDO)) {      /* light from everywhere, or nearly so, has no direction; nor have its highest bands */
-        const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-        if (sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error) return 0;
-        if (row->plan.bands > 2 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[row->plan.bands - 1] / energy[0])) < 0.1 * (double)s->error) return 0;
-    }
+    if (s->wanted == SSGI_PLAN_LIGHT && (row->plan.method == SSGI_PLAN_S3HO || row->plan.method == SSGI_PLAN_SSDO) && sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error)
+        return 0;                                                       /* light from everywhere, or nearly so, has no direction */
     for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
     *plan = row->plan;
     plan->error = (float)sqrt(square);
+    while (plan->bands > 1 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[plan->bands - 1] / energy[0])) < 0.1 * (double)s->error) --plan->bands;     /* nor have bands that hold nothing */
     if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
     if (row->plan.method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
@@ -3962,7 +3961,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 {
     static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
     ssgi_plan best, p;
-    float fields[6], cheaper = 0.0f;
+    float fields[6], cheaper = 0.0f, goal = 0.0f;
     int i, tried = 0, found = 0;
     if (!plan || !s) return ssgi__bad(why, !plan ? "plan: must not be NULL" : "scene: must not be NULL");
     if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS) return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
@@ -3974,10 +3973,12 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     memset(&best, 0, sizeof best);
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
-        ++tried;
+        if (!tried++ || p.error < goal) goal = p.error;
+    }
+    if (goal < s->error) goal = s->error;
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {                /* the cheapest that is within a tenth of what can be had */
+        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget) || p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
-        if (found && p.meets == best.meets && (p.meets ? p.cost >= best.cost : p.error >= best.error)) continue;
-        if (found && best.meets && !p.meets) continue;
         best = p;
         found = 1;
     }
@@ -3989,7 +3990,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest predicted to meet %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
                  (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to meet %.3g; this one errs least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
+        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to meet %.3g; this is the cheapest that is within a tenth of the least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
                  (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;

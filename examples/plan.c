@@ -155,8 +155,8 @@ static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *
         if (blind) numbers.trial.known = 0;
         if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) continue;
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
-            if (isnan(r->error[i]) || !ssgi_plan_choice(&p, i, &r->numbers)) continue;
-            if (same_plan(&p, &plan)) taken = i;
+            if (isnan(r->error[i])) continue;
+            if (ssgi_plan_choice(&p, i, &numbers) && same_plan(&p, &plan)) taken = i;
             if (r->error[i] <= asked && (best < 0 || r->cost[i] < r->cost[best])) best = i;
         }
         if (best < 0 || taken < 0) continue;                    /* nothing on the chart meets it */
