@@ -3916,8 +3916,9 @@ static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row
         picture = (double)s->trial.picture * (double)s->trial.picture;
     }
     for (l = 1; l < 4 && s->wanted; ++l) {
-        uneven += (double)(energy[l] / energy[0]);
-        if (l >= row->plan.bands) left += (double)(energy[l] / energy[0]);
+        const double ratio = (double)energy[l] / (double)energy[0];
+        uneven += ratio;
+        if (l >= row->plan.bands) left += ratio;
     }
     term[SSGI_PLAN__OPEN] = open;
     term[SSGI_PLAN__PICTURE] = picture;
@@ -3947,7 +3948,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
     *plan = row->plan;
     plan->error = (float)sqrt(square);
-    while (plan->bands > 1 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)(energy[plan->bands - 1] / energy[0])) < 0.1 * (double)s->error) --plan->bands;     /* nor have bands that hold nothing */
+    while (plan->bands > 1 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;     /* nor have bands that hold nothing */
     if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
     if (row->plan.method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
@@ -3961,7 +3962,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 {
     static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
     ssgi_plan best, p;
-    float fields[6], cheaper = 0.0f, goal = 0.0f;
+    float fields[9], cheaper = 0.0f, goal = 0.0f;
     int i, tried = 0, found = 0;
     if (!plan || !s) return ssgi__bad(why, !plan ? "plan: must not be NULL" : "scene: must not be NULL");
     if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS) return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
@@ -3970,6 +3971,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     for (i = 0; i < 6; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
     for (i = 0; i < 4; ++i) if (!ssgi__finite(s->energy[i]) || !(s->energy[i] >= 0.0f)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
     if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture)) return ssgi__bad(why, "scene.trial: must be finite");
+    memcpy(fields, &s->survey, sizeof s->survey);
+    for (i = 0; i < 9; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;

@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels and fields. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and plans. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -231,6 +231,35 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
     if (calls % 16 == 1) MUST(isfinite(ssgi_field_fit_centre(c, w, radii, directions, 1 + (int)(size % 8))) && isfinite(c[0] + c[1] + c[2]));
 }
 
+static void plans(const float *f, size_t count, const uint8_t *data, size_t size)
+{
+    const char *why = NULL;
+    ssgi_plan_scene s;
+    ssgi_plan plan, was;
+    ssgi_survey survey;
+    memset(&s, 0, sizeof s);
+    memset(&was, 7, sizeof was);
+    plan = was;
+    s.wanted = data[0] % 6 - 1;
+    s.layers = data[1 % size] % 7 - 1;
+    s.cameras = data[2 % size] % 5;
+    s.casters = data[3 % size];
+    s.map = data[4 % size] % 2;
+    s.triangles = data[5 % size] % 2 ? 1e6 : 0;
+    s.error = f[0];
+    s.budget = f[1];
+    s.reach = f[2];
+    s.albedo = f[3];
+    s.trial.known = data[6 % size] % 2;
+    s.trial.open = f[4];
+    s.trial.picture = f[5];
+    memcpy(s.energy, f + count - 4, sizeof s.energy);
+    if (ssgi_survey_of(&survey, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK) s.survey = survey;
+    if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
+        MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error) && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8 && strlen(plan.why) < sizeof plan.why - 1);
+    else MUST(!strncmp(why, "scene.", 6) && !memcmp(&plan, &was, sizeof plan));
+}
+
 static void floats(const float *f, size_t count)
 {
     static char memory[64 * 1024];
@@ -272,6 +301,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (count >= 9) {
         floats(f, count);
         fields(f, count, data, size);
+        plans(f, count, data, size);
     }
     return 0;
 }
