@@ -211,7 +211,7 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
 
 /* ---- >>chart: relative time (or memory) across, share of the error (or the error) up; one curve a label -------------- */
 
-enum { WIDE = 900, HIGH = 540, LEFT = 74, RIGHT = 876, TOP = 112, BOTTOM = 472, MOST_BOXES = 512 };
+enum { WIDE = 900, HIGH = 566, LEFT = 74, RIGHT = 876, TOP = 138, BOTTOM = 498, MOST_BOXES = 512 };
 typedef struct box { double x, y, w, h; } box;
 typedef struct scale { double x0, x1, y0, y1; int even; } scale;   /* what lies at the frame's sides; x as logarithms unless even */
 
@@ -284,7 +284,7 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
     const row *sorted[256];
     box taken[MOST_BOXES];
     scale s = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, w->even };
-    int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT, line = 80;
+    int points = 0, boxes = 0, series = 0, at = 0, legend = LEFT, line = 76;
     double step, last = -100;
     for (int i = 0; i < count && points < 256; ++i) {
         if (isnan(rows[i].relative)) continue;
@@ -353,8 +353,8 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
             }
         }
         const char *fitted = series < others ? "" : ", fitted";
-        const int room = 38 + (int)(7.0 * (double)(strlen(sorted[i]->label) + strlen(fitted)));
-        if (legend > LEFT && legend + room > RIGHT) { legend = LEFT; line += 18; }
+        const int room = 32 + (int)(6.8 * (double)(strlen(sorted[i]->label) + strlen(fitted)));
+        if (legend > LEFT && legend + room > RIGHT) { legend = LEFT; line += 17; }
         fputs("\"/>\n<path ", f);
         marker(f, series, legend + 7, line);
         fprintf(f, "/><text x=\"%d\" y=\"%.1f\" fill=\"#222\">", legend + 21, line + 4.5);
