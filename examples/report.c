@@ -21,7 +21,7 @@
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
 #define BED     "build/models/iron-bed.obj"    /* make chart puts it there */
-enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 7, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640, AO_HEIGHT = 360, AO_PHASES = 4 };      /* SLOW: so many times the reference's time */
+enum { RAYS = 256, FLOOR_STRIDE = 4, DEMO_ROUNDS = 5, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640, AO_HEIGHT = 360, AO_PHASES = 4 };      /* SLOW: so many times the reference's time */
 static int thrift = 1;                         /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than LEAST_RAYS */
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 
