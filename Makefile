@@ -69,7 +69,7 @@ peers:
 stability: build/stability
 	build/stability $(if $(QUICK),--quick)
 
-# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures for a quarter of an hour, prints the table.
+# Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures for four minutes, prints the table.
 fit: build/report
 	build/report fit
 	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/fit.c -lm -o build/fit

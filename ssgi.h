@@ -3990,10 +3990,10 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
         snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g", (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest predicted to meet %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
                  (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: of %d choices%s none is predicted to meet %.3g; this is the cheapest that is within a tenth of the least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
+        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
                  (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;

@@ -212,7 +212,7 @@ static int camera_check(const kit_camera *c, kit_error *err)
 /* The result, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and bounce, their three channels together. */
 enum { GROUPS = 3 };
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
-typedef struct result { kit_image picture, frame; const kit_run *run; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
+typedef struct result { kit_image picture, frame; const kit_run *run; const ssgi_plan *plan; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
 
 static int score_of(result *r, const char *path, kit_error *err)
 {
@@ -253,11 +253,16 @@ static void print_string(const char *s)
 
 static void report(const options *o, const kit_method *m, const result *r, double radius)
 {
-    const char *what = o->truth ? "truth" : o->floor ? "floor" : m->name;
+    const char *what = o->truth ? "truth" : o->floor ? "floor" : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing" : m->name;
     if (o->json) {
         printf("{\"source\": ");
         print_string(o->gbuffer ? o->gbuffer : o->scene);
         printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width, r->picture.height);
+        if (r->plan) {
+            printf(", \"plan\": {\"error\": %g, \"cost\": %g, \"meets\": %d, \"why\": ", (double)r->plan->error, (double)r->plan->cost, r->plan->meets);
+            print_string(r->plan->why);
+            printf("}");
+        }
         if (r->run) {
             printf(", \"settings\": {");
             for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
@@ -307,6 +312,7 @@ int main(int argc, char **argv)
     kit_lighting lighting;
     kit_world world = { NULL, &lighting };
     result r;
+    ssgi_plan plan;
     double radius;
     int attenuation;
     memset(&scene, 0, sizeof scene);
@@ -353,13 +359,13 @@ int main(int argc, char **argv)
 
     if (o.planned) {
         ssgi_plan_scene numbers;
-        ssgi_plan plan;
         const char *why = "";
         if (kit_plan_numbers(&numbers, &gbuffer, &world, (float)radius, o.planned - 1, o.closed, &err)) return fail(err.text);
         numbers.error = (float)o.plan[0];
         numbers.budget = (float)o.plan[1];
         if (ssgi_plan_make(&plan, &numbers, &why) != SSGI_OK) return fail(why);
-        printf(o.json ? "" : "%s; cost %.2f\n", plan.why, (double)plan.cost);
+        r.plan = &plan;
+        if (!o.json) printf("%s; cost %.2f\n", plan.why, (double)plan.cost);
         if (plan.method == SSGI_PLAN_NOTHING) {
             if (kit_image_new(&r.picture, gbuffer.viewport[2], gbuffer.viewport[3], "Y", &err)) return fail(err.text);
             for (int i = 0; i < r.picture.width * r.picture.height; ++i) r.picture.data[i] = 1;

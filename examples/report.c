@@ -1,10 +1,12 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
       build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in two minutes
-      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv, chart*.svg and index.html, in 20 minutes, or 5
+      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv, chart*.svg and index.html, in 20 minutes, or 3
+      build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c, in 4 minutes
 
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the rows of methods whose names begin so. Truth is kept under
-   build/cache/, and so is what an interrupted chart has measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2. page.c holds what is written and how, lit.c what is shown of light, fields.c of ambient occlusion fields, deep.c of deep screen space. */
+   build/cache/, and so is what an interrupted chart has measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2. page.c holds what is written and how, lit.c what is
+   shown of light, fields.c of ambient occlusion fields, deep.c of deep screen space, plan.c of the plan, peers.c of others' passes, costs.c of what choices cost in SPIR-V. */
 #include "kit/kit_gl.h"
 #include <ctype.h>
 #include <errno.h>
@@ -995,25 +997,15 @@ int main(int argc, char **argv)
     int is_chart;
     if (argc < 2) {
         fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside the truth\n"
-              "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     speed against accuracy\n", stderr);
+              "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     speed against accuracy\n"
+              "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n", stderr);
         return 2;
     }
     is_chart = !strcmp(argv[1], "chart");
-    if (!strcmp(argv[1], "fit")) {
-        if (folder("report", &err) || kit_gl_open(NULL, &err) || plan_fit("report", &err)) { fprintf(stderr, "report: %s\n", err.text); return 2; }
-        return 0;
-    }
-    if (!strcmp(argv[1], "judge")) {
-        verdict v[2];
-        memset(&o, 0, sizeof o); o.out = "report"; o.quick = argc > 2;
-        FILE *html = fopen("report/plan.html", "w");
-        if (folder("report", &err) || kit_gl_open(NULL, &err) || plan_chart(html, &o, v, &err)) { fprintf(stderr, "report: %s\n", err.text); return 2; }
-        printf("%d of %d, blind %d of %d, needless %d of %d\n", v[0].good, v[0].pairs, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
-        return 0;
-    }
-    if (!is_chart && strcmp(argv[1], "demo")) kit_fail(&err, "%s: there is no such command (demo, chart)", argv[1]);
+    const int is_fit = !strcmp(argv[1], "fit");
+    if (!is_chart && !is_fit && strcmp(argv[1], "demo")) kit_fail(&err, "%s: there is no such command (demo, chart, fit)", argv[1]);
     else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
-        && !(is_chart ? chart(&o, &err) : demo(&o, &err)) && (fflush(stdout) || ferror(stdout))) kit_fail(&err, "standard output: cannot be written");
+        && !(is_chart ? chart(&o, &err) : is_fit ? plan_fit(o.out, &err) : demo(&o, &err)) && (fflush(stdout) || ferror(stdout))) kit_fail(&err, "standard output: cannot be written");
     if (*err.text) {
         kit_progress("", 1);
         fprintf(stderr, "report: %s\n", err.text);

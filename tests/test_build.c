@@ -248,7 +248,8 @@ static void command_line(void)
         { "room --method ssdo --set bounce=three --out a.exr", "bounce=three" }, { "room --method ssdo --set layers=9 --out a.exr", "layers=9" },
         { "room --size 8x8 --method ssdo --set vpls=4 --out a.exr", "vpls=4" }, { "room --size 8x8 --method ssdo --env sky --score y.exr", "y.exr" },
         { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssao --set layers=2 --out a.exr", "layers=2" }, { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --env sky --set views=1 --out a.exr", "views=1" },
-        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" }
+        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" }, { "room --plan best:1 --out a.exr", "--plan best:1" }, { "room --plan light:x --env sky --out a.exr", "light:x" },
+        { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" }, { "room --plan light:0.1 --out a.exr", "--env" }, { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" }
     };
     char text[4000];
     kit_image y;
@@ -268,6 +269,7 @@ static void command_line(void)
     CHECK(!shell(text, sizeof text, "ls | grep -v after > after; diff before after%s%s", "", ""), "left behind: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 64x36 --save-gbuffer g.exr --out a.exr%s", getenv("PWD"), "")
           && !shell(text, sizeof text, "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr%s", getenv("PWD"), "") && strstr(text, "\"rmse\""), "a frame saved and taken back: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --plan visibility:0.1 --json --out b.exr%s", getenv("PWD"), "") && strstr(text, "\"plan\": {\"error\""), "a plan of a frame: %s", text);
 }
 
 void test_build(void)
