@@ -94,8 +94,9 @@ static int plan_of(options *o, const char *text, kit_error *err)
         if (strncmp(text, wanted[o->planned], n)) continue;
         o->plan[0] = strtod(text + n, &end);
         if (end == text + n || !(o->plan[0] >= 0 && o->plan[0] < 1e6) || (*end && *end != ':')) break;
-        o->plan[1] = *end ? strtod(text = end + 1, &end) : 0;
-        if (end == text || *end || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
+        const char *budget = *end ? end + 1 : "0";
+        o->plan[1] = strtod(budget, &end);
+        if (end == budget || *end || !(o->plan[1] >= 0 && o->plan[1] < 1e6)) break;
         ++o->planned;
         return 0;
     }
