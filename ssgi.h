@@ -3805,9 +3805,9 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
 
 SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why)
 {
-    double open = 0.0, picture = 0.0;
+    double open = 0.0, picture = 0.0, shown;
     size_t i;
-    int k, half;
+    int k;
     if (!trial || !trace) return ssgi__bad(why, !trial ? "trial: must not be NULL" : "trace: must not be NULL");
     if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
     if (!count) return ssgi__bad(why, "count: must not be 0");
@@ -3829,9 +3829,9 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
             for (c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
             if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit)) occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
-        half = ssgi__finite(visibility[i]);
+        shown = ssgi__finite(visibility[i]) ? 1.0 - (double)visibility[i] : 0.0;
         open += occlusion[0] * occlusion[1];
-        picture += (occlusion[0] - 1.0 + (half ? (double)visibility[i] : 1.0)) * (occlusion[1] - 1.0 + (half ? (double)visibility[i] : 1.0));
+        picture += (occlusion[0] - shown) * (occlusion[1] - shown);
     }
     trial->known = 1;
     trial->open = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
@@ -3900,10 +3900,12 @@ static const ssgi_plan__row ssgi_plan__rows[SSGI_PLAN_CHOICES] = {
 
 static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* the built-in sky */
 
+static double ssgi_plan__reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+
 static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    const double size = row->plan.size > 0.0f ? (double)row->plan.size / (double)(s->reach > 0.0f ? s->reach : 0.15f) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const double size = row->plan.size > 0.0f ? (double)row->plan.size / ssgi_plan__reach(s) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
     int l;
     if (s->survey.seen > 0.0f) {                     /* no more than a guess: what is behind what is seen nobody knows */
@@ -3952,7 +3954,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
     if (row->plan.method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
-        for (k = 1; k < 7 && row->plan.size * 1.5f * (float)(1 << (k - 1)) < (s->reach > 0.0f ? s->reach : 0.15f); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+        for (k = 1; k < 7 && (double)row->plan.size * 1.5 * (1 << (k - 1)) < ssgi_plan__reach(s); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
         plan->levels = k;
     }
     return 1;

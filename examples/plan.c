@@ -26,27 +26,6 @@ typedef struct planned_row {
 
 /* ---- >>measuring --------------------------------------------------------------------------------------------------- */
 
-/* Where the truth is known: RMSE of ambient visibility; or of irradiance, with bounce both together, over their mean. */
-static double planned_error(const stage *s, const kit_image *picture, const kit_image *truth, int wanted)
-{
-    static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" } };
-    const float *z = kit_image_channel(&s->frame, "Z");
-    double square = 0, mean = 0;
-    size_t count = 0;
-    for (int c = 0; c < (wanted ? 3 : 1); ++c) {
-        const float *a = kit_image_channel(picture, wanted ? names[0][c] : "Y"), *b = kit_image_channel(truth, wanted ? names[0][c] : "Y");
-        const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL, *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
-        for (int i = 0; i < truth->width * truth->height; ++i) {
-            if (!(z[i] > 0) || isnan(b[i])) continue;
-            const double x = (double)a[i] + (more_a ? (double)more_a[i] : 0), y = (double)b[i] + (more_b ? (double)more_b[i] : 0);
-            square += (x - y) * (x - y);
-            mean += y;
-            ++count;
-        }
-    }
-    return sqrt(square / (double)count) / (wanted ? mean / (double)count : 1);
-}
-
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
     static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } }, { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
@@ -115,7 +94,7 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
         r->error[i] = r->cost[i] = (double)NAN;
         if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
         if (planned_draw(&picture, &r->cost[i], s, &p, wanted, &fixed, rounds, err)) return -1;
-        r->error[i] = planned_error(s, &picture, truth, wanted);
+        r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
         kit_image_free(&picture);
     }
     kit_run_close(&fixed);
@@ -194,7 +173,7 @@ static int planned_needs(verdict *v, stage *s, const planned_row *r, kit_error *
         else continue;
         if (planned_draw(&with, &time, s, &plan, numbers.wanted, NULL, 0, err) || planned_draw(&without, &time, s, &less, numbers.wanted, NULL, 0, err)) return -1;
         ++v->asked_more;
-        v->needless += planned_error(s, &without, &with, numbers.wanted) < 0.1 * (double)numbers.error;
+        v->needless += kit_plan_error(&without, &with, &s->frame, numbers.wanted) < 0.1 * (double)numbers.error;
         kit_image_free(&with);
         kit_image_free(&without);
     }

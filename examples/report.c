@@ -388,15 +388,8 @@ static int score(row *r, const stage *s, const kit_image *picture, kit_error *er
 /* Lit by ambient visibility: it dims the environment's light, not the lights'. */
 static int light_by(kit_image *visibility, const stage *s, kit_error *err)
 {
-    kit_image out;
-    const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
     if (!s->givens) return kit_fail(err, "%s: ambient visibility has no environment to dim", s->name);
-    if (kit_image_new(&out, visibility->width, visibility->height, KIT_LIT_CHANNELS, err)) return -1;
-    for (size_t i = 0; i < pixels * (size_t)out.channels; ++i)
-        out.data[i] = s->direct.data[i] + (s->given[0].picture.data[i] - s->direct.data[i]) * visibility->data[i % pixels];
-    kit_image_free(visibility);
-    *visibility = out;
-    return 0;
+    return kit_dim(visibility, &s->given[0].picture, &s->direct, err);
 }
 
 static double draw(kit_run *run)

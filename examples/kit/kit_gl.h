@@ -243,7 +243,11 @@ int  kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_
 /* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method: a plan of NOTHING fails. */
 const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
-/* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): what the environment brings to an open surface, dimmed by it, and the lights with their shadows. */
+/* A picture's error as plans have it, where the frame shows something and the truth is known (not NAN): RMSE of Y; of irradiance, or with the bounce, over their mean. */
+double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted);
+/* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): the light of open surfaces, dimmed by it but for the part that is direct (NULL: none). */
+int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
+/* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */

@@ -50,7 +50,7 @@ static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
 /* Traces some places of a picture of ambient visibility. */
 static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_image *picture, const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
 {
-    const size_t triangles = scene->mesh.triangles, size = ssgi_trace_size(triangles), pixels = (size_t)frame->width * (size_t)frame->height;
+    const size_t triangles = scene->mesh.triangles, size = ssgi_trace_size(triangles);
     const float *z = kit_image_channel(frame, "Z"), *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"), kit_image_channel(frame, "N.Z") };
     float *places = malloc(7 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
     void *memory = malloc(size);
@@ -64,7 +64,7 @@ static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_imag
     for (int i = 0; i < 20 * PLACES && count < PLACES && !failed; ++i) {           /* the R2 sequence over the picture */
         const int x = (int)(fmod(0.7548776662466927 * (i + 1), 1) * frame->width), y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
         const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
-        if (!(z[at] > 0) || at >= pixels) continue;
+        if (!(z[at] > 0)) continue;
         kit_camera_ray(camera, x, y, origin, ray);             /* not from depth, whose rounding is more than a small radius far away */
         if (!ssgi_trace_closest(&trace, origin, ray, 0, 1e12f, &hit)) continue;
         for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
@@ -78,7 +78,7 @@ static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_imag
     return failed;
 }
 
-/* Harmonics of all that lights: the environment, and suns. */
+/* Of the environment's harmonics. */
 static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
 {
     const size_t texels = (size_t)light->env.width * (size_t)light->env.height;
@@ -94,34 +94,39 @@ static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
     return 0;
 }
 
-/* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open surfaces. */
-static int try_light(ssgi_trial *trial, const kit_image *frame, kit_image *picture, kit_gbuffer *g, const kit_world *world, float radius, int bounce, kit_error *err)
+double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted)
 {
     static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" } };
-    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
     const float *z = kit_image_channel(frame, "Z");
-    double square[2] = { 0 }, mean = 0;
+    double square = 0, mean = 0;
     size_t count = 0;
+    for (int c = 0; c < (wanted ? 3 : 1); ++c) {
+        const float *a = kit_image_channel(picture, wanted ? names[0][c] : "Y"), *b = kit_image_channel(truth, wanted ? names[0][c] : "Y");
+        const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL, *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
+        for (int i = 0; i < truth->width * truth->height; ++i) {
+            if (!(z[i] > 0) || isnan(b[i])) continue;
+            const double x = (double)a[i] + (more_a ? (double)more_a[i] : 0), y = (double)b[i] + (more_b ? (double)more_b[i] : 0);
+            square += (x - y) * (x - y);
+            mean += y;
+            ++count;
+        }
+    }
+    return sqrt(square / (double)count) / (wanted ? mean / (double)count : 1);
+}
+
+/* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open surfaces. */
+static int try_light(ssgi_trial *trial, const kit_image *frame, kit_image *picture, kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
+{
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
     kit_image truth, open;
     if (kit_image_new(&open, frame->width, frame->height, "Y", err)) return -1;
     for (int i = 0; i < frame->width * frame->height; ++i) open.data[i] = 1;
     if (kit_light_by(&open, g, world, radius, err) || kit_light_by(picture, g, world, radius, err)
-        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR, bounce, LIGHT_RAYS, stride, err)) return -1;
-    for (int c = 0; c < 3; ++c) {
-        const float *a[2] = { kit_image_channel(&open, names[0][c]), kit_image_channel(picture, names[0][c]) }, *b = kit_image_channel(&truth, names[0][c]), *more = kit_image_channel(&truth, names[1][c]);
-        for (int i = 0; i < frame->width * frame->height; ++i) {
-            if (!(z[i] > 0) || isnan(b[i])) continue;
-            const double t = (double)b[i] + (bounce ? (double)more[i] : 0);
-            for (int k = 0; k < 2; ++k) square[k] += ((double)a[k][i] - t) * ((double)a[k][i] - t);
-            mean += t;
-            ++count;
-        }
-    }
+        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR, wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err)) return -1;
+    const double of_open = kit_plan_error(&open, &truth, frame, wanted), of_picture = kit_plan_error(picture, &truth, frame, wanted);
     kit_image_free(&open);
     kit_image_free(&truth);
-    if (!(mean > 0)) return 0;
-    mean /= (double)count;
-    *trial = (ssgi_trial){ 1, (float)(sqrt(square[0] / (double)count) / mean), (float)(sqrt(square[1] / (double)count) / mean) };
+    if (isfinite(of_open)) *trial = (ssgi_trial){ 1, (float)of_open, (float)of_picture };       /* else all is dark */
     return 0;
 }
 
@@ -152,7 +157,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
         s->reach = (float)(reach / fmax(1, (double)seen));
         s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
         if (world->scene && wanted == SSGI_PLAN_VISIBILITY) failed = try_picture(&s->trial, &frame, &picture, world->scene, &g->camera, radius, err);
-        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting) failed = try_light(&s->trial, &frame, &picture, g, world, radius, wanted == SSGI_PLAN_BOUNCE, err);
+        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting) failed = try_light(&s->trial, &frame, &picture, g, world, radius, wanted, err);
         kit_image_free(&frame);
     }
     kit_image_free(&picture);
@@ -201,18 +206,28 @@ static int lit_of(kit_image *out, kit_gbuffer *g, const kit_world *world, const 
     return failed;
 }
 
-int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, float radius, kit_error *err)
+int kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err)
 {
     const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
-    kit_image open, direct = { 0 };
-    if (lit_of(&open, g, world, "bounce=none,blur=0", 1e-4f * radius, err)) return -1;         /* nothing is in the way within so small a radius */
-    if (world->lighting && world->lighting->lights && lit_of(&direct, g, world, "environment=none,bounce=none", radius, err)) { kit_image_free(&open); return -1; }
-    for (size_t i = 0; i < pixels * (size_t)open.channels; ++i) {
-        const float d = direct.data ? direct.data[i] : 0;
-        open.data[i] = d + (open.data[i] - d) * visibility->data[i % pixels];
+    kit_image out;
+    if (kit_image_new(&out, visibility->width, visibility->height, KIT_LIT_CHANNELS, err)) return -1;
+    for (size_t i = 0; i < pixels * (size_t)out.channels; ++i) {
+        const float d = direct ? direct->data[i] : 0;
+        out.data[i] = d + (open->data[i] - d) * visibility->data[i % pixels];
     }
-    kit_image_free(&direct);
     kit_image_free(visibility);
-    *visibility = open;
+    *visibility = out;
     return 0;
+}
+
+int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, float radius, kit_error *err)
+{
+    const int lights = world->lighting && world->lighting->lights;
+    kit_image open, direct = { 0 };
+    int failed;
+    if (lit_of(&open, g, world, "bounce=none,blur=0", 1e-4f * radius, err)) return -1;         /* nothing is in the way within so small a radius */
+    failed = (lights && lit_of(&direct, g, world, "environment=none,bounce=none", radius, err)) || kit_dim(visibility, &open, lights ? &direct : NULL, err);
+    kit_image_free(&open);
+    kit_image_free(&direct);
+    return failed ? -1 : 0;
 }
