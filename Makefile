@@ -4,6 +4,7 @@
 #   make demo    the main job, into report/       make stability   where methods fail, into report/
 #   make test    all tests                        make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
+#   make golden    the hashes of those texts that make test compares
 #   make clean
 
 CFLAGS   ?= -O2 -g
@@ -79,6 +80,10 @@ fit: build/report
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 
+# A hash of each text, which make test compares: rewritten after a change that is meant to touch them.
+golden: build/glsl-text
+	build/glsl-text --golden >tests/golden.txt
+
 TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
@@ -90,4 +95,4 @@ test: build/render build/glsl-text build/test
 clean:
 	rm -rf build report
 
-.PHONY: all demo test chart peers stability fit glsl deps clean
+.PHONY: all demo test chart peers stability fit glsl golden deps clean

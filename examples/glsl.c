@@ -6,7 +6,9 @@
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of fields alone: FOLDER/field.table.glsl (ssgi_gl_field).
    ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
-      build/glsl-text --passes       the README's table of passes, from reflection */
+      build/glsl-text --passes       the README's table of passes, from reflection
+      build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all dialects, where the choice changes it;
+                                     "+" is of all pairs of choices in 450. make golden rewrites that file: its diff shows which variants a change touches */
 #include "../ssgi_gl.h"
 #include <errno.h>
 #include <stdio.h>
@@ -18,6 +20,7 @@
 
 enum { MOST = 1 << 14 };
 
+static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
 static uint64_t seen[MOST];
 static int files;
 
@@ -34,7 +37,6 @@ static int write_file(const char *path, char *text, size_t n)
 /* The texts of a desc that none before was: of every stage, of functions alone. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
-    static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
         const int alone = kind == SSGI_GL_STAGES;
         const size_t n = !alone ? ssgi_gl_emit(NULL, 0, d, kind) : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d) : 0;
@@ -78,21 +80,70 @@ static void print_passes(void)
     }
 }
 
+static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
+{
+    ssgi_gl_desc d;
+    memset(&d, 0, sizeof d);
+    d.pass = pass;
+    d.dialect = dialect;
+    if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
+    return with_choice(with_choice(d, b), a);
+}
+
+static uint64_t hash_of(uint64_t hash, size_t (*emit)(char *, size_t, const ssgi_gl_desc *, int), const ssgi_gl_desc *d, int stage)
+{
+    static char text[1 << 17];
+    const size_t n = emit(text, sizeof text, d, stage);
+    for (size_t i = 0; i <= n && i < sizeof text; ++i) hash = (hash ^ (uint64_t)(unsigned char)text[i]) * 1099511628211u;
+    return hash;
+}
+
+static size_t emit_field(char *out, size_t capacity, const ssgi_gl_desc *d, int stage) { (void)stage; return ssgi_gl_field(out, capacity, d); }
+static size_t emit_sh(char *out, size_t capacity, const ssgi_gl_desc *d, int stage) { (void)stage; return ssgi_gl_sh(out, capacity, d->bands); }
+
+static void print_golden(void)
+{
+    static const uint64_t basis = 14695981039346656037u;
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
+            uint64_t plain = 0, pairs = basis;
+            for (int a = 0; a < CHOICES; ++a) {
+                uint64_t hash = basis;
+                for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
+                    const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);
+                    if (ssgi_gl_emit(NULL, 0, &d, stage)) hash = hash_of(hash, ssgi_gl_emit, &d, stage);
+                }
+                for (int b = 1; b < a; ++b) {
+                    const ssgi_gl_desc d = variant_of(pass, SSGI_GL_450, a, b);
+                    if (ssgi_gl_emit(NULL, 0, &d, stage)) pairs = hash_of(pairs, ssgi_gl_emit, &d, stage);
+                }
+                if (hash != basis && hash != plain) printf("%016llx %s.%s%s%s\n", (unsigned long long)hash, ssgi_gl_pass_name(pass), choices[a].name, a ? "." : "", endings[stage]);
+                if (!a) plain = hash;
+            }
+            if (pairs != basis) printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
+        }
+    for (int a = 0; a < CHOICES; ++a) {
+        const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0), plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);
+        const uint64_t hash = hash_of(basis, emit_field, &d, 0);
+        if (!a || hash != hash_of(basis, emit_field, &plain, 0)) printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
+    }
+    for (int bands = 1; bands <= 4; ++bands) {
+        const ssgi_gl_desc d = { .bands = bands };
+        printf("%016llx sh%d.glsl\n", (unsigned long long)hash_of(basis, emit_sh, &d, 0), bands);
+    }
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 2 && !strcmp(argv[1], "--golden")) { print_golden(); return 0; }
     if (argc == 2 && !strcmp(argv[1], "--passes")) { print_passes(); return 0; }
-    if (argc != 2) { fputs("usage: glsl-text FOLDER | --passes\n", stderr); return 2; }
+    if (argc != 2) { fputs("usage: glsl-text FOLDER | --passes | --golden\n", stderr); return 2; }
     if (mkdir(argv[1], 0777) && errno != EEXIST) { fprintf(stderr, "glsl: %s: %s\n", argv[1], strerror(errno)); return 2; }
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < CHOICES; ++a)
                 for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
-                    ssgi_gl_desc d;
-                    memset(&d, 0, sizeof d);
-                    d.pass = pass;
-                    d.dialect = dialect;
-                    if (pass == SSGI_GL_SSDO) d.environment = SSGI_GL_ENVIRONMENT_MAP;
-                    d = with_choice(with_choice(d, b), a);
+                    const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
                     if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
     for (int bands = 1; bands <= 4; ++bands) {

@@ -221,6 +221,8 @@ static void documentation(void)
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --passes >passes.md && sed -n '/<!-- passes -->/,/<!-- .passes -->/p' '%s/README.md' | sed '1d;$d' | diff - passes.md", getenv("PWD"), getenv("PWD")),
           "README.md's table of passes is not what build/glsl-text --passes prints: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --golden >golden.txt && diff '%s/tests/golden.txt' golden.txt", getenv("PWD"), getenv("PWD")),
+          "texts differ from tests/golden.txt (if that is meant: make golden): %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.1 ' '%s/ssgi.h' && grep -q 'v0.1 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 100, "the headers' first lines and SSGI_VERSION disagree");
 }
 
