@@ -302,7 +302,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
 
 int main(int argc, char **argv)
 {
-    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
+    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
     options o;
     kit_error err = { "" };
     kit_method method;

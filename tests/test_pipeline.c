@@ -295,7 +295,7 @@ static void same_picture(void)
 {
     enum { NORMAL, REVERSED, INFINITE, LINEAR, INSIDE, SHIFTED, ROLLED, SMALL, LARGE, WAYS };
     static const char *const names[WAYS] = { "normal depth", "", "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled", "1/1000", "1000" };
-    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=tile,thin=0" }, { "hsao", "noise=tile" }, { "hsao-best", "noise=tile" }, { "hsao-march", "noise=tile" } };
+    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=texture,thin=0" }, { "hsao", "noise=texture" }, { "hsao-best", "noise=texture" }, { "hsao-march", "noise=texture" } };
     static const int margin[4] = { 8, 4, 12, 16 };
     double worst[WAYS] = { 0 };
     for (int orthographic = 0; orthographic < 2; ++orthographic) {

@@ -197,6 +197,8 @@ typedef struct kit_pass {
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
     uint64_t           key;                /* equal ones share their program */
+    ssgi_gl_io        *io;                 /* what it reads and writes: so many rows */
+    int                rows;
     double             ms;                 /* of the last kit_run_draw that was timed */
 } kit_pass;
 
@@ -252,6 +254,8 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
+/* Gives a pass the rows of its desc, and its program where that is 0. */
+int    kit_pass_make(kit_pass *pass, kit_error *err);
 int    kit_dialect(void);
 
 #endif
