@@ -9,7 +9,7 @@
       build/glsl-text --passes       the README's table of passes, from reflection
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all dialects, where the choice changes it;
                                      "+" is of all pairs of choices in 450. make golden rewrites that file: its diff shows which variants a change touches */
-#include "../ssgi_gl.h"
+#include "kit/kit_gl.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -76,7 +76,7 @@ static void print_passes(void)
             }
             printf(" ");
         }
-        printf("| %d |\n", ssgi_gl_fetches(&variants[i].desc));
+        printf("| %d |\n", kit_fetches(&variants[i].desc));
     }
 }
 

@@ -273,7 +273,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         }
         if (o->time && r->run) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);
-            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
             printf("]");
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
@@ -287,7 +287,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
     if (o->time && r->run) {
         double sum = 0;
         for (int i = 0; i < r->run->passes; ++i) {
-            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());

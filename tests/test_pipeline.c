@@ -547,7 +547,7 @@ static void fetches_are_counted(void)
         d.pass = row[i / 2].pass; d.search = row[i / 2].search; d.normal_rays = row[i / 2].rays; d.thin = row[i / 2].thin; d.normal = row[i / 2].normal;
         d.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);
-        const uint32_t told = (uint32_t)ssgi_gl_fetches(&d);
+        const uint32_t told = (uint32_t)kit_fetches(&d);
         uint32_t least = ~0u, most = 0;
         if (!CHECK(program != 0, "%s", err.text)) continue;
         memset(count, 0, sizeof count);

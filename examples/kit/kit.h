@@ -13,6 +13,7 @@
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
      shadow.c   shadow maps as one atlas, reflective shadow maps
      field.c    ambient occlusion fields of a scene's shapes, baked and as textures
+     fetches.c  what a pass fetches, read off its text
      settings.c the table of methods and their settings
      run.c      a method's passes, run and timed; lights.c: cameras, shadow maps, lit methods, fields; deep.c: deep screen space
      plan.c     what a scene needs

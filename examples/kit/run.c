@@ -120,7 +120,7 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
     glDrawBuffers(outputs, attachment);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
     if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS) for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
-    if (desc->pass != SSGI_GL_SPLAT) run->fetches += ssgi_gl_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    if (desc->pass != SSGI_GL_SPLAT) run->fetches += kit_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
 
