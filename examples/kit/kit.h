@@ -42,6 +42,10 @@ __attribute__((format(printf, 2, 3)))
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);   /* regular files; a 0 follows the last byte; free(data) */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* whole or not at all: beside it, then renamed */
+/* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond the limit of their size are errors.
+   close: -1 when something that was printed is lost. */
+void   kit_streams_open(void);
+int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
 
 /* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
