@@ -5,6 +5,7 @@
 #   make test    all tests                        make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
+#   make passes    examples/PASSES.md, the table of them
 #   make clean
 
 CFLAGS   ?= -O2 -g
@@ -12,9 +13,9 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lm -lpthread -ldl
-KIT       = util image mesh scene light truth gl gbuffer shadow field method plan
+KIT       = util image mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run lights deep plan
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
-HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h
+HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
 
 all: build/render build/report build/stability build/glsl-text build/minimal
 
@@ -32,6 +33,20 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 
 build/render: examples/render.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+
+# The same under sanitizers, for make test: drawn with once a method.
+SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o build/sanitized/render.o
+build/sanitized/%.o: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(FLAGS) -c $< -o $@
+
+build/sanitized/render.o: examples/render.c $(HEADERS) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(FLAGS) -c $< -o $@
+
+build/render-sanitized: $(SANITIZED)
+	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
 build/report: examples/report.c examples/peers.c examples/costs.c examples/choices.c examples/page.c examples/lit.c examples/fields.c examples/deep.c examples/plan.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
@@ -84,15 +99,19 @@ glsl: build/glsl-text
 golden: build/glsl-text
 	build/glsl-text --golden >tests/golden.txt
 
+# examples/PASSES.md: what each pass reads and writes, and every choice.
+passes: build/glsl-text
+	build/glsl-text --passes ssgi_gl.h >examples/PASSES.md
+
 TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.
-test: build/render build/glsl-text build/test
+test: build/render build/render-sanitized build/glsl-text build/test
 	build/test $(ONLY)
 
 clean:
 	rm -rf build report
 
-.PHONY: all demo test chart peers stability fit glsl golden deps clean
+.PHONY: all passes demo test chart peers stability fit glsl golden deps clean

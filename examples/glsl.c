@@ -6,10 +6,11 @@
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of fields alone: FOLDER/field.table.glsl (ssgi_gl_field).
    ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
-      build/glsl-text --passes       the README's table of passes, from reflection
+      build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the fields of ssgi_gl_desc, from
+                                     the comments of the header. make passes rewrites that file
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all dialects, where the choice changes it;
                                      "+" is of all pairs of choices in 450. make golden rewrites that file: its diff shows which variants a change touches */
-#include "../ssgi_gl.h"
+#include "kit/kit_gl.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,10 +27,9 @@ static int files;
 
 static int write_file(const char *path, char *text, size_t n)
 {
-    FILE *file = text ? fopen(path, "wb") : NULL;
-    int bad = !file || fwrite(text, 1, n, file) != n;
-    if (file) bad |= fclose(file);
-    if (bad) { fprintf(stderr, "glsl: %s: %s\n", path, strerror(errno)); remove(path); }
+    kit_error err = { "out of memory" };
+    const int bad = !text || kit_file_write(path, text, n, &err);
+    if (bad) fprintf(stderr, "glsl-text: %s\n", err.text);
     free(text);
     return bad ? -1 : 0;
 }
@@ -57,9 +57,76 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
     return 0;
 }
 
-/* What each pass reads and writes, as Markdown. */
+/* ---- >>passes: as Markdown ----------------------------------------------------------------------------------------- */
+
+/* The first [tag: ..] of a comment. */
+static void print_tag(const char *comment, const char *end, const char *tag)
+{
+    const char *at = strstr(comment, tag);
+    printf("| ");
+    if (at && at < end) printf("%.*s ", (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
+}
+
+/* The enumerators from the one that a comment names on, to the end of its enum; as in "SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
+static void print_names(const char *header, const char *comment, const char *end)
+{
+    char first[80] = "enum { ";
+    const char *name = strstr(comment, "SSGI_"), *at;
+    const size_t length = name && name < end ? strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
+    if (!length || length > 64) return;
+    strncat(first, name, length);
+    at = strstr(header, first);
+    if (!at) return;
+    for (at += strlen("enum { "); *at && *at != '}';) {
+        const size_t n = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+        if (!strncmp(at, "/*", 2)) { at = strstr(at, "*/"); if (!at) return; at += 2; continue; }
+        if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n) && strncmp(at, "SSGI_GL_DIALECTS", n)) printf("`%.*s` ", (int)n, at);
+        at += n ? n : 1;
+    }
+}
+
+/* The fields of ssgi_gl_desc, from the header's text: name, values, default, what the comment says. */
+static int print_fields(const char *path, kit_error *err)
+{
+    char *header;
+    const char *at, *end;
+    size_t size;
+    if (kit_file_read(&header, &size, path, err)) return -1;
+    at = strstr(header, "typedef struct ssgi_gl_desc {");
+    end = at ? strstr(at, "} ssgi_gl_desc;") : NULL;
+    if (!end) {
+        free(header);
+        return kit_fail(err, "%s: has no ssgi_gl_desc", path);
+    }
+    puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what the third column says where that has an entry.\n\n"
+         "| field | values | default | what |\n|---|---|---|---|");
+    while ((at = strchr(at, '\n')) != NULL && ++at < end) {
+        const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL, *semicolon = strchr(at, ';'), *name = semicolon;
+        if (!semicolon || !stop || semicolon > comment || comment > end) continue;
+        while (name[-1] != ' ' && name[-1] != '*') --name;
+        printf("| `%.*s` ", (int)(semicolon - name), name);
+        print_tag(comment, stop, "[limit: ");
+        print_names(header, comment, stop);
+        print_tag(comment, stop, "[default: ");
+        printf("|");
+        const char *limit = strstr(comment, "[limit: "), *value = strstr(comment, "[default: ");
+        for (const char *c = comment + 2; c < stop; ++c) {
+            if (c == limit || c == value) { c = strchr(c, ']'); continue; }
+            if (*c == '|') putchar('\\');
+            if (!strchr(" \n", *c) || !strchr(" \n", c[1])) putchar(*c == '\n' ? ' ' : *c);
+        }
+        puts("|");
+        at = stop;
+    }
+    free(header);
+    return 0;
+}
+
+/* What each pass reads and writes. */
 static void print_passes(void)
 {
+    puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, slots, and offsets in `ssgi_gl_frame`; the\n"
+         "declarations in the text are printed from them. Fetches: the most that a pixel (of `surfels`: a surfel) takes at default counts, as the text has it.\n");
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
     for (int i = 0; i < VARIANTS; ++i) {
         static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE }, { SSGI_GL_PARAM, SSGI_GL_PARAM }, { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
@@ -76,7 +143,7 @@ static void print_passes(void)
             }
             printf(" ");
         }
-        printf("| %d |\n", ssgi_gl_fetches(&variants[i].desc));
+        printf("| %d |\n", kit_fetches(&variants[i].desc));
     }
 }
 
@@ -133,12 +200,31 @@ static void print_golden(void)
     }
 }
 
+static int fail(const kit_error *err)
+{
+    if (*err->text) fprintf(stderr, "glsl-text: %s\n", err->text);
+    return *err->text ? 2 : 0;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc == 2 && !strcmp(argv[1], "--golden")) { print_golden(); return 0; }
-    if (argc == 2 && !strcmp(argv[1], "--passes")) { print_passes(); return 0; }
-    if (argc != 2) { fputs("usage: glsl-text FOLDER | --passes | --golden\n", stderr); return 2; }
-    if (mkdir(argv[1], 0777) && errno != EEXIST) { fprintf(stderr, "glsl: %s: %s\n", argv[1], strerror(errno)); return 2; }
+    kit_error err = { "" };
+    kit_streams_open();
+    if (argc == 3 && !strcmp(argv[1], "--passes")) {
+        print_passes();
+        if (!print_fields(argv[2], &err)) kit_streams_close(&err);
+        return fail(&err);
+    }
+    if (argc != 2 || (!strncmp(argv[1], "--", 2) && strcmp(argv[1], "--golden"))) {
+        fputs("usage: glsl-text FOLDER | --passes ssgi_gl.h | --golden\n", stderr);
+        return 2;
+    }
+    if (!strcmp(argv[1], "--golden")) {
+        print_golden();
+        kit_streams_close(&err);
+        return fail(&err);
+    }
+    if (mkdir(argv[1], 0777) && errno != EEXIST) { kit_fail(&err, "%s: %s", argv[1], strerror(errno)); return fail(&err); }
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < CHOICES; ++a)
@@ -154,5 +240,6 @@ int main(int argc, char **argv)
         if (write_file(path, text, n)) return 2;
     }
     printf("%s: %d texts\n", argv[1], files);
-    return 0;
+    kit_streams_close(&err);
+    return fail(&err);
 }

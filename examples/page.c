@@ -1,7 +1,5 @@
 /* page.c - what report.c writes: text tables, CSV, SVG charts, HTML. Included by report.c, which fills the rows. */
 
-int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* util.c */
-
 enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
        OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_PHASES = 8192, OF_PEER = 16384,
        OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };

@@ -210,7 +210,7 @@ static int camera_check(const kit_camera *c, kit_error *err)
     return 0;
 }
 
-/* The result, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and bounce, their three channels together. */
+/* The picture, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and bounce, their three channels together. */
 enum { GROUPS = 3 };
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
 typedef struct result { kit_image picture, frame; const kit_run *run; const ssgi_plan *plan; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
@@ -273,7 +273,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         }
         if (o->time && r->run) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);
-            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
             printf("]");
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
@@ -287,7 +287,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
     if (o->time && r->run) {
         double sum = 0;
         for (int i = 0; i < r->run->passes; ++i) {
-            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], ssgi_gl_fetches(&r->run->pass[i].desc));
+            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
@@ -300,126 +300,174 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias, r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
 }
 
+/* ---- >>job: what is asked for, and what it takes ---------------------------------------------------------------------- */
+
+typedef struct job {
+    options      o;
+    kit_method   method;
+    kit_scene    scene;
+    kit_gbuffer  gbuffer;
+    kit_run      run;
+    kit_lighting lighting;
+    kit_world    world;
+    ssgi_plan    plan;
+    double       radius;
+    result       r;
+} job;
+
+static int open_settings(job *j, kit_error *err)
+{
+    const options *o = &j->o;
+    kit_lighting *l = &j->lighting;
+    if (kit_method_find(&j->method, o->method, err)) return -1;
+    for (int i = 0; i < o->sets; ++i) if (kit_method_set(&j->method, o->set[i], err)) return -1;
+    for (; l->lights < o->lights; ++l->lights) if (kit_light_parse(&l->light[l->lights], o->light[l->lights], err)) return -1;
+    if (o->env && kit_env_read(&l->env, o->env, err)) return -1;
+    if (!j->method.lit && !o->planned && (o->env || o->lights))
+        return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
+    if ((j->method.lit || j->method.between) && o->floor)
+        return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
+    j->r.lit = j->method.lit;
+    return kit_gl_open(o->context, err);
+}
+
+static int open_frame(job *j, kit_error *err)
+{
+    kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
+    kit_image frame;
+    kit_error why;
+    int failed;
+    camera_of(&camera, &j->o);
+    if (camera_check(&camera, err) || kit_exr_read(&frame, j->o.gbuffer, err)) return -1;
+    camera.width = frame.width;
+    camera.height = frame.height;
+    failed = kit_gbuffer_from_frame(&j->gbuffer, &frame, &camera, &why);
+    kit_image_free(&frame);
+    j->radius = j->o.radius;
+    return failed ? kit_fail(err, "--gbuffer %s: %s", j->o.gbuffer, why.text) : 0;
+}
+
+static int open_scene(job *j, kit_error *err)
+{
+    kit_camera camera;
+    if (kit_scene_load(&j->scene, j->o.scene, j->o.ground, err)) return -1;
+    camera = j->scene.camera;
+    camera_of(&camera, &j->o);
+    if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
+    j->radius = j->o.radius > 0 ? j->o.radius : (double)j->scene.radius;
+    j->world.scene = &j->scene;
+    return 0;
+}
+
+/* The planned method takes the place of --method's; nothing to do is a picture already. */
+static int plan_it(job *j, kit_error *err)
+{
+    const options *o = &j->o;
+    kit_image *picture = &j->r.picture;
+    ssgi_plan_scene numbers;
+    const char *why = "";
+    if (kit_plan_numbers(&numbers, &j->gbuffer, &j->world, (float)j->radius, o->planned - 1, o->closed, err)) return -1;
+    numbers.error = (float)o->plan[0];
+    numbers.budget = (float)o->plan[1];
+    if (ssgi_plan_make(&j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    j->r.plan = &j->plan;
+    if (!o->json) printf("%s; cost %.2f\n", j->plan.why, (double)j->plan.cost);
+    if (j->plan.method == SSGI_PLAN_NOTHING) {
+        if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
+        for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;
+    } else if (kit_plan_method(&j->method, &j->plan, o->planned - 1, err)) return -1;
+    j->r.lit = j->method.lit || o->planned > 1;
+    return 0;
+}
+
+static int trace(job *j, kit_error *err)
+{
+    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
+    const kit_method *m = &j->method;
+    const kit_camera *camera = &j->gbuffer.camera;
+    const int rays = j->o.truth, hard = kit_method_value(m, "hard") > 0;
+    const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[(int)kit_method_value(m, "falloff")];
+    if (rays && j->r.lit) {
+        const int vpls = kit_method_value(m, "vpls") > 0, bounce = kit_method_value(m, "bounce") > 0 || vpls;
+        const int all = kit_method_value(m, "suns") > 0 || vpls;    /* these see as far as shadow maps do */
+        return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius, all ? KIT_ATTENUATION_NONE : attenuation,
+                             bounce, rays, 1, err);
+    }
+    if (rays && m->between) return kit_truth_objects(&j->r.picture, &j->scene, camera, rays, 1, err);
+    if (rays) return kit_truth_ao(&j->r.picture, &j->scene, camera, (float)j->radius, attenuation, rays, 1, err);
+    return kit_floor_ao(&j->r.picture, &j->r.frame, camera, (float)j->radius, attenuation, j->o.floor, 1, err);
+}
+
+static int draw(job *j, kit_error *err)
+{
+    const int frames = j->o.time;
+    kit_run *run = &j->run;
+    if (kit_run_open(run, &j->gbuffer, &j->method, (float)j->radius, &j->world, err)) return -1;
+    kit_run_draw(run, 0);
+    j->r.run = run;
+    if (frames) {
+        j->r.frames = frames;
+        j->r.ms = calloc((size_t)run->passes * (size_t)(frames + 1), sizeof *j->r.ms);
+        if (!j->r.ms) return kit_fail(err, "out of memory");
+        for (int f = 0; f < frames; ++f) {
+            kit_run_draw(run, 1);
+            for (int i = 0; i < run->passes; ++i) j->r.ms[run->passes + i * frames + f] = run->pass[i].ms;
+        }
+        for (int i = 0; i < run->passes; ++i) {
+            double *t = j->r.ms + run->passes + i * frames;
+            qsort(t, (size_t)frames, sizeof *t, by_value);
+            j->r.ms[i] = t[frames / 2];
+        }
+    }
+    return kit_run_read(&j->r.picture, run, err);
+}
+
+static int do_job(job *j, kit_error *err)
+{
+    const options *o = &j->o;
+    result *r = &j->r;
+    if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err)) || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
+    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
+    if (o->planned && plan_it(j, err)) return -1;
+    if (o->truth || o->floor) {
+        if (trace(j, err)) return -1;
+    } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;
+    if (r->lit && r->picture.channels == 1 && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
+    if (o->score && score_of(r, o->score, err)) return -1;
+    if (o->out) {
+        const int png = !strcmp(strrchr(o->out, '.'), ".png");
+        if (png ? kit_png_write(&r->picture, r->lit ? "R,G,B" : "Y", r->lit, o->out, err) : kit_exr_write(&r->picture, o->out, err)) return -1;
+    }
+    report(o, &j->method, r, j->radius);
+    return 0;
+}
+
+static void end_job(job *j)
+{
+    free(j->r.ms);
+    if (j->r.run) kit_run_close(&j->run);
+    kit_fields_free();
+    kit_gbuffer_free(&j->gbuffer);
+    kit_image_free(&j->r.picture);
+    kit_image_free(&j->r.frame);
+    kit_image_free(&j->lighting.env);
+    kit_scene_free(&j->scene);
+    kit_gl_close();
+}
+
 int main(int argc, char **argv)
 {
-    static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
-    options o;
+    static job j;
     kit_error err = { "" };
-    kit_method method;
-    kit_scene scene;
-    kit_camera camera;
-    kit_gbuffer gbuffer;
-    kit_run run;
-    kit_lighting lighting;
-    kit_world world = { NULL, &lighting };
-    result r;
-    ssgi_plan plan;
-    double radius;
-    int attenuation;
-    memset(&scene, 0, sizeof scene);
-    memset(&lighting, 0, sizeof lighting);
-    memset(&r, 0, sizeof r);
+    int failed;
+    kit_streams_open();
     if (argc < 2) { fputs(usage, stderr); return 2; }
-    if (parse(&o, argc, argv, &err)) return fail(err.text);
-    if (o.list) { list_methods(); return 0; }
-    if (kit_method_find(&method, o.method, &err)) return fail(err.text);
-    for (int i = 0; i < o.sets; ++i) if (kit_method_set(&method, o.set[i], &err)) return fail(err.text);
-    for (; lighting.lights < o.lights; ++lighting.lights) if (kit_light_parse(&lighting.light[lighting.lights], o.light[lighting.lights], &err)) return fail(err.text);
-    if (o.env && kit_env_read(&lighting.env, o.env, &err)) return fail(err.text);
-    if (!method.lit && !o.planned && (o.env || o.lights)) { kit_fail(&err, "%s: method %s is not lit; ssdo is", o.env ? "--env" : "--light", method.name); return fail(err.text); }
-    if ((method.lit || method.between) && o.floor) return fail("--floor: is of ambient visibility within a radius; this method has none");
-    r.lit = method.lit;
-    if (kit_gl_open(o.context, &err)) return fail(err.text);
-
-    if (o.gbuffer) {
-        kit_image frame;
-        memset(&camera, 0, sizeof camera);
-        camera.target[2] = -1;
-        camera.up[1] = 1;
-        camera_of(&camera, &o);
-        if (camera_check(&camera, &err) || kit_exr_read(&frame, o.gbuffer, &err)) return fail(err.text);
-        camera.width = frame.width;
-        camera.height = frame.height;
-        if (kit_gbuffer_from_frame(&gbuffer, &frame, &camera, &err)) {
-            fprintf(stderr, "render: --gbuffer %s: %s\n", o.gbuffer, err.text);
-            return 2;
-        }
-        kit_image_free(&frame);
-        radius = o.radius;
-    } else {
-        if (kit_scene_load(&scene, o.scene, o.ground, &err)) return fail(err.text);
-        camera = scene.camera;
-        camera_of(&camera, &o);
-        if (camera_check(&camera, &err)) return fail(err.text);
-        if (kit_gbuffer_from_scene(&gbuffer, &scene, &camera, NULL, &err)) return fail(err.text);
-        radius = o.radius > 0 ? o.radius : (double)scene.radius;
-        world.scene = &scene;
-    }
-    if (kit_gbuffer_read(&r.frame, &gbuffer, &err)) return fail(err.text);
-    if (o.save && kit_exr_write(&r.frame, o.save, &err)) return fail(err.text);
-
-    if (o.planned) {
-        ssgi_plan_scene numbers;
-        const char *why = "";
-        if (kit_plan_numbers(&numbers, &gbuffer, &world, (float)radius, o.planned - 1, o.closed, &err)) return fail(err.text);
-        numbers.error = (float)o.plan[0];
-        numbers.budget = (float)o.plan[1];
-        if (ssgi_plan_make(&plan, &numbers, &why) != SSGI_OK) return fail(why);
-        r.plan = &plan;
-        if (!o.json) printf("%s; cost %.2f\n", plan.why, (double)plan.cost);
-        if (plan.method == SSGI_PLAN_NOTHING) {
-            if (kit_image_new(&r.picture, gbuffer.viewport[2], gbuffer.viewport[3], "Y", &err)) return fail(err.text);
-            for (int i = 0; i < r.picture.width * r.picture.height; ++i) r.picture.data[i] = 1;
-        } else if (kit_plan_method(&method, &plan, o.planned - 1, &err)) return fail(err.text);
-        r.lit = method.lit || o.planned > 1;
-    }
-    attenuation = falloffs[(int)kit_method_value(&method, "falloff")];
-    if (kit_method_value(&method, "hard") > 0) attenuation = KIT_ATTENUATION_NONE;
-    if (o.truth && r.lit) {
-        const int all = kit_method_value(&method, "suns") > 0 || kit_method_value(&method, "vpls") > 0;    /* these see as far as shadow maps do */
-        if (kit_truth_lit(&r.picture, &scene, &gbuffer.camera, &lighting, all ? INFINITY : (float)radius, all ? KIT_ATTENUATION_NONE : attenuation,
-                          kit_method_value(&method, "bounce") > 0 || kit_method_value(&method, "vpls") > 0, o.truth, 1, &err)) return fail(err.text);
-    } else if (o.truth && method.between) {
-        if (kit_truth_objects(&r.picture, &scene, &gbuffer.camera, o.truth, 1, &err)) return fail(err.text);
-    } else if (o.truth) {
-        if (kit_truth_ao(&r.picture, &scene, &gbuffer.camera, (float)radius, attenuation, o.truth, 1, &err)) return fail(err.text);
-    } else if (o.floor) {
-        if (kit_floor_ao(&r.picture, &r.frame, &gbuffer.camera, (float)radius, attenuation, o.floor, 1, &err)) return fail(err.text);
-    } else if (!r.picture.data && (o.out || o.score || o.time)) {
-        if (kit_run_open(&run, &gbuffer, &method, (float)radius, &world, &err)) return fail(err.text);
-        kit_run_draw(&run, 0);
-        r.run = &run;
-        if (o.time) {
-            r.frames = o.time;
-            r.ms = calloc((size_t)run.passes * (size_t)(o.time + 1), sizeof *r.ms);
-            if (!r.ms) return fail("out of memory");
-            for (int f = 0; f < o.time; ++f) {
-                kit_run_draw(&run, 1);
-                for (int i = 0; i < run.passes; ++i) r.ms[run.passes + i * o.time + f] = run.pass[i].ms;
-            }
-            for (int i = 0; i < run.passes; ++i) {
-                double *t = r.ms + run.passes + i * o.time;
-                qsort(t, (size_t)o.time, sizeof *t, by_value);
-                r.ms[i] = t[o.time / 2];
-            }
-        }
-        if (kit_run_read(&r.picture, &run, &err)) return fail(err.text);
-    }
-    if (r.lit && r.picture.channels == 1 && kit_light_by(&r.picture, &gbuffer, &world, (float)radius, &err)) return fail(err.text);
-    if (o.score && score_of(&r, o.score, &err)) return fail(err.text);
-    if (o.out) {
-        int png = !strcmp(strrchr(o.out, '.'), ".png");
-        if (png ? kit_png_write(&r.picture, r.lit ? "R,G,B" : "Y", r.lit, o.out, &err) : kit_exr_write(&r.picture, o.out, &err)) return fail(err.text);
-    }
-    report(&o, &method, &r, radius);
-    free(r.ms);
-    if (r.run) kit_run_close(&run);
-    kit_fields_free();
-    kit_gbuffer_free(&gbuffer);
-    kit_image_free(&r.picture);
-    kit_image_free(&r.frame);
-    kit_image_free(&lighting.env);
-    kit_scene_free(&scene);
-    kit_gl_close();
+    j.world.lighting = &j.lighting;
+    failed = parse(&j.o, argc, argv, &err);
+    if (!failed && j.o.list) list_methods();
+    else if (!failed) failed = do_job(&j, &err);
+    if (failed) return fail(err.text);
+    if (kit_streams_close(&err)) return fail(err.text);
+    if (!j.o.list) end_job(&j);
     return 0;
 }

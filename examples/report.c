@@ -988,6 +988,7 @@ int main(int argc, char **argv)
     options o;
     kit_error err = { "" };
     int is_chart;
+    kit_streams_open();
     if (argc < 2) {
         fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside the truth\n"
               "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     speed against accuracy\n"
@@ -998,7 +999,7 @@ int main(int argc, char **argv)
     const int is_fit = !strcmp(argv[1], "fit");
     if (!is_chart && !is_fit && strcmp(argv[1], "demo")) kit_fail(&err, "%s: there is no such command (demo, chart, fit)", argv[1]);
     else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
-        && !(is_chart ? chart(&o, &err) : is_fit ? plan_fit(o.out, &err) : demo(&o, &err)) && (fflush(stdout) || ferror(stdout))) kit_fail(&err, "standard output: cannot be written");
+        && !(is_chart ? chart(&o, &err) : is_fit ? plan_fit(o.out, &err) : demo(&o, &err))) kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);
         fprintf(stderr, "report: %s\n", err.text);

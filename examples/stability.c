@@ -740,7 +740,8 @@ int main(int argc, char **argv)
 {
     options o;
     kit_error err = { "" };
-    if (!parse(&o, argc, argv, &err) && !kit_gl_open(NULL, &err) && !stability(&o, &err) && (fflush(stdout) || ferror(stdout))) kit_fail(&err, "standard output: cannot be written");
+    kit_streams_open();
+    if (!parse(&o, argc, argv, &err) && !kit_gl_open(NULL, &err) && !stability(&o, &err)) kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);
         fprintf(stderr, "stability: %s\n", err.text);

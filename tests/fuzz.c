@@ -42,10 +42,10 @@ static void descs(const uint8_t *data, size_t size)
     if (ssgi_gl_preset(&tuned, (int)(sum % 4), NULL) == SSGI_OK) MUST(ssgi_gl_check(&tuned, NULL) == SSGI_OK);
     if (ssgi_gl_check(&d, &why) != SSGI_OK) {
         MUST(why && !strncmp(why, "desc", 4));
-        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) && !ssgi_gl_fetches(&d) && !ssgi_gl_key(&d));
+        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) && !ssgi_gl_key(&d));
         return;
     }
-    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && (ssgi_gl_fetches(&d) > 0 || d.pass == SSGI_GL_SURFELS) && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
+    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
     if (sum % 8) return;
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);

@@ -491,6 +491,7 @@ static void obj_bad(void)
         { "v 0 0\n", "line 1: v needs 3 numbers, but the line ends" },
         { "v 0 0 nan\n", "line 1: v needs 3 numbers, not \"nan\"" },
         { "v 0 0 1e39\n", "line 1: a number is too large" },
+        { "v 0 0 -1e16\n", "line 1: a coordinate of -1e+16: must be within 1e+15 of 0" },
         { "v 0 0 1,5\n", "line 1: v needs 3 numbers, not \"1,5\"" },
         { "\nv 0 0 1e\n", "line 2: v needs 3 numbers" },
         { "vn 0 inf 0\n", "line 1: vn needs 3 numbers" },
@@ -513,6 +514,8 @@ static void obj_bad(void)
     check_error(kit_mesh_obj(&m, NULL, NULL, folder, &err), &err, "directory", "a directory");
     check_error(kit_mesh_obj(&m, NULL, NULL, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
     CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"", err.text);
+    kit_mesh_free(&m);
+    CHECK(!obj(&m, "v 0 0 0\rv 1 0 0\rv 0 1 0\r# no face f 1 2 3\rf 1 2 3", &err) && m.triangles == 1, "lines that end in CR: \"%s\"", err.text);
     kit_mesh_free(&m);
 }
 

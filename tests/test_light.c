@@ -227,7 +227,6 @@ static void open_planes(void)
 /* ---- the corner ------------------------------------------------------------------------------------------------------ */
 
 static double square_corner(double c) { const double s = sqrt(1 - c * c); return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi; }
-static double cube_corner(double c)   { const double s = sqrt(1 - c * c); return (acos(c) - 2 * c * s + c * c * c * log((1 + s) / c)) / pi; }
 static double several_corner(double c, int k) { return k * linear_corner(c) - (k - 1) * (k > 1 ? linear_corner(fmin(1, k * c / (k - 1))) : 0); }
 
 static const double at[3] = { 0.1, 0.25, 0.5 };
@@ -249,7 +248,7 @@ static int corner(kit_gbuffer *g, double c, float wall)
 static void corner_darkens(void)
 {
     static const struct { const char *set; double (*truth)(double); int steps; } row[] = { { "falloff=linear", linear_corner, 1 }, { "falloff=square", square_corner, 1 },
-        { "falloff=cube", cube_corner, 1 }, { "steps=2", NULL, 2 }, { "steps=4", NULL, 4 }, { "falloff=linear,environment=sh", linear_corner, 1 } };
+        { "steps=2", NULL, 2 }, { "steps=4", NULL, 4 }, { "falloff=linear,environment=sh", linear_corner, 1 } };
     double worst = 0;
     kit_gbuffer g[3];
     kit_lighting l;
@@ -275,10 +274,10 @@ static void corner_darkens(void)
 static void corner_bounces(void)
 {
     static const struct { const char *set; double truth[3], off; } row[] = {
-        /* Of a wall that sends 1; patches as the paper has them, but never clamped; discs for N = 16. off: of the value, for areas are meant for uniform directions, of
+        /* Of a wall that sends 1; patches as the paper has them, but never clamped. off: of the value, for areas are meant for uniform directions, of
            which ours, at midpoints of strata, miss some near the horizon: 1/sqrt(N) a third. */
         { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 }, { "bounce=patch,nearest=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
-        { "bounce=patch,nearest=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 }, { "bounce=disc,samples=16", { 0.23714, 0.14557, 0.04518 }, 0.1 } };
+        { "bounce=patch,nearest=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 } };
     kit_gbuffer g[3];
     const kit_lighting dark = { .lights = 0 };
     for (int i = 0; i < 3; ++i) if (!corner(&g[i], at[i], 1)) return;
@@ -449,9 +448,9 @@ static void backs_are_dark(void)
 
 static void units_do_not_matter(void)
 {
-    static const struct { const char *method, *set; } row[] = { { "ssdo", "bounce=solid-angle,layers=2" }, { "ssdo", "bounce=patch,layers=2" }, { "ssdo", "bounce=disc,layers=2" },
+    static const struct { const char *method, *set; } row[] = { { "ssdo", "bounce=solid-angle,layers=2" }, { "ssdo", "bounce=patch,layers=2" },
         { "ssdo", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" }, { "ssdo", "bounce=none,environment=none" },
-        { "s3ho", "layers=2,views=2,fade=lambda,range=1" }, { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" }, { "ssbn", "lights=shadowed,fade=lambda-ended" } };
+        { "s3ho", "layers=2,views=2,fade=lambda,range=1" }, { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" }, { "ssbn", "lights=shadowed,fade=lambda" } };
     static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };    /* powers of two change no digit; the others round samples at edges to either side */
     double worst[2] = { 0 };
     kit_lighting l;

@@ -295,7 +295,7 @@ static void same_picture(void)
 {
     enum { NORMAL, REVERSED, INFINITE, LINEAR, INSIDE, SHIFTED, ROLLED, SMALL, LARGE, WAYS };
     static const char *const names[WAYS] = { "normal depth", "", "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled", "1/1000", "1000" };
-    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=tile,thin=0" }, { "hsao", "noise=tile" }, { "hsao-best", "noise=tile" }, { "hsao-march", "noise=tile" } };
+    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=texture,thin=0" }, { "hsao", "noise=texture" }, { "hsao-best", "noise=texture" }, { "hsao-march", "noise=texture" } };
     static const int margin[4] = { 8, 4, 12, 16 };
     double worst[WAYS] = { 0 };
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
@@ -547,7 +547,7 @@ static void fetches_are_counted(void)
         d.pass = row[i / 2].pass; d.search = row[i / 2].search; d.normal_rays = row[i / 2].rays; d.thin = row[i / 2].thin; d.normal = row[i / 2].normal;
         d.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);
-        const uint32_t told = (uint32_t)ssgi_gl_fetches(&d);
+        const uint32_t told = (uint32_t)kit_fetches(&d);
         uint32_t least = ~0u, most = 0;
         if (!CHECK(program != 0, "%s", err.text)) continue;
         memset(count, 0, sizeof count);

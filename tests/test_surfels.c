@@ -820,42 +820,40 @@ static void three_ways(void)
     }
 }
 
-/* Every pixel once in every level, in the texel of its block; by chance or always the same. */
+/* Every pixel once in every level, in the texel of its block, by chance. */
 static void shuffled(void)
 {
     enum { SW = 53, SH = 37, LEVELS = 5 };
-    for (int fixed = 0; fixed < 2; ++fixed) {
-        deep d;
-        int wrong = 0, other = 0, surfaces = 0;
-        if (!dive(&d, "boxes", NULL, 0, NULL, SW, SH, "dss", fixed ? "size=0.2,levels=5,fixed=1" : "size=0.2,levels=5", 0, NULL)) return;
-        kit_run_draw(&d.run, 0);
-        const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
-        float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
-        if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high) || !CHECK(!kit_texture_read(d.run.shuffled, wide, high * LEVELS, 4, texel), "it cannot be read")) return;
-        for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
-        for (int l = 0; l < LEVELS; ++l) {
-            unsigned char met[SH][SW] = { { 0 } };
-            const int across[2] = { (SW + (1 << l) - 1) >> l, (SH + (1 << l) - 1) >> l };
-            int found = 0;
-            for (int y = 0; y < high; ++y)
-                for (int x = 0; x < wide; ++x) {
-                    const float *p = texel + 4 * ((l * high + y) * wide + x);
-                    const int block[2] = { x % across[0], y % across[1] }, sub[2] = { x / across[0], y / across[1] };
-                    float at[3];
-                    if (p[0] > 1e17f) continue;
-                    ssgi_view_project(&d.view, p, at);
-                    const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
-                    if (px < 0 || px >= SW || py < 0 || py >= SH) { ++wrong; continue; }
-                    wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++ || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3 || fabs((double)(at[2] / d.frame.data[(SH - 1 - py) * SW + px]) - 1) > 1e-4;
-                    other += (px & ((1 << l) - 1)) != sub[0] || (py & ((1 << l) - 1)) != sub[1];
-                    ++found;
-                }
-            CHECK(found == surfaces, "level %d: %d of %d pixels", l, found, surfaces);
-        }
-        CHECK(!wrong && (fixed ? other == 0 : 2 * other > 7 * surfaces) && surfaces > SW * SH / 2, "%d texels are wrong, %d of %d pixels elsewhere than in fixed order", wrong, other, surfaces);
-        free(texel);
-        surface(&d);
+    deep d;
+    int wrong = 0, other = 0, surfaces = 0;
+    if (!dive(&d, "boxes", NULL, 0, NULL, SW, SH, "dss", "size=0.2,levels=5", 0, NULL)) return;
+    kit_run_draw(&d.run, 0);
+    const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
+    float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
+    if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high) || !CHECK(!kit_texture_read(d.run.shuffled, wide, high * LEVELS, 4, texel), "it cannot be read")) return;
+    for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
+    for (int l = 0; l < LEVELS; ++l) {
+        unsigned char met[SH][SW] = { { 0 } };
+        const int across[2] = { (SW + (1 << l) - 1) >> l, (SH + (1 << l) - 1) >> l };
+        int found = 0;
+        for (int y = 0; y < high; ++y)
+            for (int x = 0; x < wide; ++x) {
+                const float *p = texel + 4 * ((l * high + y) * wide + x);
+                const int block[2] = { x % across[0], y % across[1] }, sub[2] = { x / across[0], y / across[1] };
+                float at[3];
+                if (p[0] > 1e17f) continue;
+                ssgi_view_project(&d.view, p, at);
+                const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
+                if (px < 0 || px >= SW || py < 0 || py >= SH) { ++wrong; continue; }
+                wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++ || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3 || fabs((double)(at[2] / d.frame.data[(SH - 1 - py) * SW + px]) - 1) > 1e-4;
+                other += (px & ((1 << l) - 1)) != sub[0] || (py & ((1 << l) - 1)) != sub[1];
+                ++found;
+            }
+        CHECK(found == surfaces, "level %d: %d of %d pixels", l, found, surfaces);
     }
+    CHECK(!wrong && 2 * other > 7 * surfaces && surfaces > SW * SH / 2, "%d texels are wrong, %d of %d pixels elsewhere than in fixed order", wrong, other, surfaces);
+    free(texel);
+    surface(&d);
 }
 
 /* Occlusion of a point by surfels within their reach on so many levels, before overlap. */
@@ -875,7 +873,7 @@ static void as_brute_force(void)
 {
     static const struct { const char *set; int levels, orthographic, hard; float radius; } row[] = {
         { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,closely=1", 1, 0, 1, 0 }, { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,closely=1", 1, 1, 0, 0.4f },
-        { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,closely=1", 4, 0, 1, 0 }, { "levels=4,smooth=1,size=0.04,epsilon=0.02,closely=1", 4, 0, 0, 0.6f }, { "levels=3,smooth=0,overlap=add,fixed=1,size=0.04,epsilon=0.02,closely=1,way=direct", 3, 1, 0, 0.6f } };
+        { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,closely=1", 4, 0, 1, 0 }, { "levels=4,smooth=1,size=0.04,epsilon=0.02,closely=1", 4, 0, 0, 0.6f }, { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,closely=1,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
         deep d;
         kit_image out;
@@ -891,7 +889,7 @@ static void as_brute_force(void)
         if (!dive(&d, "boxes", NULL, 0, &c, 96, 54, "dss", row[m].set, row[m].radius, NULL) || !drawn(&out, &d.run)) return;
         if (strstr(row[m].set, "way")) {                                       /* its surfels were never in a buffer */
             deep cpu;
-            if (!dive(&cpu, "boxes", NULL, 0, &c, 96, 54, "dss", "levels=3,fixed=1,size=0.04", row[m].radius, NULL)) return;
+            if (!dive(&cpu, "boxes", NULL, 0, &c, 96, 54, "dss", "levels=3,size=0.04", row[m].radius, NULL)) return;
             GLuint was = d.run.buffers[0];
             d.run.buffers[0] = cpu.run.buffers[0];
             cpu.run.buffers[0] = was;
@@ -989,13 +987,12 @@ static void unseen(void)
 /* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or as large, which loses what the formula says. */
 static void shells(void)
 {
-    for (int m = 0; m < 4; ++m) {
-        const int enlarge = m & 1, fixed = m >> 1;
+    for (int enlarge = 0; enlarge < 2; ++enlarge) {
         char set[128];
         deep d;
         int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
         double bias[4] = { 0 };
-        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,closely=1,enlarge=%d,fixed=%d", enlarge, fixed);
+        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,closely=1,enlarge=%d", enlarge);
         if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
         for (int k = 0; k < 4; ++k) {
             static unsigned char met[90][160], level[90][160];
@@ -1043,7 +1040,7 @@ static void shells(void)
             const double in = l ? ldexp(sqrt(19), l - 1) : 0, out = ldexp(sqrt(19), l), w = 1 << 2 * l, least = (in * in + 1) / (in * in + w), most = (out * out + 1) / (out * out + w);
             CHECK(enlarge ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3 : fabs(bias[l] / hits[l] - 1) < 1e-3, "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
         }
-        if (m == 1) t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1], bias[2] / hits[2], bias[3] / hits[3]);
+        if (enlarge) t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1], bias[2] / hits[2], bias[3] / hits[3]);
         surface(&d);
     }
 }

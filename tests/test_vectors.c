@@ -79,8 +79,8 @@ static float *vectors_new(const kit_run *run, int pass)
 static int remade(kit_run *run, int pass)
 {
     glDeleteProgram(run->pass[pass].program);
-    run->pass[pass].program = kit_pass_program(&run->pass[pass].desc, &err);
-    return CHECK(run->pass[pass].program != 0, "%s", err.text);
+    run->pass[pass].program = 0;
+    return CHECK(!kit_pass_make(&run->pass[pass], &err), "%s", err.text);
 }
 
 /* The largest difference of three channels of light, named after the first: "irradiance.R"; of b, other. */
@@ -149,7 +149,6 @@ typedef struct wall { double c, end; int steps; double (*weight)(double d); } wa
 static double whole(double d)  { (void)d; return 1; }
 static double smooth(double d) { const double t = fmin(1, fmax(0, (d - 0.5) / 0.5)); return 1 - t * t * (3 - 2 * t); }
 static double lambda(double d) { return 1 / (1 + 2 * d); }
-static double ended(double d)  { return fmax(0, 1 - d) / (1 + 4 * d); }
 static double within(double d) { return d <= 1; }
 
 /* The expectation of a vector on the floor before a wall, seen by the corner's camera: quadrature over directions and lengths. A sample behind the wall's face is blocked
@@ -221,7 +220,7 @@ static void walls_block(void)
         { "", { 0.25, 9, 1, whole } }, { "", { 0.1, 9, 1, whole } }, { "", { 0.5, 9, 1, whole } }, { "sets=16", { 0.25, 9, 1, whole } },
         { "steps=4", { 0.25, 9, 4, whole } }, { "layers=2,steps=4", { 0.25, 0.35, 4, whole } }, { "fade=smooth,fade_from=0.5", { 0.25, 9, 1, smooth } },
         { "fade=lambda,lambda=2", { 0.25, 9, 1, lambda } }, { "fade=lambda,lambda=2,layers=2", { 0.25, 0.35, 1, lambda } },
-        { "fade=lambda-ended", { 0.25, 9, 1, ended } }, { "range=1", { 0.25, 9, 1, within } } };
+        { "range=1", { 0.25, 9, 1, within } } };
     static const double up[3] = { 0, 0, 1 }, right[3] = { 1, 0, 0 };
     double v[16], found[16], worst = 0;
     wall_vector(v, &row[0].w, up, right);
@@ -609,7 +608,7 @@ static void filter_averages_tiles(void)
         float v[16 * COLUMNS];
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=0,noise=tile,%s", sets[m]);
+        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s", sets[m]);
         if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
         kit_run_close(&run);
@@ -757,7 +756,7 @@ static void bent_normals_bend(void)
         corner_planes(both, w.c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -both[1][i];
         wall_vector(v, &w, both[0], along);
-        if (!slab(&g, w.c, 9, 0, 1) || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,thin=0,noise=tile,blur=4,samples=64", 1, NULL, &l) ||
+        if (!slab(&g, w.c, 9, 0, 1) || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,thin=0,noise=texture,blur=4,samples=64", 1, NULL, &l) ||
             !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run) || !strip(texel, &run, row_at(w.c), 2, 1)) return;
         const double length = sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]), mean_length = length / sqrt(3 / (4 * pi)) / (v[0] * 2 * sqrt(pi));
         const double q = 1.5 * mean_length - 1, cosine = 0.5 * (q + sqrt(q * q + 4 * q));        /* the root of 2/3 (1 + c + c^2) / (1 + c) = mean_length */
@@ -780,8 +779,8 @@ static void same_picture(void)
 {
     enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, WAYS, WIDTH = 320, HEIGHT = 180, BORDER = 48, ALIKE = 3 };
     static const struct { const char *method, *set; } alike[ALIKE] = {
-        { "s3ho", "noise=tile,thin=0" }, { "s3ho", "noise=tile,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
-        { "ssbn", "noise=tile,lights=shadowed,blur=1,filtered=vectors" } };
+        { "s3ho", "noise=texture,thin=0" }, { "s3ho", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
+        { "ssbn", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
     static const char *const names[WAYS] = { "", "normal depth", "infinite far plane", "view depth", "inside larger textures", "shifted" };
     static const int margin[4] = { 8, 4, 12, 16 };
     kit_image reference[ALIKE], frame, out;

@@ -6,14 +6,17 @@
      util.c     errors, progress, threads, memory files
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
      mesh.c     triangles: OBJ and MTL reader
-     scene.c    built-in scenes, objects and their places
+     scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the built-in ones
      light.c    environments and lights
      truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
      gbuffer.c  the G-buffer: rasterised from a scene or taken from a frame's EXR
      shadow.c   shadow maps as one atlas, reflective shadow maps
      field.c    ambient occlusion fields of a scene's shapes, baked and as textures
-     method.c   the table of methods: settings, passes, running and timing them
+     fetches.c  what a pass fetches, read off its text
+     settings.c the table of methods and their settings
+     run.c      a method's passes, run and timed; lights.c: cameras, shadow maps, lit methods, fields; deep.c: deep screen space
+     plan.c     what a scene needs
 
    CONVENTIONS
      errors    every function that can fail returns 0, or -1 with one line in the kit_error that names the file or
@@ -39,6 +42,10 @@ __attribute__((format(printf, 2, 3)))
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);   /* regular files; a 0 follows the last byte; free(data) */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* whole or not at all: beside it, then renamed */
+/* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond the limit of their size are errors.
+   close: -1 when something that was printed is lost. */
+void   kit_streams_open(void);
+int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
 
 /* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
@@ -200,8 +207,8 @@ void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], flo
 /* the point in the world that such a pixel shows at a view depth */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
 
-/* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2, 1 - (t/R)^3; 0 beyond R */
-enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE, KIT_ATTENUATION_CUBE };
+/* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
+enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 
 /* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's centre, then rays
    cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by the nearest hit at t < radius with the

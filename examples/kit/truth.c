@@ -184,7 +184,7 @@ static uint32_t scramble(uint32_t reversed, uint32_t seed)  /* nested uniform sc
 static int ambient_begin(ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err)
 {
     memset(a, 0, sizeof *a);
-    if (attenuation < KIT_ATTENUATION_LINEAR || attenuation > KIT_ATTENUATION_CUBE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
+    if (attenuation < KIT_ATTENUATION_LINEAR || attenuation > KIT_ATTENUATION_SQUARE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
     if (!(radius > 0) || (!isfinite(radius) && attenuation != KIT_ATTENUATION_NONE))
         return kit_fail(err, "%s: radius %g: must be above 0, and finite unless nothing is attenuated", what, (double)radius);
     if (rays < 1 || rays > 65536) return kit_fail(err, "%s: rays %d: must be 1..65536", what, rays);
@@ -251,7 +251,6 @@ static double blocked(const ambient *a, const float origin[3], const float d[3],
     switch (a->attenuation) {
     case KIT_ATTENUATION_NONE:   return 1;
     case KIT_ATTENUATION_SQUARE: return 1 - t * t;
-    case KIT_ATTENUATION_CUBE:   return 1 - t * t * t;
     default:                     return 1 - t;
     }
 }

@@ -2,8 +2,10 @@
 #include "kit.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <pthread.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -12,9 +14,6 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-int kit_file_read(char **data, size_t *size, const char *path, kit_error *err);
-int kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
 
 int kit_fail(kit_error *err, const char *format, ...)
 {
@@ -28,6 +27,20 @@ int kit_fail(kit_error *err, const char *format, ...)
         if ((unsigned char)*p < ' ' || *p == 127) *p = ' ';
     *err = line;
     return -1;
+}
+
+void kit_streams_open(void)
+{
+    for (int i = 0; i < 3; ++i)
+        if (fcntl(i, F_GETFD) < 0) (void)!open("/dev/null", i ? O_RDONLY : O_WRONLY);      /* the lowest free one: this */
+    signal(SIGXFSZ, SIG_IGN);
+}
+
+int kit_streams_close(kit_error *err)
+{
+    errno = 0;
+    const int lost = fflush(stdout) || ferror(stdout);
+    return lost ? kit_fail(err, "standard output: cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "") : 0;
 }
 
 double kit_seconds(void)
@@ -128,18 +141,43 @@ int kit_file_read(char **data, size_t *size, const char *path, kit_error *err)
     return 0;
 }
 
+/* Where a path leads: a link's target, even one that is not there yet. NULL: errno says why. */
+static char *led_to(const char *path)
+{
+    enum { MOST_LINKS = 40 };
+    char *name = strdup(path);
+    for (int i = 0; name && i < MOST_LINKS; ++i) {
+        char link[4096];
+        const ssize_t length = readlink(name, link, sizeof link - 1);
+        if (length < 0) return name;
+        link[length] = 0;
+        const char *slash = strrchr(name, '/');
+        const size_t before = *link == '/' || !slash ? 0 : (size_t)(slash - name) + 1;
+        char *next = malloc(before + (size_t)length + 1);
+        if (next) {
+            memcpy(next, name, before);
+            strcpy(next + before, link);
+        }
+        free(name);
+        name = next;
+    }
+    free(name);
+    errno = name ? ELOOP : ENOMEM;
+    return NULL;
+}
+
 /* Writes beside the target and renames, so that the target is the old file or the whole new one at every moment. */
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err)
 {
     struct stat status;
     if (!stat(path, &status) && !S_ISREG(status.st_mode))
         return kit_fail(err, "%s: cannot be written: %s", path, S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
-    char *target = realpath(path, NULL);   /* a link stays a link: what it points to is replaced */
-    const char *name = target ? target : path;
-    size_t length = strlen(name) + 32;
-    char *part = malloc(length);
+    char *name = led_to(path);             /* a link stays a link: what it points to is replaced */
+    size_t length = name ? strlen(name) + 32 : 0;
+    char *part = name ? malloc(length) : NULL;
+    void (*was)(int) = signal(SIGXFSZ, SIG_IGN);           /* too large: an error, not the end */
     FILE *file = NULL;
-    int failed = !part ? ENOMEM : 0;
+    int failed = !name ? errno : !part ? ENOMEM : 0;
     if (part) {
         snprintf(part, length, "%s.%ld.part", name, (long)getpid());
         file = fopen(part, "wb");
@@ -151,7 +189,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
         if (!failed && rename(part, name)) failed = errno;
         if (failed) remove(part);
     }
+    signal(SIGXFSZ, was);
     free(part);
-    free(target);
+    free(name);
     return failed ? kit_fail(err, "%s: cannot be written: %s", path, strerror(failed)) : 0;
 }

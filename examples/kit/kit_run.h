@@ -1,0 +1,57 @@
+/* kit_run.h - what settings.c, run.c, lights.c and deep.c share: how a run is made ready. Private to them. */
+#ifndef KIT_RUN_H
+#define KIT_RUN_H
+
+#include "kit_gl.h"
+
+/* What kit_run_open works with; the run is its result. */
+typedef struct kit_making {
+    kit_run           *run;
+    const kit_method  *method;
+    const kit_world   *world;
+    ssgi_gl_desc       gather, lights, blur, shade;
+    int                blurred;
+    GLuint             rows[1 + KIT_MAX_VIEWS];    /* lights, as the picture's camera and the extra ones have them; 0 = none */
+    kit_error         *err;
+} kit_making;
+
+/* ---- >>settings */
+
+/* The method's pass and settings, over what the passes' descs have in common (m->gather): the descs, and what of the frame they set. */
+int       kit_settings_apply(kit_making *m, float radius);
+
+/* ---- >>run */
+
+GLuint    kit_keep(kit_run *run, GLuint texture);     /* becomes the run's own */
+/* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
+kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice);
+int       kit_add_blur(kit_making *m, GLuint *texture);
+
+/* ---- >>lights */
+
+typedef struct kit_sphere { float centre[3], radius; } kit_sphere;
+typedef struct kit_lamp { ssgi_gl_light light; kit_camera camera; int mapped; } kit_lamp;     /* in the world; camera: of its map */
+
+int       kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err);
+void      kit_rotation_of(float rotation[12], const float a[16], const float b[16]);     /* a * transpose(b), as mat3 */
+/* all: the sphere that holds most of what the G-buffer shows, for shadow maps. middle: at the median depth in the middle of the picture,
+   as wide as that, for extra cameras. In the world. */
+int       kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err);
+/* Extra cameras: their G-buffers, their frames, their depths as one array. */
+int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
+/* All lights of the world as lamps: --light, the environment's suns, virtual point lights (which are not among direct). NULL on failure. */
+kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
+int       kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count);                /* their shadow maps, as tiles in their order */
+/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
+GLuint    kit_light_rows(const kit_lamp *lamps, int first, int last, const float picture[16]);
+/* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over cones). */
+int       kit_add_environment(kit_making *m);
+int       kit_open_lit(kit_making *m, const float picture[16]);
+int       kit_open_field(kit_making *m, const float picture[16]);
+
+/* ---- >>deep */
+
+int       kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16]);
+void      kit_draw_surfels(kit_run *run, const kit_pass *p);
+
+#endif

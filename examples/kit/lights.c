@@ -1,0 +1,626 @@
+/* lights.c - what a run needs of the world: light of what is seen, extra cameras, shadow maps; opening lit methods and fields. */
+#include "kit_run.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+/* ---- >>passes of light ----------------------------------------------------------------------------------------- */
+
+/* The direct light of a layer that camera v sees (-1: the picture's own): environment, then lights. *light: the texture, 0 = there is none. */
+static int add_direct(kit_making *m, const kit_gbuffer *g, int v, int receiver, GLuint *light)
+{
+    ssgi_gl_desc gather = m->gather, lights = m->lights;
+    const int picture = v < 0 && !receiver;
+    *light = 0;
+    if (v >= 0) {
+        gather.views = lights.views = 0;
+        gather.layers = lights.layers = m->gather.view_layers;
+        gather.depth = lights.depth = SSGI_GL_DEPTH_WINDOW;
+        gather.orthographic = lights.orthographic = 0;
+    }
+    gather.receiver = lights.receiver = receiver;
+    if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;      /* depth gives the normals of what is seen alone */
+    gather.bounce = SSGI_GL_BOUNCE_NONE;
+    if (!picture) gather.half = 0;
+    if (gather.environment) {
+        kit_pass *p = kit_add_pass(m, &gather, g, v < 0 ? 0 : 1 + 2 * v, 0, 0, 0);
+        if (!p) return -1;
+        *light = p->target[0];
+        if (picture && kit_add_blur(m, light)) return -1;
+    }
+    if (m->rows[1 + v]) {
+        kit_pass *p;
+        lights.accumulate = *light != 0;
+        p = kit_add_pass(m, &lights, g, v < 0 ? 0 : 1 + 2 * v, *light, 0, 0);
+        if (!p) return -1;
+        p->lights = m->rows[1 + v];
+        *light = p->target[0];
+    }
+    return 0;
+}
+
+static int add_senders(kit_making *m, const kit_gbuffer *g, int v, int receiver, GLuint light)
+{
+    const int albedo = m->gather.pass == SSGI_GL_S3HO;
+    ssgi_gl_desc d = m->lights;
+    d.pass = SSGI_GL_SENDERS;
+    d.receiver = receiver;
+    d.layers = v < 0 ? m->gather.layers : m->gather.view_layers;
+    d.views = 0;
+    if (v >= 0 || receiver) d.normal = SSGI_GL_NORMAL_SIGNED;
+    if (v >= 0) {
+        d.depth = SSGI_GL_DEPTH_WINDOW;
+        d.orthographic = 0;
+        d.world_normals = 1;                /* that camera's view space to the picture's */
+    }
+    d.radiance = albedo ? SSGI_GL_RADIANCE_ALBEDO : light && g->direct ? SSGI_GL_RADIANCE_BOTH : light ? SSGI_GL_RADIANCE_LIGHT : SSGI_GL_RADIANCE_DIRECT;
+    return kit_add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders, v < 0 ? receiver : v * m->gather.view_layers + receiver) ? 0 : -1;
+}
+
+/* ---- >>cameras: what is seen, extra cameras, shadow maps ----------------------------------------------------------- */
+static int by_value(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+int kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err)
+{
+    kit_image frame;
+    const kit_camera *c = &g->camera;
+    const float *z;
+    float *depths, at[3];
+    double sum[4] = { 0, 0, 0, 0 }, squares = 0, median = 1;
+    int count = 0;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    depths = malloc((size_t)(frame.width * frame.height + 1) * sizeof *depths);
+    if (!depths) { kit_image_free(&frame); return kit_fail(err, "out of memory"); }
+    z = kit_image_channel(&frame, "Z");
+    for (int i = 0; i < frame.width * frame.height; i += 7) {
+        const int x = i % frame.width, y = i / frame.width;
+        if (!(z[i] > 0)) continue;
+        kit_camera_point(c, x, y, (double)z[i], at);
+        for (int k = 0; k < 3; ++k) {
+            sum[k] += (double)at[k];
+            squares += (double)at[k] * (double)at[k];
+        }
+        sum[3] += 1;
+        if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2) depths[count++] = z[i];
+    }
+    if (count) {
+        qsort(depths, (size_t)count, sizeof *depths, by_value);
+        median = (double)depths[count / 2];
+    }
+    free(depths);
+    kit_image_free(&frame);
+    if (!(sum[3] > 0)) sum[3] = 1;
+    squares /= sum[3];
+    for (int k = 0; k < 3; ++k) {
+        all->centre[k] = (float)(sum[k] / sum[3]);
+        squares -= sum[k] / sum[3] * (sum[k] / sum[3]);
+    }
+    kit_camera_point(c, c->width / 2, c->height / 2, median, middle->centre);
+    all->radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
+    middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height) * fmaxf(1, (float)c->width / (float)c->height);
+    return 0;
+}
+
+int kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err)
+{
+    const char *why = "";
+    return ssgi_view_from_projection(view, projection, depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, width, height, &why) == SSGI_OK ? 0 : kit_fail(err, "%s", why);
+}
+
+void kit_rotation_of(float rotation[12], const float a[16], const float b[16])
+{
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) {
+            rotation[4 * c + r] = 0;
+            for (int k = 0; k < 3; ++k) rotation[4 * c + r] += a[4 * k + r] * (b ? b[4 * k + c] : k == c ? 1.0f : 0.0f);
+        }
+}
+
+int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about)
+{
+    kit_run *run = m->run;
+    const int size = (int)kit_method_value(m->method, "view_size"), layers = m->gather.view_layers;
+    const size_t texels = (size_t)size * (size_t)size;
+    float *depth = malloc(texels * (size_t)(m->gather.views * layers) * sizeof *depth);
+    int failed = !depth;
+    if (failed) kit_fail(m->err, "no memory for %d extra cameras", m->gather.views);
+    for (int v = 0; v < m->gather.views && !failed; ++v) {
+        const char *why = "";
+        float to[16], projection[16], displacement[3];
+        kit_camera c = run->gbuffer->camera;
+        ssgi_view view;
+        ssgi_gl_frame frame;
+        kit_gbuffer *g = &run->view[v];
+        ssgi_extra_displacement(v, displacement);
+        if (ssgi_extra_camera(to, projection, picture, about->centre, about->radius, displacement, &why) != SSGI_OK) failed = kit_fail(m->err, "extra camera: %s", why);
+        if (failed) break;
+        for (int k = 0; k < 3; ++k) {
+            c.eye[k] = -(to[4 * k] * to[12] + to[4 * k + 1] * to[13] + to[4 * k + 2] * to[14]);
+            c.up[k] = to[4 * k + 1];
+            c.target[k] = c.eye[k] - to[4 * k + 2] * about->radius;
+        }
+        c.fovy = (float)(2 * atan(1 / (double)projection[5]) * 180 / PI);
+        c.ortho_height = 0;
+        c.znear = projection[14] / (projection[10] - 1);
+        c.zfar = 0;                         /* the sphere is of what is seen: behind it the scene goes on */
+        c.depth = KIT_DEPTH_NORMAL;
+        c.shift[0] = c.shift[1] = 0;
+        c.width = c.height = size;
+        failed = kit_gbuffer_from_scene(g, m->world->scene, &c, NULL, m->err) || kit_gbuffer_peel(g, m->world->scene, layers, m->err) ||
+                 kit_view_of(&view, g->projection, KIT_DEPTH_NORMAL, size, size, m->err);
+        if (failed) break;
+        run->views = v + 1;
+        kit_camera_matrices(&g->camera, to, projection);
+        ssgi_gl_views_set(&run->cameras, v, &view, picture, to, NULL);
+        frame = run->frame;
+        ssgi_gl_frame_init(&frame, &view, run->frame.radius, NULL);
+        frame.offset = run->frame.offset;
+        frame.thickness = run->frame.thickness;
+        frame.fade = run->frame.fade;
+        frame.steepest = run->frame.steepest;
+        frame.lights = run->frame.lights;
+        ssgi_gl_harmonics_set(&frame, run->harmonics, m->gather.bands, to, NULL);
+        kit_rotation_of(frame.rotation, to, NULL);
+        run->extra[2 * v] = frame;
+        kit_rotation_of(frame.rotation, picture, to);
+        run->extra[2 * v + 1] = frame;
+        for (int j = 0; j < layers && !failed; ++j) {
+            float *out = depth + texels * (size_t)(v * layers + j);
+            if (j ? kit_texture_slice_read(g->layer_depth, j - 1, size, size, 1, out) : kit_texture_read(g->depth, size, size, 1, out))
+                failed = kit_fail(m->err, "%s cannot read the extra cameras' depth back", kit_gl_name());
+        }
+    }
+    if (!failed) run->view_depth = kit_keep(run, kit_texture_array(size, size, m->gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
+    free(depth);
+    return failed ? -1 : 0;
+}
+static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear, float zfar, int size)
+{
+    memset(c, 0, sizeof *c);
+    for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + along[k]; }
+    c->up[fabsf(along[1]) < 0.9f * sqrtf(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]) ? 1 : 0] = 1;
+    c->fovy = fovy;
+    c->ortho_height = height;
+    c->znear = znear;
+    c->zfar = zfar;
+    c->width = c->height = size;
+}
+
+/* A sun's map looks at the sphere of what is seen, from beyond all that could shadow it. */
+static kit_lamp sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all, int size)
+{
+    kit_lamp l;
+    float eye[3], along[3], nearest = 1e30f, farthest = -1e30f;
+    memset(&l, 0, sizeof l);
+    memcpy(l.light.at, at, sizeof l.light.at);
+    memcpy(l.light.colour, colour, sizeof l.light.colour);
+    l.light.kind = SSGI_GL_SUN;
+    if (!scene) return l;
+    for (int i = 0; i < 8; ++i) {
+        float t = 0;
+        for (int k = 0; k < 3; ++k) t += ((i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k]) - all->centre[k]) * at[k];
+        nearest = fminf(nearest, t);
+        farthest = fmaxf(farthest, t);
+    }
+    const float margin = 0.01f * (farthest - nearest) + 1e-6f;
+    for (int k = 0; k < 3; ++k) { eye[k] = all->centre[k] + at[k] * (farthest + 2 * margin); along[k] = -at[k]; }
+    look(&l.camera, eye, along, 0, 2 * all->radius, margin, farthest - nearest + 3 * margin, size);
+    l.mapped = 1;
+    return l;
+}
+
+kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *direct)
+{
+    static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+    const kit_lighting *lighting = m->world->lighting;
+    const kit_scene *scene = m->world->scene;
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
+    const size_t room = (size_t)(6 * lighting->lights + suns + vpls + 1);
+    int size = (int)kit_method_value(m->method, "shadow_size"), n = 0;
+    kit_lamp *lamps = calloc(room, sizeof *lamps);
+    const char *why = "";
+    float extent = 0;
+    while (size > 16 && (double)size * ceil(sqrt((double)room)) > 8192) size /= 2;
+    if (!lamps) { kit_fail(m->err, "no memory for %d lights", (int)room); return NULL; }
+    for (int k = 0; scene && k < 3; ++k) extent += scene->mesh.upper[k] - scene->mesh.lower[k];
+    for (int i = 0; i < lighting->lights; ++i) {
+        const kit_light *w = &lighting->light[i];
+        if (w->kind == KIT_SUN) lamps[n++] = sun(w->at, w->colour, mapped ? scene : NULL, all, size);
+        for (int f = 0; w->kind == KIT_POINT && f < (mapped ? 6 : 1); ++f) {
+            kit_lamp *l = &lamps[n++];
+            memcpy(l->light.at, w->at, sizeof l->light.at);
+            memcpy(l->light.colour, w->colour, sizeof l->light.colour);
+            l->light.kind = mapped ? SSGI_GL_SPOT : SSGI_GL_POINT;
+            l->mapped = mapped;
+            look(&l->camera, w->at, face[f], 90, 0, 1e-3f * all->radius, extent, size);
+        }
+    }
+    if (suns && lighting->env.data) {
+        ssgi_sun *found = malloc((size_t)suns * sizeof *found);
+        if (!found || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why) != SSGI_OK) { kit_fail(m->err, "suns: %s", why); free(found); free(lamps); return NULL; }
+        for (int i = 0; i < suns; ++i) lamps[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
+        free(found);
+    }
+    *direct = n;
+    if (vpls) {
+        float *position, *normal, *flux;
+        size_t pixels;
+        ssgi_vpl *found = malloc((size_t)vpls * sizeof *found);
+        int failed;
+        if (!scene || !lighting->lights || !found) { kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls); free(found); free(lamps); return NULL; }
+        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) { free(found); free(lamps); return NULL; }
+        failed = ssgi_vpl_choose(found, vpls, position, normal, flux, pixels, &why) != SSGI_OK;
+        free(position);
+        free(normal);
+        free(flux);
+        if (failed) { kit_fail(m->err, "vpls: %s", why); free(found); free(lamps); return NULL; }
+        for (int i = 0; i < vpls; ++i) {
+            kit_lamp *l = &lamps[n++];
+            memcpy(l->light.at, found[i].position, sizeof l->light.at);
+            memcpy(l->light.normal, found[i].normal, sizeof l->light.normal);
+            memcpy(l->light.colour, found[i].intensity, sizeof l->light.colour);
+            l->light.kind = SSGI_GL_VPL;
+            l->light.least = m->run->frame.radius;
+            l->mapped = mapped;
+            look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * all->radius, extent, size);
+        }
+        free(found);
+    }
+    *count = n;
+    return lamps;
+}
+
+int kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count)
+{
+    kit_shadow_camera *camera = malloc((size_t)count * sizeof *camera);
+    const int size = count && lamps[0].mapped ? lamps[0].camera.width : 0, columns = size ? 8192 / size < count ? 8192 / size : count : 1;
+    int mapped = 0;
+    if (!camera) return kit_fail(m->err, "no memory for %d lights", count);
+    for (int i = 0; i < count; ++i)
+        if (lamps[i].mapped) {
+            const int tile[4] = { i % columns * size, i / columns * size, size, size };
+            kit_camera_matrices(&lamps[i].camera, camera[mapped].view, camera[mapped].projection);
+            memcpy(camera[mapped++].tile, tile, sizeof tile);
+        }
+    if (mapped) m->run->atlas = kit_keep(m->run, kit_shadow_atlas(columns * size, (count + columns - 1) / columns * size, m->world->scene, camera, mapped, m->err));
+    free(camera);
+    return mapped && !m->run->atlas ? -1 : 0;
+}
+
+GLuint kit_light_rows(const kit_lamp *lamps, int first, int last, const float picture[16])
+{
+    const int size = first < last ? lamps[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
+    ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
+    GLuint texture;
+    for (int i = first; rows && i < last; ++i) {
+        ssgi_gl_light *l = &rows[i - first];
+        *l = lamps[i].light;
+        for (int k = 0; k < 3; ++k) {
+            l->at[k] = l->normal[k] = l->kind > 0 ? picture[12 + k] : 0;
+            if (l->kind > 0) l->normal[k] = 0;
+            for (int j = 0; j < 3; ++j) {
+                l->at[k] += picture[4 * j + k] * lamps[i].light.at[j];
+                l->normal[k] += picture[4 * j + k] * lamps[i].light.normal[j];
+            }
+        }
+        if (lamps[i].mapped) {
+            float view[16], projection[16];
+            ssgi_view decoded;
+            kit_camera_matrices(&lamps[i].camera, view, projection);
+            ssgi_view_from_projection(&decoded, projection, SSGI_CLIP_GL, size, size, NULL);
+            ssgi_gl_light_map(l, &decoded, i % columns * size, i / columns * size, picture, view, NULL);
+        }
+    }
+    texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
+    free(rows);
+    return texture;
+}
+
+/* ---- >>open ----------------------------------------------------------------------------------------------------- */
+
+/* size * size texels of three floats, as four */
+static float *rgba(float *four, const float *map, int size)
+{
+    for (int i = 0; i < size * size; ++i) {
+        memcpy(four + 4 * i, map + 3 * i, 3 * sizeof *map);
+        four[4 * i + 3] = 1;
+    }
+    return four;
+}
+
+int kit_add_environment(kit_making *m)
+{
+    enum { SIZE = 64, OPEN = 32, CONES = 8 };
+    const kit_image *env = &m->world->lighting->env;
+    const size_t pixels = (size_t)env->width * (size_t)env->height;
+    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->shade.shading, mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
+    const int slices = m->shade.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
+    kit_run *run = m->run;
+    const char *why = "out of memory";
+    float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four), *open = malloc(4 * CONES * OPEN * OPEN * sizeof *open);
+    int failed;
+    run->equirect = malloc(3 * pixels * sizeof *run->equirect);
+    failed = !map || !four || !open || !run->equirect;
+    for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
+    if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
+        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why) != SSGI_OK
+                 || (kit_method_value(m->method, "dering") > 0 && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
+    if (!failed && mapped)
+        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, m->gather.samples ? (float)(2 * PI / m->gather.samples) : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */, &why) != SSGI_OK
+                 || !(run->environment = kit_keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, rgba(four, map, SIZE))));
+    for (int k = 0; k < slices && !failed && open_too; ++k) {
+        failed = ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why) != SSGI_OK;
+        rgba(open + 4 * k * OPEN * OPEN, map, OPEN);
+    }
+    if (!failed && open_too) failed = !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, slices, GL_RGBA32F, open)));
+    free(map);
+    free(four);
+    free(open);
+    return failed ? kit_fail(m->err, "--env: %s", why) : 0;
+}
+/* s3ho: a vector a pixel, or one a channel, met with the light; *light: what comes out. When nothing else wants the vectors, the gather meets it itself. aside: see kit_pass. */
+static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
+{
+    kit_run *run = m->run;
+    const int vectors = !(kit_method_value(m->method, "filtered") > 0), first = run->passes;
+    ssgi_gl_desc gather = m->gather, blur = m->blur, shade = m->shade;
+    const double fetches = run->fetches;
+    kit_pass *p;
+    gather.transfer = blur.transfer = shade.transfer = transfer;
+    gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;      /* parts are told apart after the same rounding */
+    gather.shaded = !vectors && !shade.shading && !shade.lamps;
+    blur.colour = SSGI_GL_VECTORS;
+    p = kit_add_pass(m, &gather, run->gbuffer, 0, 0, 0, 0);
+    if (p && vectors && m->blurred && (p = kit_add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
+    if (p && !gather.shaded && (p = kit_add_pass(m, &shade, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
+    if (!p) return -1;
+    p->lights = m->rows[0];
+    *light = p->target[0];
+    if (!vectors && kit_add_blur(m, light)) return -1;
+    if (aside) run->fetches = fetches;
+    for (int i = first; i < run->passes; ++i) run->pass[i].aside = aside;
+    return 0;
+}
+
+/* s3ho: suns as lobes of the environment's harmonics; the lamps that are left, which depend on where a pixel is, to the front; and what all of those harmonics lack. */
+static int add_harmonics(kit_making *m, kit_lamp *lamps, int *count)
+{
+    enum { OPEN = 32 };
+    const kit_image *env = &m->world->lighting->env;
+    const int window = (int)kit_method_value(m->method, "window"), bands = m->gather.bands;
+    kit_run *run = m->run;
+    const char *why = "out of memory";
+    ssgi_sun suns[KIT_MAX_LIGHTS];
+    float *map = calloc(3 * OPEN * OPEN, sizeof *map), *four = malloc(4 * OPEN * OPEN * sizeof *four);
+    int left = 0, n = 0, failed = !map || !four;
+    for (int i = 0; i < *count && !failed; ++i) {
+        const ssgi_gl_light *l = &lamps[i].light;
+        if (l->kind > 0 || m->shade.shading) { lamps[left++] = lamps[i]; continue; }
+        memcpy(suns[n].direction, l->at, sizeof suns[n].direction);
+        memcpy(suns[n].irradiance, l->colour, sizeof suns[n].irradiance);
+        failed = ssgi_sh_light(run->harmonics, bands, l->at, 0, suns[n++].irradiance, window, &why) != SSGI_OK;
+    }
+    *count = left;
+    memset(run->frame.window, 0, sizeof run->frame.window);
+    ssgi_sh_window(run->frame.window, bands, window);
+    if (m->gather.exact && !m->shade.shading && !failed)
+        failed = (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
+                 || ssgi_sh_lacking(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
+    free(map);
+    free(four);
+    return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
+}
+
+int kit_open_lit(kit_making *m, const float picture[16])
+{
+    static const int environments[] = { SSGI_GL_ENVIRONMENT_MAP, SSGI_GL_ENVIRONMENT_SH, SSGI_GL_ENVIRONMENT_NONE };
+    static const kit_lighting dark;
+    kit_run *run = m->run;
+    kit_gbuffer *g = run->gbuffer;
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), s3ho = m->gather.pass == SSGI_GL_S3HO;
+    const int indirect = (int)kit_method_value(m->method, "indirect"), bounce = s3ho ? indirect : m->gather.bounce, harmonics = s3ho && !(kit_method_value(m->method, "lights") > 0);
+    const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
+    const kit_world world = { m->world->scene, lighting };
+    int count = 0, direct = 0, failed;
+    kit_sphere all, middle;
+    kit_lamp *lamps;
+    GLuint light = 0, received = 0;
+    m->world = &world;
+    m->blur.colour = SSGI_GL_COLOUR;
+    if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
+    m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")] : SSGI_GL_ENVIRONMENT_NONE;
+    if (lighting->env.data && kit_add_environment(m)) return -1;
+    kit_rotation_of(run->frame.rotation, picture, NULL);
+    if (kit_seen(g, &all, &middle, m->err)) return -1;
+    lamps = kit_lamps_new(m, &all, &count, &direct);
+    if (!lamps) return -1;
+    if (s3ho) {
+        int lobes = harmonics ? direct : 0;
+        if (add_harmonics(m, lamps, &lobes)) { free(lamps); return -1; }
+        if (harmonics) count = direct = lobes;
+        m->shade.lamps = lobes > 0;
+    }
+    ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
+    run->frame.lights = direct;
+    failed = (m->gather.views && kit_add_views(m, picture, &middle)) || kit_add_atlas(m, lamps, count);
+    for (int v = -1; v < run->views && direct && !failed; ++v) {
+        float to[16], projection[16];
+        if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
+        m->rows[1 + v] = kit_keep(run, kit_light_rows(lamps, 0, direct, v < 0 ? picture : to));
+        failed = !m->rows[1 + v] && kit_fail(m->err, "no memory for %d lights", direct);
+    }
+    if (!failed && !g->albedo) {                     /* the grey of meshes without a material */
+        const size_t texels = (size_t)g->width * (size_t)g->height;
+        float *grey = malloc(4 * texels * sizeof *grey);
+        for (size_t i = 0; grey && i < 4 * texels; ++i) grey[i] = 0.8f;
+        run->grey = kit_keep(run, grey ? kit_texture(g->width, g->height, GL_RGBA16F, grey) : 0);
+        free(grey);
+    }
+    if (!failed && bounce) {
+        run->senders = kit_keep(run, kit_texture_array(g->viewport[2], g->viewport[3], m->gather.layers, GL_RG32UI, NULL));
+        if (run->views) run->view_senders = kit_keep(run, kit_texture_array(run->view[0].width, run->view[0].height, run->views * m->gather.view_layers, GL_RG32UI, NULL));
+    }
+    for (int v = 0; v < run->views && bounce && !failed; ++v)           /* hidden senders: lit in their own camera's picture */
+        for (int j = 0; j < m->gather.view_layers && !failed; ++j)
+            failed = (!s3ho && add_direct(m, &run->view[v], v, j, &light)) || ((s3ho || light) && add_senders(m, &run->view[v], v, j, light));
+    for (int j = m->gather.layers - 1; j > 0 && bounce && !failed; --j)
+        failed = (!s3ho && add_direct(m, g, -1, j, &light)) || ((s3ho || light) && add_senders(m, g, -1, j, light));
+    if (!failed && s3ho) {
+        ssgi_gl_desc d = m->lights;
+        kit_pass *p;
+        failed = (bounce && add_senders(m, g, -1, 0, 0)) || add_vectors(m, SSGI_GL_TRANSFER_FREE, indirect == 1, &light);
+        if (!failed && bounce) failed = add_vectors(m, indirect == 1 ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, &received);
+        if (indirect == 1) run->joint = light;
+        if (!failed && !harmonics && m->rows[0]) {
+            d.accumulate = 1;
+            p = kit_add_pass(m, &d, g, 0, light, 0, 0);
+            failed = !p;
+            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
+        }
+    } else if (!failed && bounce && m->gather.environment && kit_method_value(m->method, "reuse") > 0) {
+        kit_pass *p, *senders;
+        failed = add_senders(m, g, -1, 0, 1);        /* its source is set below */
+        senders = &run->pass[run->passes - 1];
+        p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
+        failed = !p;
+        light = p ? p->target[0] : 0;
+        received = p ? p->target[1] : 0;
+        failed = failed || kit_add_blur(m, &light) || kit_add_blur(m, &received);
+        if (!failed && m->rows[0]) {
+            ssgi_gl_desc d = m->lights;
+            d.accumulate = 1;
+            p = kit_add_pass(m, &d, g, 0, light, 0, 0);
+            failed = !p;
+            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
+        }
+        senders->source = light;
+    } else if (!failed) {
+        failed = add_direct(m, g, -1, 0, &light);
+        if (!failed && bounce && (light || g->direct)) {
+            ssgi_gl_desc d = m->gather;
+            kit_pass *p;
+            d.environment = SSGI_GL_ENVIRONMENT_NONE;
+            if (vpls) {                     /* what the clamp of the virtual point lights leaves out: just that falloff, of single points */
+                d.falloff = SSGI_GL_FALLOFF_SQUARE;
+                d.fade = d.range = 0;
+                d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
+                d.steps = 1;
+            }
+            failed = add_senders(m, g, -1, 0, light);
+            p = failed ? NULL : kit_add_pass(m, &d, g, 0, 0, 0, 0);
+            failed = !p;
+            if (p) received = p->target[0];
+            failed = failed || kit_add_blur(m, &received);
+        }
+    }
+    if (!failed && vpls) {
+        ssgi_gl_desc d = m->lights;
+        kit_pass *p;
+        d.accumulate = received != 0;
+        p = kit_add_pass(m, &d, g, KIT_FRAME_VPLS, received, 0, 0);
+        failed = !p;
+        if (p) {
+            p->lights = kit_keep(run, kit_light_rows(lamps, direct, count, picture));
+            received = p->target[0];
+        }
+        run->vpls = count - direct;
+    }
+    free(lamps);
+    run->light = light;
+    run->bounce = received;
+    return failed ? -1 : 0;
+}
+
+/* Casters first .. last - 1 of the rows in one draw. */
+static int add_casters(kit_making *m, const ssgi_gl_caster *rows, int first, int last, const GLuint *cube)
+{
+    kit_run *run = m->run;
+    const GLuint rows_texture = kit_keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
+    kit_pass *p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
+    if (!p) return -1;
+    p->lights = rows_texture;
+    p->instances = last - first;
+    if (cube) memcpy(p->cube, cube, sizeof p->cube);
+    run->light = p->target[0];
+    return rows_texture ? 0 : kit_fail(m->err, "no memory for %d casters", last - first);
+}
+
+/* The casting objects' fields, and where they stand. */
+int kit_open_field(kit_making *m, const float picture[16])
+{
+    const kit_scene *scene = m->world->scene;
+    const int all = kit_method_value(m->method, "casters") > 0, each = kit_method_value(m->method, "draw") > 0;
+    kit_run *run = m->run;
+    ssgi_field_desc d;
+    const ssgi_field **field;
+    int *slice, fields = 0, count = 0, failed = 0;
+    ssgi_gl_caster *rows;
+    const char *why = "";
+    if (!scene) return kit_fail(m->err, "method aof: a frame has no objects to bake; it needs a scene");
+    d = kit_method_field(m->method);
+    if (kit_method_value(m->method, "own") <= 0 && run->gbuffer->object) m->gather.objects = SSGI_GL_OBJECTS_TEXTURE;
+    field = malloc((size_t)(scene->shapes + 1) * sizeof *field);
+    slice = malloc((size_t)(scene->shapes + 1) * sizeof *slice);
+    rows = calloc((size_t)(scene->objects + 1), sizeof *rows);
+    if (!field || !slice || !rows) failed = kit_fail(m->err, "no memory for %d objects", scene->objects);
+    for (int s = 0; s < scene->shapes && !failed; ++s) {       /* rows come shape after shape */
+        const int first = count;
+        slice[s] = -1;
+        for (int i = 0; i < scene->objects && !failed; ++i) {
+            const kit_object *o = &scene->object[i];
+            float to_view[16];
+            ssgi_field_limits limits;
+            if (o->shape != s || !(all || o->casts)) continue;
+            if (slice[s] < 0) {
+                slice[s] = fields;
+                field[fields] = kit_field(&scene->shape[s], &d, NULL, m->err);
+                if (!field[fields]) { failed = -1; break; }
+                run->field_bytes += ssgi_field_size(field[fields]->resolution, field[fields]->bits);
+                ++fields;
+            }
+            for (int c = 0; c < 4; ++c)
+                for (int r = 0; r < 4; ++r) {
+                    to_view[4 * c + r] = 0;
+                    for (int k = 0; k < 4; ++k) to_view[4 * c + r] += picture[4 * k + r] * o->to_world[4 * c + k];
+                }
+            limits = ssgi_field_limits_of(field[slice[s]]);
+            limits.ramp = (float)kit_method_value(m->method, "ramp") * limits.reach;
+            limits.power = (float)kit_method_value(m->method, "power");
+            if (kit_method_value(m->method, "inside") >= 0) limits.inside = (float)kit_method_value(m->method, "inside");
+            if (ssgi_gl_caster_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why) != SSGI_OK) failed = kit_fail(m->err, "object %s: %s", o->name, why);
+        }
+        if (failed || first == count) continue;
+        if (m->gather.storage) {
+            GLuint cube[2];
+            if (!kit_field_cubes(cube, field[slice[s]])) failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
+            for (int k = 0; k < 2; ++k) kit_keep(run, cube[k]);
+            for (int i = first; i < count && !failed; i += each ? 1 : count - first) failed = add_casters(m, rows, i, each ? i + 1 : count, cube);
+        }
+    }
+    if (!failed && !count) failed = add_casters(m, rows, 0, 0, NULL);
+    if (!failed && count && !m->gather.storage) {
+        run->fields = kit_keep(run, kit_field_atlas(field, fields));
+        if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
+        for (int i = 0; i < count && !failed; i += each ? 1 : count) failed = add_casters(m, rows, i, each ? i + 1 : count, NULL);
+    }
+    if (!failed && m->gather.cap) {
+        const int size = (int)kit_method_value(m->method, "table_size");
+        float *table = malloc((size_t)size * (size_t)size * sizeof *table);
+        if (table) ssgi_cap_table(table, size, NULL);
+        run->cap = kit_keep(run, table ? kit_texture(size, size, GL_R16F, table) : 0);
+        glBindTexture(GL_TEXTURE_2D, run->cap);
+        kit_texture_linear(GL_TEXTURE_2D);
+        free(table);
+    }
+    run->casters = count;
+    free(field);
+    free(slice);
+    free(rows);
+    return failed ? -1 : 0;
+}

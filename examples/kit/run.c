@@ -1,0 +1,367 @@
+/* run.c - a method on a G-buffer: programs, targets, drawing, timing, reading back. Declared in kit_gl.h. */
+#include "kit_run.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- >>run ------------------------------------------------------------------------------------------------------ */
+
+int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_300ES : SSGI_GL_330; }
+
+GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
+{
+    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+    char *text[SSGI_GL_STAGES];
+    const char *source[SSGI_GL_STAGES], *captured[3], *why = "";
+    GLenum stages[SSGI_GL_STAGES];
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    GLuint program = 0, block;
+    int count = 0, captures = 0, failed = 0;
+    if (ssgi_gl_check(desc, &why) != SSGI_OK) { kit_fail(err, "%s", why); return 0; }
+    for (int s = 0; s < SSGI_GL_STAGES && !failed; ++s) {
+        const size_t n = ssgi_gl_emit(NULL, 0, desc, s);
+        if (!n) continue;
+        text[count] = malloc(n + 1);
+        failed = !text[count];
+        if (failed) break;
+        ssgi_gl_emit(text[count], n + 1, desc, s);
+        source[count] = text[count];
+        stages[count++] = kinds[s];
+    }
+    if (failed) kit_fail(err, "out of memory"); else program = kit_program(source, stages, count, err);
+    for (int i = 0; i < count; ++i) free(text[i]);
+    if (!program) return 0;
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) if (io[i].kind == SSGI_GL_CAPTURE) captured[captures++] = io[i].name;
+    if (captures) {
+        glTransformFeedbackVaryings(program, captures, captured, GL_INTERLEAVED_ATTRIBS);
+        GLint linked = 0;
+        glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        if (!linked) { kit_fail(err, "pass %s: its varyings cannot be captured by %s", ssgi_gl_pass_name(desc->pass), kit_gl_name()); glDeleteProgram(program); return 0; }
+    }
+    glUseProgram(program);
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
+        if (io[i].kind == SSGI_GL_TEXTURE) glUniform1i(glGetUniformLocation(program, io[i].name), io[i].slot);
+    for (GLuint k = 0; k < 2; ++k) {
+        block = glGetUniformBlockIndex(program, k ? "ssgi_views" : "ssgi_frame");
+        if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, k);
+    }
+    return program;
+}
+int kit_pass_make(kit_pass *p, kit_error *err)
+{
+    const int rows = ssgi_gl_reflect(&p->desc, NULL, 0);
+    ssgi_gl_io *io = malloc((size_t)(rows + 1) * sizeof *io);
+    if (!io) return kit_fail(err, "out of memory");
+    if (!p->program) p->program = kit_pass_program(&p->desc, err);
+    if (!p->program) { free(io); return -1; }
+    free(p->io);
+    p->io = io;
+    p->rows = ssgi_gl_reflect(&p->desc, io, rows);
+    return 0;
+}
+
+GLuint kit_keep(kit_run *run, GLuint texture)
+{
+    if (texture && run->textures < KIT_MAX_TEXTURES) run->texture[run->textures++] = texture;
+    return texture;
+}
+
+/* The format of an output, from its row: vectors as many floats or integers a texel as their bands need. */
+static GLenum target_format(const kit_making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
+{
+    const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
+    if ((desc->pass == SSGI_GL_FIELD || (desc->pass == SSGI_GL_SPLAT && !strcmp(out->type, "float"))) && kit_gl_is_es()) return GL_R16F;         /* blended */
+    if (desc->pass == SSGI_GL_SPLAT && kit_gl_is_es()) return GL_RGBA16F;
+    if (desc->pass == SSGI_GL_SHUFFLE) return GL_RGBA32UI;
+    if (!strcmp(out->type, "float")) return GL_R32F;
+    if (!strcmp(out->type, "vec2")) return GL_RG32F;
+    if (!strcmp(out->type, "uvec4")) return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
+    if (strncmp(out->name, "o_ssgi_sh", 9)) return GL_RGBA32F;
+    if (desc->bands == 1 || (desc->bands == 3 && !strcmp(out->name, "o_ssgi_sh2"))) return stored ? GL_R32F : GL_R16F;
+    return stored ? GL_RGBA32F : GL_RGBA16F;
+}
+
+kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice)
+{
+    static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
+    kit_run *run = m->run;
+    kit_pass *p = &run->pass[run->passes];
+    const int half = desc->half && desc->pass != SSGI_GL_BLUR, levelled = desc->pass >= SSGI_GL_SHUFFLE && desc->pass <= SSGI_GL_SMOOTH;
+    const uint64_t key = ssgi_gl_key(desc);
+    int outputs = 0;
+    if (run->passes == KIT_MAX_PASSES) { kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES); return NULL; }
+    memset(p, 0, sizeof *p);
+    p->desc = *desc;
+    p->gbuffer = g;
+    p->frame = frame;
+    p->source = source;
+    p->vectors = -1;
+    p->width = levelled ? run->frame.level[0] : half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
+    p->height = levelled ? run->frame.level[1] * desc->levels : half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
+    for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
+    if (kit_pass_make(p, m->err)) return NULL;
+    p->key = key;
+    ++run->passes;
+    if (desc->pass == SSGI_GL_SURFELS) return p;                    /* draws nothing */
+    glGenFramebuffers(1, &p->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+    for (int i = 0; i < p->rows; ++i) {
+        if (p->io[i].kind != SSGI_GL_OUTPUT) continue;
+        if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
+        else {
+            p->target[outputs] = desc->pass == SSGI_GL_FIELD && p > run->pass ? run->pass[0].target[0]     /* casters are blended over each other */
+                                                                              : kit_keep(run, kit_texture(p->width, p->height, target_format(m, desc, &p->io[i]), NULL));
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs], 0);
+        }
+        ++outputs;
+    }
+    glDrawBuffers(outputs, attachment);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
+    if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS) for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
+    if (desc->pass != SSGI_GL_SPLAT) run->fetches += kit_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    return p;
+}
+
+int kit_add_blur(kit_making *m, GLuint *texture)
+{
+    kit_pass *p;
+    if (!m->blurred) return 0;
+    p = kit_add_pass(m, &m->blur, m->run->gbuffer, 0, *texture, 0, 0);
+    if (!p) return -1;
+    *texture = p->target[0];
+    return 0;
+}
+static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
+{
+    const kit_pass *from = p->vectors < 0 ? NULL : &run->pass[p->vectors];
+    for (int i = 0; from && i < from->rows; ++i)
+        if (from->io[i].kind == SSGI_GL_OUTPUT && !strcmp(from->io[i].name + 1, name + 1)) return from->target[from->io[i].slot];
+    const struct { const char *name; GLuint texture; } table[] = {
+        { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
+        { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
+        { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
+        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
+    return 0;
+}
+
+static GLenum target_of(const ssgi_gl_io *io) { return strstr(io->type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io->type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
+
+/* Bytes of a texel, and how many texels there are. */
+static double texel_of(double *texels, GLuint texture, GLenum target)
+{
+    static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE };
+    const GLenum face = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
+    GLint size[3] = { 0 }, bits = 0, all = 0;
+    glBindTexture(target, texture);
+    for (GLenum i = 0; i < 2; ++i) glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH + i, &size[i]);
+    glGetTexLevelParameteriv(face, 0, GL_TEXTURE_DEPTH, &size[2]);
+    for (size_t i = 0; i < sizeof bits_of / sizeof *bits_of; ++i, all += bits) glGetTexLevelParameteriv(face, 0, bits_of[i], &bits);
+    glBindTexture(target, 0);
+    *texels = (double)size[0] * size[1] * (target == GL_TEXTURE_CUBE_MAP ? 6 : size[2]);
+    return all / 8.0;
+}
+
+static double bytes_of(const kit_run *run)
+{
+    double bytes = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const int splats = p->desc.pass == SSGI_GL_SPLAT;
+        for (int k = 0; k < (p->aside ? 0 : p->rows); ++k) {
+            const ssgi_gl_io *io = &p->io[k];
+            const kit_gbuffer *g = p->gbuffer;
+            const int in = io->kind == SSGI_GL_TEXTURE;
+            GLuint texture;
+            int slices;
+            double texels, texel;
+            if (!in && (io->kind != SSGI_GL_OUTPUT || !p->framebuffer)) continue;
+            /* without targets of its own it draws into a slice */
+            texture = in ? texture_of(run, p, io->name) : p->target[0] ? p->target[io->slot] : run->senders;
+            if (!texture) continue;
+            /* of the G-buffer's farther layers */
+            slices = texture == g->layer_depth ? p->desc.layers - 1 : texture == g->layer_normal || texture == g->layer_albedo;
+            texel = texel_of(&texels, texture, in ? target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
+            if (slices) texels *= (double)slices / (g->layers - 1);
+            if (!in) texels = splats ? 2 * run->splat_pixels : (double)p->width * p->height;
+            bytes += texel * texels;
+        }
+        if (splats || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
+    }
+    return bytes / ((double)run->frame.size[0] * run->frame.size[1]);
+}
+
+int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
+{
+    static const kit_world nothing;
+    kit_making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
+    ssgi_view view;
+    const char *why = "";
+    float picture[16], projection[16];
+    int failed;
+    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
+    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    if (ssgi_gl_frame_init(&run->frame, &view, radius, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    run->gbuffer = g;
+    run->lit = method->lit;
+    run->frame.origin[0] = g->viewport[0];
+    run->frame.origin[1] = g->viewport[1];
+    m.gather.dialect = kit_dialect();
+    m.gather.orthographic = view.orthographic;
+    m.gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
+    if (kit_settings_apply(&m, radius)) return -1;
+    if (m.gather.half && !m.blurred) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (m.gather.layers > g->layers && !m.world->scene) return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
+    if (m.gather.views && !m.world->scene) return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
+    if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
+    kit_camera_matrices(&g->camera, picture, projection);
+    if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
+        failed = kit_open_lit(&m, picture);
+    } else if (m.gather.pass == SSGI_GL_FIELD) {
+        failed = kit_open_field(&m, picture);
+    } else if (m.gather.pass == SSGI_GL_SPLAT) {
+        failed = kit_open_deep(&m, &view, picture);
+    } else {
+        kit_pass *p;
+        kit_sphere all, middle;
+        failed = m.gather.views && (kit_seen(g, &all, &middle, err) || kit_add_views(&m, picture, &middle));
+        p = failed ? NULL : kit_add_pass(&m, &m.gather, g, 0, 0, 0, 0);
+        failed = !p;
+        if (p) run->light = p->target[0];
+        failed = failed || kit_add_blur(&m, &run->light);
+    }
+    if (m.gather.kernel) {
+        const int sets = (int)kit_method_value(method, "sets");
+        float *kernel = malloc(4 * (size_t)(sets * m.gather.samples) * sizeof *kernel);
+        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, SSGI_COSINE, NULL);
+        run->kernel = kit_keep(run, kernel ? kit_texture(m.gather.samples, sets, GL_RGBA32F, kernel) : 0);
+        free(kernel);
+    }
+    if (m.gather.noise == SSGI_GL_NOISE_TEXTURE) {
+        float tile[4 * 16];
+        ssgi_jitter_tile(tile, 4, m.gather.directions ? m.gather.directions : 1, NULL);
+        run->noise = kit_keep(run, kit_texture(4, 4, GL_RGBA32F, tile));
+    }
+    run->bytes = !failed && glGetTexLevelParameteriv ? bytes_of(run) : (double)NAN;
+    glGenBuffers(KIT_FRAMES, run->block);
+    if (!failed) kit_run_update(run);
+    if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);      /* a last frame to reuse */
+    if (failed) { kit_run_close(run); return -1; }
+    return 0;
+}
+
+static void upload(GLuint buffer, const void *data, size_t size)
+{
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer);
+    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, data, GL_DYNAMIC_DRAW);
+}
+
+void kit_run_update(kit_run *run)
+{
+    ssgi_gl_frame vpls = run->frame;
+    vpls.lights = run->vpls;
+    upload(run->block[0], &run->frame, sizeof run->frame);
+    for (int i = 0; i < 2 * run->views; ++i) upload(run->block[1 + i], &run->extra[i], sizeof run->extra[i]);
+    upload(run->block[KIT_FRAME_VPLS], &vpls, sizeof vpls);
+    upload(run->block[KIT_FRAME_VIEWS], &run->cameras, sizeof run->cameras);
+}
+void kit_run_draw(kit_run *run, int timed)
+{
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, run->block[KIT_FRAME_VIEWS]);
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i];
+        const ssgi_gl_frame *f = p->frame > 0 && p->frame < KIT_FRAME_VPLS ? &run->extra[p->frame - 1] : &run->frame;
+        for (int k = 0; k < p->rows; ++k)
+            if (p->io[k].kind == SSGI_GL_TEXTURE) {
+                glActiveTexture(GL_TEXTURE0 + (GLenum)p->io[k].slot);
+                glBindTexture(target_of(&p->io[k]), texture_of(run, p, p->io[k].name));
+            }
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
+        glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);     /* surfels: any complete one, which a context without a surface has not */
+        if (p->desc.pass >= SSGI_GL_SHUFFLE && p->desc.pass <= SSGI_GL_SMOOTH) glViewport(0, 0, p->width, p->height);
+        else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
+        else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
+        glUseProgram(p->program);
+        if (timed && !p->aside) kit_timer_begin();
+        if (p->desc.pass == SSGI_GL_FIELD) {
+            if (!i) glClearBufferfv(GL_COLOR, 0, (const GLfloat[4]) { 1, 1, 1, 1 });
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_DST_COLOR, GL_ZERO);
+            glDrawArraysInstanced(GL_TRIANGLES, 0, 6, p->instances);
+            glDisable(GL_BLEND);
+        } else if (p->array) kit_draw_surfels(run, p);
+        else glDrawArrays(GL_TRIANGLES, 0, 3);
+        if (timed && !p->aside) p->ms = kit_timer_end();
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+double kit_run_ms(const kit_run *run)
+{
+    double ms = 0;
+    for (int i = 0; i < run->passes; ++i) ms += run->pass[i].ms;
+    return ms;
+}
+
+int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
+{
+    const kit_gbuffer *g = run->gbuffer;
+    const kit_pass *last = &run->pass[run->passes ? run->passes - 1 : 0];
+    const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height, components = run->lit ? 4 : 1;
+    const size_t pixels = (size_t)width * (size_t)height;
+    const GLuint source[3] = { run->light, run->bounce, run->bounce ? run->joint : 0 };
+    kit_image image, frame;
+    float *texels = malloc(pixels * (size_t)components * sizeof *texels);
+    int failed = 0;
+    if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) { free(texels); return -1; }
+    for (int s = 0; s < (run->lit ? 3 : 1) && !failed; ++s) {
+        if (!source[s]) continue;
+        failed = kit_texture_read(source[s], width, height, components, texels) != 0;
+        for (size_t i = 0; i < pixels && !failed; ++i) {
+            const size_t from = pixels - (i / (size_t)width + 1) * (size_t)width + i % (size_t)width;
+            if (!run->lit) image.data[i] = texels[from];
+            for (size_t c = 0; c < 3 && run->lit; ++c) {
+                float *to = &image.data[(s ? 6 + c : 3 + c) * pixels + i];
+                *to = s < 2 ? texels[4 * from + c] : *to - texels[4 * from + c];
+            }
+        }
+    }
+    free(texels);
+    if (!failed && run->lit && !(failed = kit_gbuffer_read(&frame, g, err))) {
+        static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" }, { "direct.R", "direct.G", "direct.B" } };
+        const float *z = kit_image_channel(&frame, "Z");
+        for (size_t c = 0; c < 3; ++c) {
+            const float *albedo = kit_image_channel(&frame, names[0][c]), *direct = kit_image_channel(&frame, names[1][c]);
+            for (size_t i = 0; i < pixels; ++i)
+                if (z[i] > 0)
+                    image.data[c * pixels + i] = (albedo ? albedo[i] : 0.8f) * (image.data[(3 + c) * pixels + i] + image.data[(6 + c) * pixels + i]) + (direct ? direct[i] : 0.0f);
+        }
+        kit_image_free(&frame);
+    }
+    if (failed) { kit_image_free(&image); return kit_fail(err, "the result cannot be read back"); }
+    *out = image;
+    return 0;
+}
+
+void kit_run_close(kit_run *run)
+{
+    for (int i = 0; i < run->passes; ++i) {
+        int shared = 0;
+        for (int k = 0; k < i; ++k) shared |= run->pass[k].program == run->pass[i].program;
+        if (!shared) glDeleteProgram(run->pass[i].program);
+        glDeleteFramebuffers(1, &run->pass[i].framebuffer);
+        free(run->pass[i].io);
+    }
+    for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
+    glDeleteTextures(run->textures, run->texture);
+    glDeleteVertexArrays(3, run->arrays);
+    glDeleteBuffers(3, run->buffers);
+    if (run->query) glDeleteQueries(1, &run->query);
+    glDeleteBuffers(KIT_FRAMES, run->block);
+    free(run->equirect);
+    memset(run, 0, sizeof *run);
+}
