@@ -3462,7 +3462,7 @@ static void ssgi_gl__put_kernel(ssgi_gl__text *t, int samples)
 {
     float k[4 * 64];
     int i;
-    ssgi_kernel(k, 1, samples, SSGI_COSINE, NULL);
+    ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__put(t, "// ssgi_kernel: cosine-weighted directions about +z, w: length\nconst vec4 SSGI_KERNEL[");
     ssgi_gl__put_int(t, samples);
     ssgi_gl__put(t, "] = vec4[");

@@ -101,9 +101,9 @@ static const row front_row     = { { "front", "1: the nearest depth seen limits 
 static const row both_row      = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
 static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row each_row      = { { "every", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
+static const row jitter_row    = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 }, PLAN, 0 };
 static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
-static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid none", 0, 0, 2, 1 }, PLAN, 0 };
+static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 }, PLAN, 0 };
 static const row fixed_row     = { { "fixed", "1: the same pixel of every block goes to a sub-buffer, 0: by chance", NULL, 0, 0, 1, 1 }, GATHER, DESC(fixed) };
 static const row enlarge_row   = { { "enlarge", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(enlarge) };
 static const row overlap_row   = { { "overlap", "where surfels hide each other: form factors as shares of what is left, or added", "share add", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
@@ -123,7 +123,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &fixed_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
@@ -1155,7 +1155,7 @@ static int open_deep(making *m, const ssgi_view *view, const float picture[16])
     kit_gbuffer *g = run->gbuffer;
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "still"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "jitter"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
                                  fmaxf((float)kit_method_value(m->method, "aside"), 1e-6f), (int)kit_method_value(m->method, "every"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
     ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
@@ -1365,7 +1365,7 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     if (m.gather.kernel) {
         const int sets = (int)kit_method_value(method, "sets");
         float *kernel = malloc(4 * (size_t)(sets * m.gather.samples) * sizeof *kernel);
-        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, SSGI_COSINE, NULL);
+        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, NULL);
         run->kernel = keep(run, kernel ? kit_texture(m.gather.samples, sets, GL_RGBA32F, kernel) : 0);
         free(kernel);
     }
