@@ -37,7 +37,8 @@
       >>cap        spherical caps under the cosine: closed form, table
       >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
-      >>surfels    triangles as discs about as large on the screen, what splatting them reaches and costs, scattering under surfaces
+      >>surfels    triangles as discs about as large on the screen, what splatting them reaches and costs
+      >>dipole     multiple scattering under surfaces, and materials
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
 
@@ -109,6 +110,13 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
+/* Depth of the near plane that the projection implies [units: view]. */
+SSGI_DEF float ssgi_view_near(const ssgi_view *view);
+
+/* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side planes and the near plane;
+   0 inside. The far plane does not count. */
+SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
+
 /* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius * displacement and looks at centre.
      main_world_to_view  rigid: rotation and translation
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
@@ -132,23 +140,15 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 /* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; good for any count, no need to know it beforehand. */
 SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
 
-/* Interleaved gradient noise of a pixel, [0,1): every 3x3 neighbourhood holds nearly evenly spread values [Jimenez 2014]. GLSL twin: ssgi_noise. */
-SSGI_DEF float ssgi_gradient_noise(int x, int y);
-
-/* What a kernel's directions fill. */
-enum { SSGI_COSINE = 0,     /* hemisphere about +z, density cos/pi: every sample counts 1/n */
-       SSGI_HEMISPHERE,     /* hemisphere about +z, uniform: a sample counts 2 z/n; z is stratified at midpoints, so the counts sum to exactly 1 */
-       SSGI_SPHERE,         /* whole sphere, uniform */
-       SSGI_DISC };         /* unit disc in xy, z = 0, uniform in area; xyz is then the point itself, not a direction */
-
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets (interleave them over pixels)
      samples    [limit: 1..4096] of each
-     xyz        unit directions (SSGI_DISC: points), low-discrepancy in each set, the sets rotated against each other
+     xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n; low-discrepancy in each set, the
+                sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length * radius. Uniform lengths
                 make point sampling converge to linear attenuation, 1 - t/radius; sqrt and cbrt of it to 1 - (t/r)^2 and 1 - (t/r)^3.
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see README, differences from the papers] */
-SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, int shape, const char **why);
+SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
 /* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for the steps, c in [0,1) for
    whatever else wants a turn, each stratified over the size x size texels and decorrelated. [HSAO08 4.1.2, with the range that it means]
@@ -197,6 +197,10 @@ SSGI_DEF void  ssgi_sh_rotate(float *out, int bands, const float *coefficients, 
 /* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a product has up to 2 * bands - 1 bands and those
    above are lost. One channel, bands^2 floats each; out may be a or b. [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
 SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
+
+/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels; bands floats
+   [limit: bands as ssgi_sh_basis; channels below 1 give zeros]. A pure sum: what is not finite makes its band so. */
+SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k such that an unoccluded surface that faces
    the light receives exactly `irradiance`, whatever bands and window. [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
@@ -281,16 +285,12 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 /* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
      solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
      cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
-   In [0,1], monotone in both. Absolute error 1e-15 and, f, 3e-7. GLSL twin: ssgi_cap. */
-SSGI_DEF double ssgi_cap_occlusion(double solid_angle, double cosine);
-SSGI_DEF float  ssgi_cap_occlusionf(float solid_angle, float cosine);
+   In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
 /* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024]. Upload it size x size, R16F, R32F or R16, LINEAR,
    CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
-
-/* Bilinear look-up in a table [limit: a size that ssgi_cap_table takes]: texture coordinates hit texel centres, ((x/(4 pi)) (size-1) + 0.5) / size. */
-SSGI_DEF float ssgi_cap_look_up(const float *table, int size, float solid_angle, float cosine);
 
 /* ==== >>bias =================================================================================================== */
 
@@ -380,19 +380,17 @@ typedef struct ssgi_surfel {
 
 /* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
 SSGI_DEF int ssgi_tess_count(int level);
-/* Their barycentric coordinates, 3 a point, as OpenGL's tessellator has them but for its rounding (Mesa's: level / 2^17); in an order of ours: rings inwards. uvw: [limit: 3 ssgi_tess_count(level) floats]. Returns the count. */
-SSGI_DEF int ssgi_tess_points(float *uvw, int level);
 /* The level at which that many discs of this radius have the triangle's area, 1..64; small triangles get 1, for level 0 would drop them. More than 3169 discs need triangles split (ssgi_surfel_desc.splits). */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
 /* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them */
 enum { SSGI_SHRINK_INCENTRE = 0,    /* scaled about the centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider than the triangle */
-       SSGI_SHRINK_CENTROID,        /* the paper's: corners move by r toward the centroid, by 0.9 of the way at most: it leaves half of what protrudes */
-       SSGI_SHRINK_NONE };
+       SSGI_SHRINK_CENTROID };      /* the paper's: corners move by r toward the centroid, by 0.9 of the way at most: it leaves half of what protrudes */
+
 
 typedef struct ssgi_surfel_desc {
     float size;                     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the viewer: the paper's s */
-    float still;                    /* [limit: 0..1]  0: surfels are jittered by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 1: not at all */
+    float jitter;                   /* [limit: 0..1]  1: surfels are moved by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 0: they stay */
     int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
     int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
     float aside;                    /* [units: radii per distance] [limit: 0..1] [default: 0.1]  how much surfels grow with their distance from what the camera sees: nothing near them is shaded; below 1e-3: not, as published */
@@ -411,15 +409,7 @@ typedef struct ssgi_surfel_source {
     float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's transpose */
 } ssgi_surfel_source;
 
-/* Radius of a surfel at a view depth: s tan(alpha/2) (|depth - near| + near) [DSS14 3.1]: on the screen s/2 picture heights; behind the near plane they grow again. Orthographic: s/2 heights everywhere.
-   ssgi_surfel_desc.aside adds to it outside of the frustum. */
-SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth);
-/* Depth of the near plane, which the projection implies. */
-SSGI_DEF float ssgi_view_near(const ssgi_view *view);
-/* How far a point of view space lies outside of the frustum: of its sides and its near plane, the farthest. 0 inside. */
-SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
-
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, still, splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter, splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
 
 /* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the horizon, into four and again, ten times at most; drops what is farther aside than desc->most. Others stay
@@ -427,20 +417,9 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
    capacity triangles, and to *count how many there are. */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, or with corners that are not finite,
-   give none. seed depends on the numbers of the triangle's vertices and the place in it alone. Outputs are untouched when something is wrong. */
+/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, with corners
+   that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's vertices and the place in it alone. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
-
-/* Distance beyond which what a surfel brings stays below epsilon: r sqrt(brightest / epsilon - 1), brightest the largest component of what it sends (1 for occlusion); 0 when that is below epsilon [DSS14 3.2, 4]. */
-SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon);
-/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level l; no farther than `most`. */
-SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most);
-/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). */
-SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3]);
-
-/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1 [units: pixels, of the picture, clipped to it], exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched.
-   front [units: view] [limit: > 0 when perspective]: the near plane's depth, or of the nearest thing seen. GLSL twin: ssgi_sphere. */
-SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
@@ -461,11 +440,13 @@ typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why);
 
+/* ==== >>dipole ================================================================================================= */
+
 /* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that ssgi_dipole_set was given. */
 typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;     /* z_r, z_v, sigma_tr, alpha' */
 /* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: sigma_s > 0, sigma_a >= 0]     eta [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2], and over a whole plane. */
+/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0 for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 /* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
@@ -529,7 +510,8 @@ SSGI_DEF size_t ssgi_field_size(int resolution, int bits);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
 /* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position, stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles
-   are left out. Directions are sampled at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any number of threads.
+   are left out. Directions are sampled at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any number of threads and at any
+   optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions -ffp-contract=off).
    SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells.
    resolution 16 with 128 rays is 9.4 million rays. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
@@ -542,28 +524,19 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
    Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3]);
 
-/* The cap itself: its solid angle, its axis, unit, and the share of it that is covered (1 with SOLID_ANGLE); at the hull for points in it. Occlusion is fill * ssgi_cap_occlusion. Returns how far the point is from the centre, in hulls. */
+/* The cap itself: its solid angle, its axis, unit, and the share of it that is covered (1 with SOLID_ANGLE); at the hull for points in it. Occlusion is fill * ssgi_cap_occlusionf. Returns how far the point is from the centre, in hulls. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill);
 
 /* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or RGBA8
    cube maps, LINEAR, seamless. Either may be NULL. */
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
 
-/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size, writes only when capacity suffices. */
+/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size in bytes, writes only when out is not NULL and
+   capacity suffices. 0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 /* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why);
-
-/* What a bake is made of, for those who sample in their own way (rasterising, say).
-   sample: out[0] solid angle, out[1..3] vector irradiance (the integral of visibility times direction) of what `hit` (NULL: trace) meets from a point, by `rays` stratified rays into the cone that is within acos(cosine) of axis (unit).
-   fit: 1/q to values [limit: 0..most] at radii, ascending [limit: count 3..64], q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
-   Returns the sum of squared errors.
-   fit_centre: the point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0 0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. */
-SSGI_DEF void   ssgi_field_sample(double out[4], const ssgi_trace *trace, int (*hit)(void *user, const float origin[3], const float direction[3]), void *user,
-                                  const float point[3], const float axis[3], float cosine, int rays, uint32_t seed);
-SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *values, int count, double most);
-SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count);
 
 /* ==== >>plan =================================================================================================== */
 
@@ -599,9 +572,6 @@ typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
      visibility         what the picture holds there
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why);
-
-/* Energy of each band: out[l], the sum of squares of its coefficients over m and channels; bands floats [limit: bands 0..SSGI_SH_MAX_BANDS]. */
-SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
@@ -775,12 +745,35 @@ SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float p[3], float o
     out[1] = p[1] * k * view->project[1] + view->project[3];
 }
 
+SSGI_DEF float ssgi_view_near(const ssgi_view *view)
+{
+    const float d = view->depth[0] + view->depth[1] * (1.0f - view->clear);
+    return view->orthographic ? d : 1.0f / d;
+}
+
+SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
+{
+    const double z = -point[2];
+    double most = 0.0, d;
+    int axis, side;
+    for (axis = 0; axis < 2; ++axis)
+        for (side = 0; side < 2; ++side) {
+            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];    /* per depth */
+            const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
+            d = view->orthographic ? sign * (point[axis] - edge) : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
+            if (d > most) most = d;
+        }
+    d = (double)ssgi_view_near(view) - z;
+    return d > most ? d : most;
+}
+
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
     const double cos40 = 0.76604444311897803520, r = (double)radius;    /* half of 100 degrees: sine and cosine change places */
     double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
+    ssgi_view seen;
     int i, k;
     if (!world_to_view) return ssgi__bad(why, "world_to_view: must not be NULL");
     if (!projection) return ssgi__bad(why, "projection: must not be NULL");
@@ -827,7 +820,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
     for (i = 0; i < 16; ++i)
-        if (!ssgi__finite(view[i]) || !ssgi__finite(clip[i])) return ssgi__bad(why, "radius: too small or too large for float arithmetic");
+        if (!ssgi__finite(view[i])) return ssgi__bad(why, "radius: too large for float arithmetic");
+    if (ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) != SSGI_OK)
+        return ssgi__bad(why, "radius: too small or too large for float arithmetic");
     memcpy(world_to_view, view, sizeof view);
     memcpy(projection, clip, sizeof clip);
     return SSGI_OK;
@@ -863,40 +858,30 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
 }
 
-SSGI_DEF float ssgi_gradient_noise(int x, int y)
-{
-    return ssgi__fract(52.9829189 * (double)ssgi__fract(0.06711056 * (double)x + 0.00583715 * (double)y));
-}
-
 static int ssgi__gcd(int a, int b)
 {
     while (b) { int c = a % b; a = b; b = c; }
     return a;
 }
 
-SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, int shape, const char **why)
+SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why)
 {
     const double two_pi = 6.28318530717958647693, golden = 0.61803398874989484820;
     int set, i, step;
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (sets < 1 || sets > 4096) return ssgi__bad(why, "sets: must be 1..4096");
     if (samples < 1 || samples > 4096) return ssgi__bad(why, "samples: must be 1..4096");
-    if (shape < SSGI_COSINE || shape > SSGI_DISC) return ssgi__bad(why, "shape: must be SSGI_COSINE, _HEMISPHERE, _SPHERE or _DISC");
     /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow neither u nor the azimuth. */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set), slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
         for (i = 0; i < samples; ++i) {
             /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
-            double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn), r, z;
+            double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn);
             float *o = out + 4 * ((size_t)set * (size_t)samples + (size_t)i);
-            switch (shape) {
-            case SSGI_COSINE:     r = sqrt(u); z = sqrt(1.0 - u); break;
-            case SSGI_HEMISPHERE: z = u; r = sqrt(1.0 - z * z); break;
-            case SSGI_SPHERE:     z = 1.0 - 2.0 * u; r = sqrt(1.0 - z * z); break;
-            default:              r = sqrt(u); z = 0.0; break;
-            }
-            o[0] = (float)(r * cos(phi)); o[1] = (float)(r * sin(phi)); o[2] = (float)z;
+            o[0] = (float)(sqrt(u) * cos(phi));
+            o[1] = (float)(sqrt(u) * sin(phi));
+            o[2] = (float)sqrt(1.0 - u);
             o[3] = (float)(((double)(((int64_t)i * step + set) % samples) + slide) / samples);
         }
     }
@@ -906,10 +891,11 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, int shape, c
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
 {
     const double two_pi = 6.28318530717958647693;
-    int i, n = size * size, m;
+    int i, n, m;
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (size < 1 || size > 64) return ssgi__bad(why, "size: must be 1..64");
     if (directions < 1 || directions > 1024) return ssgi__bad(why, "directions: must be 1..1024");
+    n = size * size;
     /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours far apart when m is not 0. */
     for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
     if (m >= size) m = 0;
@@ -1148,13 +1134,25 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
     }
     for (c = 0; c < channels; ++c)
         for (l = i = 0; l < bands; ++l) {
-            for (j = 0; j < 2 * l + 1; ++j) band[j] = (double)coefficients[channels * (l * l + j) + c];
+            for (j = 0; j < 2 * l + 1; ++j) band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
             for (; i < (l + 1) * (l + 1); ++i) {
                 double sum = 0.0;
                 for (j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
-                out[channels * i + c] = (float)sum;
+                out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
             }
         }
+}
+
+SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
+{
+    int l, i, c;
+    bands = ssgi__sh_limit(bands);
+    for (l = i = 0; l < bands; ++l)
+        for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
+            for (c = 0; c < channels; ++c) {
+                const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
+                out[l] += k * k;
+            }
 }
 
 static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
@@ -1606,7 +1604,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 
 /* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it lies above the horizon. One text for both precisions. */
 #define SSGI__CAP(name, real, root, arc) \
-    SSGI_DEF real name(real solid_angle, real cosine) \
+    real name(real solid_angle, real cosine) \
     { \
         const real pi = (real)3.14159265358979323846; \
         real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine, s, x, w, a; \
@@ -1623,8 +1621,8 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         } \
         return most ? 1 - a : a; \
     }
-SSGI__CAP(ssgi_cap_occlusion, double, sqrt, atan2)
-SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
+static SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
+SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
 
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 {
@@ -1632,25 +1630,8 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (size < 2 || size > 1024) return ssgi__bad(why, "size: must be 2..1024");
     for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) out[y * size + x] = (float)ssgi_cap_occlusion(4.0 * 3.14159265358979323846 * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
+        for (x = 0; x < size; ++x) out[y * size + x] = (float)ssgi__cap_occlusion(4.0 * 3.14159265358979323846 * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
     return SSGI_OK;
-}
-
-SSGI_DEF float ssgi_cap_look_up(const float *table, int size, float solid_angle, float cosine)
-{
-    const float last = (float)(size - 1);
-    float x = solid_angle * (0.0795774715f * last), y = (0.5f * cosine + 0.5f) * last, top, bottom;
-    int i, k;
-    x = x > 0.0f ? x < last ? x : last : 0.0f;
-    y = y > 0.0f ? y < last ? y : last : 0.0f;
-    i = (int)x < size - 2 ? (int)x : size - 2;
-    k = (int)y < size - 2 ? (int)y : size - 2;
-    x -= (float)i;
-    y -= (float)k;
-    table += k * size + i;
-    top = table[0] + x * (table[1] - table[0]);
-    bottom = table[size] + x * (table[size + 1] - table[size]);
-    return top + y * (bottom - top);
 }
 
 /* ==== >>bias (implementation) ================================================================================== */
@@ -2168,20 +2149,6 @@ static uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] 
     return (x >> 22) ^ x;
 }
 
-SSGI_DEF int ssgi_tess_points(float *uvw, int level)
-{
-    int n = 0, ring, i, k, place[3];
-    if (level < 1 || level > 64 || !uvw) return 0;
-    for (ring = 0; 2 * ring <= level; ++ring) {
-        const int segments = level - 2 * ring, points = segments ? 3 * segments : 1;    /* the tessellator's rings stand 2/(3n) apart in barycentric coordinates */
-        for (i = 0; i < points; ++i, ++n) {
-            ssgi__tess_lattice(place, segments, i);
-            for (k = 0; k < 3; ++k) uvw[3 * n + k] = (float)((2.0 * ring / 3.0 + place[k]) / level);
-        }
-    }
-    return n;
-}
-
 SSGI_DEF int ssgi_tess_level(double area, double radius)
 {
     const double discs = area / (3.14159265358979323846 * radius * radius);
@@ -2189,45 +2156,17 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
     return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* r = scale * (|depth - near| + near), scale alone when orthographic. */
+/* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s tan(alpha/2)
+   [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
 static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
 {
     out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
     out[1] = (double)ssgi_view_near(view);
 }
 
-SSGI_DEF float ssgi_view_near(const ssgi_view *view)
-{
-    const float d = view->depth[0] + view->depth[1] * (1.0f - view->clear);
-    return view->orthographic ? d : 1.0f / d;
-}
-
-SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
-{
-    const double z = -point[2];
-    double most = 0.0, d;
-    int axis, side;
-    for (axis = 0; axis < 2; ++axis)
-        for (side = 0; side < 2; ++side) {
-            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];    /* per depth */
-            const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
-            d = view->orthographic ? sign * (point[axis] - edge) : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
-            if (d > most) most = d;
-        }
-    d = (double)ssgi_view_near(view) - z;
-    return d > most ? d : most;
-}
-
 static double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
-}
-
-SSGI_DEF double ssgi_surfel_radius(const ssgi_view *view, double size, double depth)
-{
-    double scale[2];
-    ssgi__surfel_scale(scale, view, size);
-    return ssgi__surfel_radius(scale, view->orthographic, depth);
 }
 
 /* What a triangle, split or not, becomes. */
@@ -2240,7 +2179,7 @@ typedef struct ssgi__surfel_maker {
 
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
-    double area, radius;
+    double face[3], area, radius;       /* face: the triangle's own unit normal, as its corners turn */
     int    level, alive, count;         /* alive: bits of a triangle's three points at level 1; count: of surfels */
     uint32_t key;
 } ssgi__patch;
@@ -2271,20 +2210,22 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
         for (i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
             for (k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
-            if (!ssgi__finite((float)p->at[corner][i])) return 0;
+            if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
         }
         for (i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
         if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
         if (s->normal) {
             ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
-            for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__dot(m->normals[i], v);
+            for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex)) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;      /* of vertices: numbers of primitives are not to be relied on */
     for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
     ssgi__cross(n, a, b);
     p->area = 0.5 * ssgi__normalise(n);
-    for (corner = 0; corner < 3 && !s->normal; ++corner) for (i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
+    memcpy(p->face, n, sizeof n);
+    for (corner = 0; corner < 3 && !s->normal; ++corner)
+        for (i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
@@ -2346,6 +2287,7 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
             }
         }
     }
+    memcpy(p->face, whole->face, sizeof p->face);
     p->area = whole->area / ((double)n * n);
     aside = ssgi__surfel_aside(p, m, middle, &extent);
     if (m->desc.most > 0.0f && aside - extent > (double)m->desc.most) return 0;
@@ -2359,6 +2301,7 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
     p->radius = sqrt(p->area / (share * 3.14159265358979323846 * ssgi_tess_count(p->level)));
+    if (!((float)p->radius > 0.0f)) return 0;
     for (c = 0; c < 3; ++c) {
         double d[3];
         for (i = 0; i < 3; ++i) d[i] = p->at[(c + 2) % 3][i] - p->at[(c + 1) % 3][i];
@@ -2368,7 +2311,7 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     for (c = 0; c < 3; ++c) for (i = 0; i < 3; ++i) centre[i] += edge[c] / perimeter * p->at[c][i];
     f = 1.0 - p->radius * perimeter / (2.0 * p->area);
     if (f < 0.25) f = 0.25;
-    for (c = 0; c < 3 && m->desc.shrink != SSGI_SHRINK_NONE; ++c) {
+    for (c = 0; c < 3; ++c) {
         double d[3], length;
         for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - centre[i];
         length = sqrt(ssgi__dot(d, d));
@@ -2382,8 +2325,8 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
 static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring, const int place[3])
 {
     const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)), h2 = ssgi__hash(h);
-    const double away = (1.0 - (double)m->desc.still) * p->radius * sqrt((double)(h2 >> 16) / 65536.0), angle = 6.28318530717958647693 * (double)(h2 & 65535u) / 65536.0;
-    double u[3], v[3], n[3], at[3], normal[3], colour[3], w[3];
+    const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0), angle = 6.28318530717958647693 * (double)(h2 & 65535u) / 65536.0;
+    double u[3], v[3], at[3], normal[3], colour[3], w[3];
     int i, k;
     for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     for (i = 0; i < 3; ++i) {
@@ -2394,13 +2337,11 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
             colour[i] += w[k] * p->colour[k][i];
         }
         u[i] = p->at[1][i] - p->at[0][i];
-        v[i] = p->at[2][i] - p->at[0][i];
     }
-    ssgi__cross(n, u, v);
-    ssgi__normalise(n);
     ssgi__normalise(u);
-    ssgi__cross(v, n, u);
-    if (!(ssgi__normalise(normal) > 0.0)) for (i = 0; i < 3; ++i) normal[i] = m->side * n[i];
+    ssgi__cross(v, p->face, u);
+    if (!(ssgi__normalise(normal) > 0.0))
+        for (i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
     for (i = 0; i < 3; ++i) {
         out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
         out->normal[i] = (float)normal[i];
@@ -2416,9 +2357,9 @@ static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_de
     if (!desc) return ssgi__bad(why, "desc: must not be NULL");
     if (!view || view->width < 1 || view->height < 1) return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
     if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f))) return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
-    if (!(desc->still >= 0.0f && desc->still <= 1.0f)) return ssgi__bad(why, "desc.still: must be 0..1");
+    if (!(desc->jitter >= 0.0f && desc->jitter <= 1.0f)) return ssgi__bad(why, "desc.jitter: must be 0..1");
     if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
-    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_NONE) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE, _CENTROID or _NONE");
+    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
     if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
     if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
     if (!(desc->most >= 0.0f && ssgi__finite(desc->most))) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
@@ -2439,7 +2380,7 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
-    scale[2] = d.still;
+    scale[2] = 1.0f - d.jitter;
     scale[3] = (float)d.splits;
     more[0] = d.aside;
     more[1] = (float)d.every;
@@ -2566,12 +2507,14 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-SSGI_DEF double ssgi_surfel_reach(double radius, double brightest, double epsilon)
+/* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends [DSS14 3.2, 4]. */
+static double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double most)
+/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level l; no farther than `most`. */
+static void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
     shell[1] = ldexp(reach, level > 0 ? level : 0);
@@ -2579,21 +2522,9 @@ SSGI_DEF void ssgi_surfel_shell(double shell[2], double reach, int level, double
     if (shell[1] > most) shell[1] = most;
 }
 
-SSGI_DEF float ssgi_surfel_form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
-{
-    const float r2 = surfel->radius * surfel->radius;
-    float v[3], d2 = 0.0f, above = 0.0f, before = 0.0f;
-    int k;
-    for (k = 0; k < 3; ++k) {
-        v[k] = surfel->position[k] - position[k];
-        d2 += v[k] * v[k];
-        above += v[k] * normal[k];
-        before -= v[k] * surfel->normal[k];
-    }
-    return above > 0.0f && before > 0.0f ? r2 * above * before / (d2 * (d2 + r2)) : 0.0f;
-}
-
-SSGI_DEF int ssgi_sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
+/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture, exact in each axis
+   [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin: ssgi_sphere. */
+static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
 {
     const double z = -(double)centre[2], r = (double)radius, begin = (double)front, chord = r * r - (begin - z) * (begin - z);
     const int size[2] = { view->width, view->height };
@@ -2653,13 +2584,13 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
 
 static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view, const float centre[3], double radius, double brightest, double count)
 {
-    const double reach = ssgi_surfel_reach(radius, brightest, (double)s->epsilon);
+    const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
     int l;
     for (l = 0; l < s->levels; ++l) {
         double shell[2];
         float b[4];
-        ssgi_surfel_shell(shell, reach, l, (double)s->most);
-        if (!(shell[1] > shell[0]) || !ssgi_sphere_bounds(b, view, centre, (float)shell[1], s->front)) continue;
+        ssgi__surfel_shell(shell, reach, l, (double)s->most);
+        if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->front)) continue;
         cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l))) * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
     }
 }
@@ -2708,7 +2639,7 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
     return SSGI_OK;
 }
 
-/* ---- the dipole */
+/* ==== >>dipole (implementation) ================================================================================ */
 
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why)
 {
@@ -2734,6 +2665,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 {
     double sum = 0.0;
     int k;
+    if (c < 0 || c > 2) return 0.0;
     for (k = 0; k < 2; ++k) {
         const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
         sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
@@ -2743,8 +2675,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
 {
-    const double q = d->fading[c] * d->above[c], p = d->fading[c] * d->below[c];
-    return 0.5 * d->albedo[c] * (exp(-q) + exp(-p));
+    if (c < 0 || c > 2) return 0.0;
+    return 0.5 * d->albedo[c] * (exp(-d->fading[c] * d->above[c]) + exp(-d->fading[c] * d->below[c]));
 }
 
 SSGI_DEF const ssgi_material *ssgi_material_of(int i)
@@ -2798,7 +2730,8 @@ static void ssgi__field_axes(float axes[3][3], const double axis[3])
     }
 }
 
-/* out as ssgi_field_sample; occlusion: NULL, or of four receivers there with these normals */
+/* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL: trace) meets from
+   a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four receivers there with these normals. */
 static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace, int (*hit)(void *, const float *, const float *), void *user,
                                const float point[3], const double axis[3], float cosine, int rays, uint32_t seed)
 {
@@ -2819,16 +2752,6 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
             if (facing > 0.0) occlusion[k] += share / SSGI__FIELD_PI * facing;
         }
     }
-}
-
-SSGI_DEF void ssgi_field_sample(double out[4], const ssgi_trace *trace, int (*hit)(void *user, const float origin[3], const float direction[3]), void *user,
-                                const float point[3], const float axis[3], float cosine, int rays, uint32_t seed)
-{
-    double along[3];
-    int i;
-    for (i = 0; i < 3; ++i) along[i] = (double)axis[i];
-    ssgi__normalise(along);
-    ssgi__field_sample(out, NULL, NULL, trace, hit, user, point, along, cosine, rays, seed);
 }
 
 /* ---- fits */
@@ -2922,7 +2845,9 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-SSGI_DEF double ssgi_field_fit(double q[3], const double *radii, const double *values, int count, double most)
+/* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at the first radius to 1 at the
+   last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them. Returns the sum of squared errors. */
+static double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, least = 1e-9 * m;
     ssgi__field_data data;
@@ -2996,7 +2921,9 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
     return sum;
 }
 
-/* The error itself is flat near its least: the chord leads there, the error polishes. flat: an error that tells nothing. */
+/* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0 0 when nothing tells.
+   Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its least: the chord leads there, the error polishes.
+   flat: an error that tells nothing. */
 static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions, int count, double flat)
 {
     ssgi__field_data data;
@@ -3022,11 +2949,6 @@ static double ssgi__field_centre(double c[3], const double w[3], const double *r
         }
     }
     return best;
-}
-
-SSGI_DEF double ssgi_field_fit_centre(double c[3], const double w[3], const double *radii, const double *directions, int count)
-{
-    return ssgi__field_centre(c, w, radii, directions, count, 1e-14);
 }
 
 /* ---- the caster: where it is, and its convex hull */
@@ -3151,7 +3073,10 @@ static int ssgi__field_measure(ssgi__field_caster *m)
         ssgi__field_farthest(m, w, m->few[n]);
         for (k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
-    for (k = 0; k < 3; ++k) m->centre[k] = (double)(float)centre[k];
+    for (k = 0; k < 3; ++k) {
+        volatile float rounded = (float)centre[k];      /* not (double)(float): gcc 12's vectoriser drops that, against the language */
+        m->centre[k] = (double)rounded;
+    }
     for (n = 0; n < SSGI__FIELD_FEW; ++n)
         for (k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
     for (i = 0; i < m->trace.block_count; ++i)
@@ -3267,7 +3192,7 @@ static void ssgi__field_texel(void *context, int job)
         }
         for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
     }
-    ssgi_field_fit(q, radii, values, b->radii, most);
+    ssgi__field_fit(q, radii, values, b->radii, most);
     ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));     /* within the rays' noise, which a centre near the hull would follow */
     length = sqrt(ssgi__dot(c, c));
     out[0] = ssgi__log2(q[0]);
@@ -3684,12 +3609,15 @@ static void ssgi__field_numbers(float *out[25], ssgi_field *f)
 
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
-    const size_t words = ssgi_field_size(field->resolution, field->bits) / 4, size = 4 * (SSGI__FIELD_HEAD + words + 2);
     unsigned char *bytes = (unsigned char *)out;
-    ssgi_field f = *field;
+    ssgi_field f;
     float *number[25];
     uint64_t h;
-    size_t i;
+    size_t i, words, size;
+    if (!field) return 0;
+    f = *field;
+    words = ssgi_field_size(f.resolution, f.bits) / 4;
+    size = 4 * (SSGI__FIELD_HEAD + words + 2);
     if (!words || capacity < size || !out) return words ? size : 0;
     memset(out, 0, 4 * SSGI__FIELD_HEAD);
     ssgi__field_put(bytes, 0, 0x69677373u);         /* "ssgi" */
@@ -3837,14 +3765,6 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
     trial->open = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
     trial->picture = (float)sqrt(picture > 0.0 ? picture / (double)count : 0.0);
     return SSGI_OK;
-}
-
-SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
-{
-    int l, i, c;
-    for (l = i = 0; l < (bands < SSGI_SH_MAX_BANDS ? bands : SSGI_SH_MAX_BANDS); ++l)
-        for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
-            for (c = 0; c < channels; ++c) out[l] += coefficients[channels * i + c] * coefficients[channels * i + c];
 }
 
 /* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with (examples/plan.c): squares of the trial's errors; the former times

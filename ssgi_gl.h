@@ -2976,7 +2976,7 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
 {
     float k[4 * 64];
     int i;
-    ssgi_kernel(k, 1, samples, SSGI_COSINE, NULL);
+    ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
     for (i = 0; i < 4 * samples; i += 4)
         ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1], (double)k[i + 2], (double)k[i + 3]);

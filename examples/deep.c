@@ -82,7 +82,7 @@ static const entry deep_choices[] = {
     DSS("every triangle", COARSE ",every=1", 0), DSS("every triangle, added", COARSE ",every=1,overlap=add", 0), DSS("aside: as published", COARSE ",aside=0", 0),
     DSS("front: the near plane", COARSE ",front=0", 0), DSS("closely: the centre alone", COARSE ",closely=1", 0),
     DSS("no smoothing", COARSE ",smooth=0", 0), DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
-    DSS("no jitter", COARSE ",still=1", 0), DSS("toward the centroid", COARSE ",shrink=centroid", 0),
+    DSS("jittered", COARSE ",jitter=1", 0), DSS("toward the centroid", COARSE ",shrink=centroid", 0),
     DSS("by tessellation", COARSE ",way=capture", 0), DSS("by geometry shader", COARSE ",way=direct", 0)
 };
 static const entry deep_lights[]  = { { "dss-lit", "dss-lit", COARSE, 1 }, { "dss-lit", "dss-lit", "", 0 },

@@ -151,7 +151,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     const char *why = NULL;
     size_t many = 0;
     d.size = count % 3 ? 0.3f : fabsf(f[3]);
-    d.still = f[4];
+    d.jitter = f[4];
     d.splits = (int)(count % 4);
     d.shrink = (int)(count % 5);
     d.aside = count % 7 ? 0.1f : f[6];
@@ -165,7 +165,6 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     else for (size_t i = 0; i < many && i < 256; ++i) {
         const float *p = made[i].position, *n = made[i].normal, side = fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f);
         MUST(all_finite(p, 3) && made[i].radius > 0.0f && isfinite(made[i].radius) && side < 1e-5f && made[i].seed >= 0.0f && made[i].seed < 1.0f);
-        MUST(ssgi_surfel_form_factor(&made[i], f, n) >= 0.0f || !all_finite(f, 3));
     }
     if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
     else MUST(cost.surfels == many);
@@ -227,8 +226,8 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
         ssgi__normalise(directions + 3 * i);
     }
     const double w[3] = { 0, 0, 1 };
-    if (calls % 16 == 0) MUST(isfinite(ssgi_field_fit(q, radii, values, 3 + (int)(size % 6), 1.0)) && q[0] >= 1.0 && q[2] >= 1.0 && isfinite(q[1]));
-    if (calls % 16 == 1) MUST(isfinite(ssgi_field_fit_centre(c, w, radii, directions, 1 + (int)(size % 8))) && isfinite(c[0] + c[1] + c[2]));
+    if (calls % 16 == 0) MUST(isfinite(ssgi__field_fit(q, radii, values, 3 + (int)(size % 6), 1.0)) && q[0] >= 1.0 && q[2] >= 1.0 && isfinite(q[1]));
+    if (calls % 16 == 1) MUST(isfinite(ssgi__field_centre(c, w, radii, directions, 1 + (int)(size % 8), 1e-14)) && isfinite(c[0] + c[1] + c[2]));
 }
 
 static void plans(const float *f, size_t count, const uint8_t *data, size_t size)

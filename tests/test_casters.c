@@ -96,7 +96,7 @@ static void caps(void)
     for (int k = 0; k < 2; ++k) {
         d.cap = k ? SSGI_GL_CAP_TABLE : SSGI_GL_CAP_CLOSED;
         if (!evaluated(out, &d, "ssgi_cap_any(a.x, a.y)", at, at, textures)) return;
-        for (int i = 0; i < POINTS; ++i) worst[k] = fmax(worst[k], fabs((double)out[i] - ssgi_cap_occlusion(2 * pi * (double)at[4 * i], (double)at[4 * i + 1])));
+        for (int i = 0; i < POINTS; ++i) worst[k] = fmax(worst[k], fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
     }
     CHECK(worst[0] < 1e-5, "the closed form is off by %.2g", worst[0]);
     CHECK(worst[1] < 1.7e-3, "the table of 64 x 64 is off by %.2g", worst[1]);

@@ -1,5 +1,10 @@
 /* test_field.c - ssgi.h's rooms of caps and of fields: against closed forms, exact solid angles of boxes and balls, reference fits, and rays of the tests' own. */
 #include "t.h"
+#define SSGI_STATIC                        /* white-box: this file has its own copy of the library, for what is private in it */
+#define SSGI_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
 #include "../examples/kit/kit.h"
 
 #include <math.h>
@@ -58,18 +63,27 @@ static void caps(void)
         { -1, 0.5, 0 }, { 13, -0.5, 1 }, { PI / 4, 1.5, 0.234375 }, { PI / 4, -1.5, 0 } };       /* beyond the ends */
     double wide = 0, single = 0;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
-        wide = fmax(wide, fabs(ssgi_cap_occlusion(rows[i].solid_angle, rows[i].cosine) - rows[i].occlusion));
+        wide = fmax(wide, fabs(ssgi__cap_occlusion(rows[i].solid_angle, rows[i].cosine) - rows[i].occlusion));
         single = fmax(single, fabs((double)ssgi_cap_occlusionf((float)rows[i].solid_angle, (float)rows[i].cosine) - rows[i].occlusion));
     }
     CHECK(wide < 1e-14 && single < 1e-6, "off by %g, f by %g", wide, single);
     double before[81] = { 0 };
     for (int i = 0; i <= 160; ++i) for (int j = 0; j <= 80; ++j) {
-        const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = ssgi_cap_occlusion(o, c), left = 1 - ssgi_cap_occlusion(4 * PI - o, -c);
+        const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = ssgi__cap_occlusion(o, c), left = 1 - ssgi__cap_occlusion(4 * PI - o, -c);
         CHECK(fabs(a - left) < 1e-12, "%g sr, cosine %g: %.15g, by the complement %.15g", o, c, a, left);
         CHECK(a >= before[j] - 1e-14 && (!j || a >= before[j - 1] - 1e-14), "%g sr, cosine %g: not monotone", o, c);
         if (i == 80) CHECK(fabs(a - 0.5 - 0.5 * c) < 1e-14, "half of the sphere, cosine %g: %.15g", c, a);
         before[j] = a;
     }
+}
+
+/* What a texture with linear filtering gives of the table: coordinates hit texel centres, ((x/(4 pi)) (size-1) + 0.5) / size. */
+static float look_up(const float *table, int size, float solid_angle, float cosine)
+{
+    const float last = (float)(size - 1), x = fminf(fmaxf(solid_angle * (float)(0.25 / PI) * last, 0), last), y = fminf(fmaxf((0.5f * cosine + 0.5f) * last, 0), last);
+    const int i = (int)fminf(x, last - 1), k = (int)fminf(y, last - 1);
+    const float *t = table + k * size + i, top = t[0] + (x - (float)i) * (t[1] - t[0]), bottom = t[size] + (x - (float)i) * (t[size + 1] - t[size]);
+    return top + (y - (float)k) * (bottom - top);
 }
 
 static void cap_table(void)
@@ -83,13 +97,13 @@ static void cap_table(void)
         CHECK(ssgi_cap_table(table, n, &why) == SSGI_OK, "%s", why);
         for (int y = 0; y <= 700; ++y) for (int x = 0; x <= 700; ++x) {
             const double o = 4 * PI * x / 700, c = y / 350.0 - 1;
-            most = fmax(most, fabs((double)ssgi_cap_look_up(table, n, (float)o, (float)c) - ssgi_cap_occlusion(o, c)));
+            most = fmax(most, fabs((double)look_up(table, n, (float)o, (float)c) - ssgi__cap_occlusion(o, c)));
         }
         for (int y = 0; y < n; ++y) for (int x = 0; x < n; ++x)
-            at_texels = fmax(at_texels, fabs((double)ssgi_cap_look_up(table, n, (float)(4 * PI * x / (n - 1)), (float)(2.0 * y / (n - 1) - 1)) - ssgi_cap_occlusion(4 * PI * x / (n - 1), 2.0 * y / (n - 1) - 1)));
+            at_texels = fmax(at_texels, fabs((double)look_up(table, n, (float)(4 * PI * x / (n - 1)), (float)(2.0 * y / (n - 1) - 1)) - ssgi__cap_occlusion(4 * PI * x / (n - 1), 2.0 * y / (n - 1) - 1)));
         CHECK(most < 1.05 * rows[i].most && most > 0.8 * rows[i].most && at_texels < 1e-5, "size %d: off by %g, at texels by %g", n, most, at_texels);
     }
-    CHECK(ssgi_cap_look_up(table, 128, 99, 0) == 1 && ssgi_cap_look_up(table, 128, -99, 0) == 0 && ssgi_cap_look_up(table, 128, (float)PI, 9) == ssgi_cap_look_up(table, 128, (float)PI, 1),
+    CHECK(look_up(table, 128, 99, 0) == 1 && look_up(table, 128, -99, 0) == 0 && look_up(table, 128, (float)PI, 9) == look_up(table, 128, (float)PI, 1),
           "what is beyond does not count as the end");
     CHECK(ssgi_cap_table(NULL, 32, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "%s", why);
     for (int k = 0; k < 2; ++k) CHECK(ssgi_cap_table(table, k ? 1025 : 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:"), "%s", why);
@@ -174,7 +188,7 @@ static void fits(void)
     double q[3], worst = 0;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         sample_ray(&s, rows[i].half[0] > 0 ? rows[i].half : NULL, rows[i].w, rows[i].count);
-        const double error = ssgi_field_fit(q, s.radii, s.values, rows[i].count, 4 * PI);
+        const double error = ssgi__field_fit(q, s.radii, s.values, rows[i].count, 4 * PI);
         if (rows[i].error > 0) CHECK(error <= 1.01 * rows[i].error || error <= 1e-6, "row %zu: %.6g, the best is %.6g", i, error, rows[i].error);
         if (rows[i].error > 1e-6) worst = fmax(worst, error / rows[i].error);
         CHECK(least_of(q) * 4 * PI >= 1 - 1e-12, "row %zu: more than the sphere, 4 pi q = %g", i, least_of(q) * 4 * PI);
@@ -189,7 +203,7 @@ static void fits(void)
         if (i % 10 == 0) w[2] = 0;
         sample_ray(&s, halves[i % 4], w, count);
         for (int k = 0; k < count; ++k) s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? uniform(0, most) : uniform(-1, 1) > 0 ? most : 0;
-        const double error = ssgi_field_fit(q, s.radii, s.values, count, most);
+        const double error = ssgi__field_fit(q, s.radii, s.values, count, most);
         for (int k = 0; k < count; ++k) sum += pow(1 / quadratic(q, (s.radii[k] - s.radii[0]) / (s.radii[count - 1] - s.radii[0])) - s.values[k], 2);
         CHECK(least_of(q) * most >= 1 - 1e-12 && fabs(sum - error) <= 1e-9 * sum + 1e-12, "caster %d, %d samples: at least %g, error %g is %g", i, count, least_of(q) * most, error, sum);
     }
@@ -207,7 +221,7 @@ static void centres(void)
         double none = 0;
         sample_ray(&s, rows[i].half, rows[i].w, 32);
         for (int k = 0; k < 32; ++k) none += pow(1 + dot(s.w, s.directions + 3 * k), 2);
-        const double error = ssgi_field_fit_centre(c, s.w, s.radii, s.directions, 32);
+        const double error = ssgi__field_centre(c, s.w, s.radii, s.directions, 32, 1e-14);
         CHECK(error <= fmax(1.2 * rows[i].error, 1e-10) && error <= none * (1 + 1e-12) + 1e-28, "row %zu: %g, the best is %g, c = 0 has %g", i, error, rows[i].error, none);
         if (rows[i].error > 0) worst = fmax(worst, error / rows[i].error);
         else CHECK(sqrt(dot(c, c)) < 1e-3, "row %zu is symmetric, c = %g %g %g", i, c[0], c[1], c[2]);
@@ -219,7 +233,7 @@ static void centres(void)
             for (int k = 0; k < 3; ++k) s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
             normalise(s.directions + 3 * i);
         }
-        const double error = ssgi_field_fit_centre(c, s.w, s.radii, s.directions, 32);
+        const double error = ssgi__field_centre(c, s.w, s.radii, s.directions, 32, 1e-14);
         const double off = fabs(c[0] - (holes < 2 ? truth[0] : 0)) + fabs(c[1] - (holes < 2 ? truth[1] : 0)) + fabs(c[2] - (holes < 2 ? truth[2] : 0));
         CHECK(off < 1e-6 && error < 1e-14, "one true centre: found %g %g %g, error %g", c[0], c[1], c[2], error);
     }
@@ -417,10 +431,11 @@ static void sampled(void)
     if (!CHECK(ssgi_trace_build(&trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, &why) == SSGI_OK, "%s", why)) return;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         double w[3], p[3], exact[4], mean[4] = { 0 }, out[4], again[4];
-        float axis[3], cosine = 1;
+        double axis[3];
+        float cosine = 1;
         memcpy(w, rows[i].w, sizeof w);
         normalise(w);
-        for (int k = 0; k < 3; ++k) { p[k] = rows[i].r * w[k]; axis[k] = (float)-w[k]; }
+        for (int k = 0; k < 3; ++k) { p[k] = rows[i].r * w[k]; axis[k] = -w[k]; }
         box_exact(exact, cube, p);
         for (int k = 0; k < 4; ++k) CHECK(fabs(exact[k] - rows[i].exact[k]) < 1e-9, "row %zu: the test's own %g is not %g", i, exact[k], rows[i].exact[k]);
         for (int k = 0; k < 8; ++k) {
@@ -429,12 +444,12 @@ static void sampled(void)
             cosine = fminf(cosine, (float)-dot(d, w));
         }
         for (uint32_t seed = 0; seed < 16; ++seed) {
-            ssgi_field_sample(out, &trace, NULL, NULL, point_at(NULL, rows[i].r, w), axis, cosine, 4096, seed);
+            ssgi__field_sample(out, NULL, NULL, &trace, NULL, NULL, point_at(NULL, rows[i].r, w), axis, cosine, 4096, seed);
             for (int k = 0; k < 4; ++k) { mean[k] += out[k] / 16; worst = fmax(worst, fabs(out[k] - exact[k]) / exact[0]); }
         }
         for (int k = 0; k < 4; ++k) bias = fmax(bias, fabs(mean[k] - exact[k]) / exact[0]);
-        counted c = { &trace, { axis[0], axis[1], axis[2] }, cosine, 0, 0 };
-        ssgi_field_sample(again, NULL, count_hit, &c, point_at(NULL, rows[i].r, w), axis, cosine, 4096, 15);
+        counted c = { &trace, { (float)axis[0], (float)axis[1], (float)axis[2] }, cosine, 0, 0 };
+        ssgi__field_sample(again, NULL, NULL, NULL, count_hit, &c, point_at(NULL, rows[i].r, w), axis, cosine, 4096, 15);
         CHECK(c.rays == 4096 && !c.outside && !memcmp(out, again, sizeof out), "row %zu: %d rays, %d of them not in the cone", i, c.rays, c.outside);
     }
     CHECK(worst < 0.006 && bias < 0.001, "4096 rays: off by %.5f of the solid angle, the mean of 16 by %.5f", worst, bias);

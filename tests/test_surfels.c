@@ -1,5 +1,11 @@
 /* test_surfels.c - surfels and what is done with them: tessellation, sizes, reach, form factors, bounds, the dipole on the CPU; the passes of deep screen space through the whole of GL, against brute force and truth. */
 #include "t.h"
+#define SSGI_STATIC                        /* white-box: this file has its own copy of the library, for what is private in it */
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
 #include "frames.h"
 
 #include <math.h>
@@ -50,6 +56,42 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
     return s;
 }
 
+/* Radius at a depth of surfels of a size. */
+static double radius_of(const ssgi_view *view, double size, double depth)
+{
+    double scale[2];
+    ssgi__surfel_scale(scale, view, size);
+    return ssgi__surfel_radius(scale, view->orthographic, depth);
+}
+
+/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). */
+static float form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
+{
+    const float r2 = surfel->radius * surfel->radius;
+    float v[3], d2 = 0, above = 0, before = 0;
+    for (int k = 0; k < 3; ++k) {
+        v[k] = surfel->position[k] - position[k];
+        d2 += v[k] * v[k];
+        above += v[k] * normal[k];
+        before -= v[k] * surfel->normal[k];
+    }
+    return above > 0 && before > 0 ? r2 * above * before / (d2 * (d2 + r2)) : 0;
+}
+
+/* Barycentric coordinates of all points of a level, as ssgi_surfels makes them, rings inwards; returns how many. */
+static int tess_points(float *uvw, int level)
+{
+    int n = 0, place[3];
+    for (int ring = 0; level > 0 && level <= 64 && 2 * ring <= level; ++ring) {
+        const int segments = level - 2 * ring, points = segments ? 3 * segments : 1;
+        for (int i = 0; i < points; ++i, ++n) {
+            ssgi__tess_lattice(place, segments, i);
+            for (int k = 0; k < 3; ++k) uvw[3 * n + k] = (float)((2.0 * ring / 3.0 + place[k]) / level);
+        }
+    }
+    return n;
+}
+
 /* ---- tessellation ----------------------------------------------------------------------------------------------------- */
 
 static void points(void)
@@ -60,10 +102,10 @@ static void points(void)
         int v = 0;
         for (int segments = i; segments > 0 && i < 65; segments -= 2) v += 3 * segments;
         if (i && i < 65 && i % 2 == 0) ++v;
-        CHECK(ssgi_tess_count(i) == v && ssgi_tess_points(uvw, i) == v, "level %d: %d points, %d expected", i, ssgi_tess_count(i), v);
+        CHECK(ssgi_tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i, ssgi_tess_count(i), v);
     }
     CHECK(ssgi_tess_count(64) == 3169 && ssgi_tess_count(1) == 3 && ssgi_tess_count(-1) == 0, "the ends of the formula");
-    ssgi_tess_points(uvw, 5);
+    tess_points(uvw, 5);
     for (int k = 0; k < 4; ++k) {
         double least = 1;
         for (int i = 0; i < 27; ++i) {
@@ -129,7 +171,7 @@ static void areas(void)
         if (!view_of(&view, &c[m], 0)) return;
         const ssgi_surfel_source all = source_of(soup, SMALL);
         ssgi_surfel *s = surfels_of(&n, &d, &view, &all);
-        wanted = ssgi_surfel_radius(&view, (double)d.size, 3);
+        wanted = radius_of(&view, (double)d.size, 3);
         for (size_t i = 0; i < n; ++i) {
             sum += pi * (double)s[i].radius * (double)s[i].radius;
             CHECK(fabs((double)s[i].radius / wanted - 1) < 1e-5, "radius %g, %g wanted", (double)s[i].radius, wanted);
@@ -150,7 +192,7 @@ static void slivers(void)
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
-        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .still = 1, .every = 1, .splits = 1, .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
+        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .every = 1, .splits = 1, .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
         const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
         direction(axis[0]);
@@ -272,9 +314,9 @@ static void reach_and_shells(void)
     int wrong = 0;
     for (int e = 0; e < 4; ++e)
         for (int k = 0; k < 20; ++k) {
-            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi_surfel_reach(r, 1, epsilon[e]), bright = 0.3 + 5 * (double)chance(), far = ssgi_surfel_reach(r, bright, epsilon[e]);
+            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi__surfel_reach(r, 1, epsilon[e]), bright = 0.3 + 5 * (double)chance(), far = ssgi__surfel_reach(r, bright, epsilon[e]);
             ssgi_surfel s = { .radius = (float)r };
-            CHECK(fabs(ssgi_surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
+            CHECK(fabs(ssgi__surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
             for (int i = 0; i < 200; ++i) {
                 const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
                 float v[3];
@@ -286,7 +328,7 @@ static void reach_and_shells(void)
                 for (int inside = 0; inside < 2; ++inside) {
                     const double at = reach * (inside ? 0.9999 : 1.0001);
                     for (int c = 0; c < 3; ++c) s.position[c] = (float)at * v[c];
-                    const double f = (double)ssgi_surfel_form_factor(&s, origin, up);
+                    const double f = (double)form_factor(&s, origin, up);
                     if (inside && i == 0) wrong += !(f > 0.9 * epsilon[e]);
                     if (!inside) wrong += !(f < epsilon[e]);
                 }
@@ -294,13 +336,13 @@ static void reach_and_shells(void)
             if (bright > epsilon[e]) CHECK(fabs(bright * r * r / (far * far + r * r) / epsilon[e] - 1) < 1e-9, "brightest %g: reach %g", bright, far);
         }
     CHECK(!wrong, "%d surfels bring more beyond their reach, or less within it", wrong);
-    CHECK(ssgi_surfel_reach(1, 0.01, 0.02) == 0 && ssgi_surfel_reach(1, 0.02, 0.02) == 0, "what is too faint reaches somewhere");
+    CHECK(ssgi__surfel_reach(1, 0.01, 0.02) == 0 && ssgi__surfel_reach(1, 0.02, 0.02) == 0, "what is too faint reaches somewhere");
     for (int k = 0; k < 3000; ++k) {                                           /* level borders too; nothing beyond most */
         const double reach = 0.1 + (double)chance(), most = k % 3 ? 1e18 : 20 * (double)chance(), border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * (double)chance() + 1e-9 : border;
         int in = 0;
         for (int l = 0; l < 7; ++l) {
             double shell[2];
-            ssgi_surfel_shell(shell, reach, l, most);
+            ssgi__surfel_shell(shell, reach, l, most);
             in += d > shell[0] && d <= shell[1];
         }
         wrong += in != (d <= ldexp(reach, 6) && d <= most);
@@ -316,16 +358,16 @@ static void form_factors(void)
     const float up[3] = { 0, 0, 1 }, down[3] = { 0, 0, -1 }, origin[3] = { 0, 0, 0 };
     for (int i = 0; i < COUNT(row); ++i) {
         ssgi_surfel s = { .position = { row[i][0], 0, row[i][1] }, .radius = 1, .normal = { row[i][2], 0, row[i][3] } };
-        const float f = ssgi_surfel_form_factor(&s, origin, up);
+        const float f = form_factor(&s, origin, up);
         CHECK(fabs((double)f / (double)row[i][4] - 1) < 1e-6, "row %d: %.9g", i, (double)f);
-        CHECK(ssgi_surfel_form_factor(&s, origin, down) == 0, "row %d: from below the horizon", i);
+        CHECK(form_factor(&s, origin, down) == 0, "row %d: from below the horizon", i);
         for (int k = 0; k < 3; ++k) s.normal[k] = -s.normal[k];
-        CHECK(ssgi_surfel_form_factor(&s, origin, up) == 0, "row %d: a back brings something", i);
+        CHECK(form_factor(&s, origin, up) == 0, "row %d: a back brings something", i);
     }
     for (int i = 0; i < COUNT(bias); ++i) {                                    /* enlarged in place of weighted */
         const float wide = (float)pow(2, bias[i].l);
         const ssgi_surfel s = { .position = { 0, 0, (float)bias[i].radii }, .radius = 1, .normal = { 0, 0, -1 } }, large = { .position = { 0, 0, (float)bias[i].radii }, .radius = wide, .normal = { 0, 0, -1 } };
-        const double ratio = (double)(ssgi_surfel_form_factor(&large, origin, up) / (wide * wide * ssgi_surfel_form_factor(&s, origin, up)));
+        const double ratio = (double)(form_factor(&large, origin, up) / (wide * wide * form_factor(&s, origin, up)));
         CHECK(fabs(ratio / bias[i].ratio - 1) < 2e-6, "bias %d: %.6f", i, ratio);
     }
 }
@@ -344,7 +386,7 @@ static void closed_forms(void)
         s.position[2] += (float)sqrt(1 / 0.2001);
         for (int k = 0; k < 2; ++k) {
             const float tilted[3] = { k ? 0.6f : 0.0f, 0, k ? 0.8f : 1.0f };   /* the ball is 27 degrees wide: all above the horizon */
-            ball[k] += (double)ssgi_surfel_form_factor(&s, origin, tilted) / (k ? 0.8 : 1);
+            ball[k] += (double)form_factor(&s, origin, tilted) / (k ? 0.8 : 1);
         }
     }
     CHECK(fabs(ball[0] - 0.2001) < 3e-4 && fabs(ball[1] - 0.2001) < 3e-4, "a ball's surfels sum to %.5f and %.5f, .20010 exact", ball[0], ball[1]);
@@ -361,7 +403,7 @@ static void closed_forms(void)
                 s.normal[axis] = side % 2 ? -1.0f : 1.0f;
                 s.normal[2] = 0;
             }
-            room += (double)ssgi_surfel_form_factor(&s, origin, up);
+            room += (double)form_factor(&s, origin, up);
         }
     CHECK(fabs(room - 1) < 2e-3, "a room from inside sums to %.5f", room);
     for (int k = 0; k < COUNT(row); ++k) {
@@ -369,7 +411,7 @@ static void closed_forms(void)
         double sum = 0;
         for (int i = 0; i < 80 * 40; ++i) {
             const ssgi_surfel s = { .position = { (float)(row[k][0] * r), (float)(g * (i % 80 + 0.5) - 2), (float)(g * (i / 80 + 0.5)) }, .radius = (float)r, .normal = { -1, 0, 0 } };
-            sum += (double)ssgi_surfel_form_factor(&s, origin, up);
+            sum += (double)form_factor(&s, origin, up);
         }
         CHECK(fabs(sum / row[k][1] - 1) < row[k][2], "the wall at %g radii: %.5f, %.5f exact", row[k][0], sum, row[k][1]);
     }
@@ -393,7 +435,7 @@ static void bounds(void)
         for (int axis = 0; axis < 2; ++axis) {
             float centre[3] = { 0, 0, -row[i][1] };
             centre[axis] = row[i][0];
-            CHECK(ssgi_sphere_bounds(b, &view, centre, row[i][2], 0.01f) && fabs((double)b[axis] - (double)(row[i][3] * 125 + 500)) < 2e-3 && fabs((double)b[axis + 2] - (double)(row[i][4] * 125 + 500)) < 2e-3,
+            CHECK(ssgi__sphere_bounds(b, &view, centre, row[i][2], 0.01f) && fabs((double)b[axis] - (double)(row[i][3] * 125 + 500)) < 2e-3 && fabs((double)b[axis + 2] - (double)(row[i][4] * 125 + 500)) < 2e-3,
                   "sphere %d, axis %d: %.4f to %.4f", i, axis, ((double)b[axis] - 500) / 125, ((double)b[axis + 2] - 500) / 125);
         }
     for (int k = 0; k < 4000; ++k) {
@@ -424,7 +466,7 @@ static void bounds(void)
             for (int x = 0; x < 2; ++x) { low[x] = fminf(low[x], out[x]); high[x] = fmaxf(high[x], out[x]); }
         }
         for (int x = 0; x < 2; ++x) { low[x] = fmaxf(low[x], 0); high[x] = fminf(high[x], (float)(x ? view.height : view.width)); }
-        const int met = low[0] < high[0] && low[1] < high[1], is = ssgi_sphere_bounds(b, &view, centre, r, front);
+        const int met = low[0] < high[0] && low[1] < high[1], is = ssgi__sphere_bounds(b, &view, centre, r, front);
         some += met;
         if (met && !is) ++outside;
         if (!met && is && (b[2] - b[0] > 0.1f && b[3] - b[1] > 0.1f)) ++loose;
@@ -447,16 +489,16 @@ static void radii(void)
     for (int k = 0; k < 6; ++k) {
         const float depth = 0.5f + 7 * (float)k, centre[3] = { 0, 0, -depth };
         ssgi_view view;
-        float b[4];
+        float b[4] = { 0 };
         c.fovy = k % 3 ? 20 + 10 * (float)k : 0;
         c.znear = 0.2f;
         c.depth = k % 2 ? KIT_DEPTH_INFINITE : KIT_DEPTH_NORMAL;
         if (k % 3 == 0) c.depth = KIT_DEPTH_REVERSED;
         if (!view_of(&view, &c, k & 1)) return;
-        const double r = ssgi_surfel_radius(&view, 0.05, (double)depth);
-        CHECK(ssgi_sphere_bounds(b, &view, centre, (float)r, 0.2f) && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3, "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
+        const double r = radius_of(&view, 0.05, (double)depth);
+        CHECK(ssgi__sphere_bounds(b, &view, centre, (float)r, 0.2f) && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3, "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
         CHECK(fabs((double)ssgi_view_near(&view) - 0.2) < 1e-4, "near plane at %g", (double)ssgi_view_near(&view));
-        CHECK(fabs(ssgi_surfel_radius(&view, 0.05, -(double)depth) - ssgi_surfel_radius(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0))) < 1e-5 * r, "behind the eye");
+        CHECK(fabs(radius_of(&view, 0.05, -(double)depth) - radius_of(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0))) < 1e-5 * r, "behind the eye");
     }
 }
 
@@ -467,7 +509,7 @@ static void predictions(void)
     for (int k = 0; k < 2; ++k) {
         kit_scene scene;
         ssgi_view view;
-        ssgi_surfel_cost triangles, surfels;
+        ssgi_surfel_cost triangles = { 0 }, surfels;
         const ssgi_surfel_desc d = { .size = 0.03f };
         const ssgi_splat splat = { .epsilon = 0.05f, .levels = 4 };
         float projection[16];
@@ -586,7 +628,7 @@ static void refusals(void)
     if (!view_of(&view, &c, 0)) return;
 #define REFUSED(call, name) do { why = ""; CHECK((call) == SSGI_BAD_ARGUMENT && !strncmp(why, name, strlen(name)) && !memcmp(&o, &was, sizeof o), "%s: \"%s\"", name, why); o = was; } while (0)
     for (int k = 0; k < 14; ++k) {                                             /* wherever a desc, a source or a splat is taken */
-        static const char *const names[] = { "desc", "view", "desc.size", "desc.size", "desc.still", "desc.splits", "desc.shrink", "desc.every", "desc.aside", "desc.most", "source", "source.position", "source", "source.to_view" };
+        static const char *const names[] = { "desc", "view", "desc.size", "desc.size", "desc.jitter", "desc.splits", "desc.shrink", "desc.every", "desc.aside", "desc.most", "source", "source.position", "source", "source.to_view" };
         ssgi_surfel_desc d = { 0 };
         ssgi_surfel_source source = source_of(p, 1);
         const ssgi_splat splat = { 0 };
@@ -594,7 +636,7 @@ static void refusals(void)
         const ssgi_view *v = k == 1 ? NULL : &view;
         if (k == 2) d.size = NAN;
         if (k == 3) d.size = 1e-5f;
-        if (k == 4) d.still = 1.5f;
+        if (k == 4) d.jitter = 1.5f;
         if (k == 5) d.splits = 33;
         if (k == 6) d.shrink = 3;
         if (k == 7) d.every = 2;
@@ -696,7 +738,7 @@ static void real_tessellator(void)
         }
     }
     for (int level = 1; level <= 64; ++level)
-        for (int i = 0, n = ssgi_tess_points(uvw, level); i < n; ++i) {
+        for (int i = 0, n = tess_points(uvw, level); i < n; ++i) {
             const double u = 3 * level * (double)uvw[3 * i], v = 3 * level * (double)uvw[3 * i + 1];
             wrong += met[level][lrint(u)][lrint(v)] != 1 || fabs(u - (double)lrint(u)) > 1e-4 || fabs(v - (double)lrint(v)) > 1e-4 || fabs((double)(uvw[3 * i] + uvw[3 * i + 1] + uvw[3 * i + 2]) - 1) > 1e-6;
             met[level][lrint(u)][lrint(v)] = 2;
@@ -785,7 +827,7 @@ static int by_seed(const void *a, const void *b)
 /* Tessellation shaders make what the CPU makes; pictures of all three ways agree. */
 static void three_ways(void)
 {
-    static const char *const ways[] = { "size=0.03,way=cpu", "size=0.03,way=capture", "size=0.03,way=direct" };
+    static const char *const ways[] = { "size=0.03,jitter=1,way=cpu", "size=0.03,jitter=1,way=capture", "size=0.03,jitter=1,way=direct" };
     static const struct { const char *scene; int orthographic; } row[2] = { { "boxes", 0 }, { "pebbles", 1 } };
     for (int m = 0; m < 2; ++m) {
         deep d[3];
@@ -862,8 +904,8 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
     double sum = 0;
     for (size_t i = 0; i < count; ++i) {
         const float v[3] = { s[i].position[0] - p[0], s[i].position[1] - p[1], s[i].position[2] - p[2] };
-        const double distance = sqrt(dot(v, v)), end = ldexp(ssgi_surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1), radius = (double)d->run.frame.radius;
-        if (distance <= end && distance <= radius) sum += (double)ssgi_surfel_form_factor(&s[i], p, n) * (hard ? 1 : 1 - distance / radius);
+        const double distance = sqrt(dot(v, v)), end = ldexp(ssgi__surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1), radius = (double)d->run.frame.radius;
+        if (distance <= end && distance <= radius) sum += (double)form_factor(&s[i], p, n) * (hard ? 1 : 1 - distance / radius);
     }
     return sum;
 }
@@ -997,7 +1039,7 @@ static void shells(void)
         for (int k = 0; k < 4; ++k) {
             static unsigned char met[90][160], level[90][160];
             const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f, (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
-            const double reach = ssgi_surfel_reach(0.05, 1, 0.05);
+            const double reach = ssgi__surfel_reach(0.05, 1, 0.05);
             kit_image out;
             if (!of_these(&out, &d, &s, 1)) return;
             for (int i = 0; i < 160 * 90; ++i) {
@@ -1013,7 +1055,7 @@ static void shells(void)
                 if (l > 3) { wrong += met[y][x]; continue; }
                 ssgi_surfel large = s;
                 large.radius *= (float)(1 << l);
-                const double weighted = (1 << 2 * l) * (double)ssgi_surfel_form_factor(&s, p, n), f = enlarge ? (double)ssgi_surfel_form_factor(&large, p, n) : weighted;
+                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n), f = enlarge ? (double)form_factor(&large, p, n) : weighted;
                 level[y][x] = (unsigned char)l;
                 if (met[y][x]) {
                     wrong += fabs(1 - (double)out.data[i] - f) > 2e-5 + 2e-3 * f && fabs(distance / ldexp(reach, l) - 1) > 1e-3 && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;

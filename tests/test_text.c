@@ -1285,6 +1285,13 @@ static void twin_views(void)
     }
 }
 
+/* Interleaved gradient noise [Jimenez 2014]. */
+static double gradient_noise(double x, double y)
+{
+    const double inner = 0.06711056 * x + 0.00583715 * y, outer = 52.9829189 * (inner - floor(inner));
+    return outer - floor(outer);
+}
+
 static void twin_noise_and_kernel(void)
 {
     float kernel[4 * 64];
@@ -1292,11 +1299,20 @@ static void twin_noise_and_kernel(void)
     memset(&frame, 0, sizeof frame);
     for (int i = 0; i < MANY; ++i) { in[i][0] = (float)(i % SIDE * 37); in[i][1] = (float)(i / SIDE * 21); in[i][2] = (float)(i % SIDE); in[i][3] = (float)(i / SIDE); }
     ssgi_gl_desc d = { .dialect = SSGI_GL_450, .samples = 64 };
-    ssgi_kernel(kernel, 1, 64, SSGI_COSINE, NULL);
+    ssgi_kernel(kernel, 1, 64, NULL);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {                   /* any 3x3: at most 2 values in a ninth, so gaps stay below 3 of them */
+            int cell[9] = { 0 }, most = 0;
+            for (int i = 0; i < 9; ++i) {
+                int *c = &cell[(int)(9 * gradient_noise(x + i % 3, y + i / 3))];
+                if (++*c > most) most = *c;
+            }
+            CHECK(most <= 2, "gradient noise: %d of 9 values in one ninth at %d, %d", most, x, y);
+        }
     if (probe(&d, &frame, 0, "o = vec4(ssgi_noise(ivec2(a.xy)), ssgi_noise(ivec2(a.zw)));"))
         for (int i = 0; i < MANY; ++i)
             for (int k = 0; k < 2; ++k) {                 /* two products and their sum, rounded; in x 53 times that */
-                double x = (double)in[i][2 * k], y = (double)in[i][2 * k + 1], e = (double)out[i][2 * k] - (double)ssgi_gradient_noise((int)x, (int)y);
+                double x = (double)in[i][2 * k], y = (double)in[i][2 * k + 1], e = (double)out[i][2 * k] - gradient_noise(x, y);
                 double f = (double)out[i][2 * k + 1] - (0.75487766624669276 * x + 0.56984029099805327 * y);
                 CHECK(fabs(e - floor(e + 0.5)) <= 53 * 1.2e-7 * (0.0671 * x + 0.0059 * y + 1), "ssgi_noise(%g, %g).x: off by %g", x, y, e);
                 CHECK(fabs(f - floor(f + 0.5)) <= 2.4e-7 * (x + y + 1), "ssgi_noise(%g, %g).y: not R2, off by %g", x, y, f);

@@ -112,7 +112,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     kit_gbuffer *g = run->gbuffer;
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "still"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "jitter"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
                                  fmaxf((float)kit_method_value(m->method, "aside"), 1e-6f), (int)kit_method_value(m->method, "every"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
     ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;

@@ -235,7 +235,7 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     if (m.gather.kernel) {
         const int sets = (int)kit_method_value(method, "sets");
         float *kernel = malloc(4 * (size_t)(sets * m.gather.samples) * sizeof *kernel);
-        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, SSGI_COSINE, NULL);
+        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, NULL);
         run->kernel = kit_keep(run, kernel ? kit_texture(m.gather.samples, sets, GL_RGBA32F, kernel) : 0);
         free(kernel);
     }

@@ -99,9 +99,9 @@ static const row front_row     = { { "front", "1: the nearest depth seen limits 
 static const row both_row      = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
 static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row each_row      = { { "every", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row still_row     = { { "still", "1: surfels are not jittered", NULL, 0, 0, 1, 0 }, PLAN, 0 };
+static const row jitter_row    = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 }, PLAN, 0 };
 static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
-static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid none", 0, 0, 2, 1 }, PLAN, 0 };
+static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 }, PLAN, 0 };
 static const row enlarge_row   = { { "enlarge", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(enlarge) };
 static const row overlap_row   = { { "overlap", "where surfels hide each other: form factors as shares of what is left, or added", "share add", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
@@ -120,7 +120,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
     &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &still_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
