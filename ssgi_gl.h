@@ -119,222 +119,203 @@ enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_
        SSGI_GL_STAGES };                                                                   /* stage of ssgi_gl_emit */
 
 /* desc.depth: what the depth texture holds */
-enum { SSGI_GL_DEPTH_WINDOW = 0,     /* hardware depth, any layout that ssgi_view decodes */
-       SSGI_GL_DEPTH_LINEAR,         /* positive view depth; <= 0, inf or NaN is background */
-       SSGI_GL_DEPTH_CUSTOM };       /* your GLSL in desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer),
-                                        positive view depth; layer 0 is what is seen */
+enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes */
+       SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
+       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer), view depth; 0 is what
+                                      is seen */
 /* desc.normal: how the normal is had */
-enum { SSGI_GL_NORMAL_SIGNED = 0,    /* xyz in [-1,1] (any float or snorm texture), need not be unit */
-       SSGI_GL_NORMAL_UNSIGNED,      /* xyz * 0.5 + 0.5 (unorm texture) */
-       SSGI_GL_NORMAL_OCTAHEDRAL,    /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
-       SSGI_GL_NORMAL_FROM_DEPTH,    /* no texture: from the nearer depth neighbours, 4 more fetches */
-       SSGI_GL_NORMAL_CUSTOM };      /* your GLSL in desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
+       SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
+       SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
+       SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
+       SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: what decorrelates neighbouring pixels */
-enum { SSGI_GL_NOISE_GRADIENT = 0,   /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };      /* your texture, tiled: ., ., b, c as ssgi_jitter_tile makes it; 1 more fetch */
+enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
+       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: ., ., b, c as ssgi_jitter_tile makes it; 1 more fetch */
 /* desc.search */
-enum { SSGI_GL_SLICES = 0,           /* planes through the view direction, both sides in one walk on the screen: the
-                                        fast way */
-       SSGI_GL_MARCH };              /* the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
+                                      fast way */
+       SSGI_GL_MARCH };            /* the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 /* desc.falloff: how a blocker's weight falls with its distance t, by how far along their directions samples stand */
-enum { SSGI_GL_FALLOFF_LINEAR = 0,   /* 1 - t/radius: lengths uniform, the paper's */
-       SSGI_GL_FALLOFF_SQUARE };     /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
-                                        (ssgi_gl_light.least = radius) */
+enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
+       SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
+                                      (ssgi_gl_light.least = radius) */
 /* desc.fade: occluder weight as a function of the distance d, in radii, from the receiver to the surface that the depth
    buffer shows */
 enum { SSGI_GL_FADE_NONE = 0,
-       SSGI_GL_FADE_SMOOTH,          /* from 1 at frame.fade to 0 at the radius */
-       SSGI_GL_FADE_LAMBDA };        /* 1 / (1 + lambda d), the paper's: not 0 at the radius; more lambda is weaker
-                                        [S3HO12 2.1] */
+       SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
+       SSGI_GL_FADE_LAMBDA };      /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
 /* desc.environment */
 enum { SSGI_GL_ENVIRONMENT_NONE = 0,
-       SSGI_GL_ENVIRONMENT_SH,       /* frame.harmonics: all directions for the price of the visibility; what s3ho does
-                                        when shaded */
-       SSGI_GL_ENVIRONMENT_MAP };    /* one look-up a direction in an octahedral map (ssgi_environment_map), world space
-                                        */
+       SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
+       SSGI_GL_ENVIRONMENT_MAP };  /* world space, a look-up a direction: ssgi_environment_map */
 /* desc.bounce: what a blocked direction brings */
 enum { SSGI_GL_BOUNCE_NONE = 0,
-       SSGI_GL_BOUNCE_SOLID_ANGLE,   /* the sender's radiance over the sample's solid angle: never more than the
-                                        brightest sender, no scale */
-       SSGI_GL_BOUNCE_PATCH };       /* the paper's: a patch of pi r^2/N, its distance clamped at frame.nearest radii
-                                        [SSDO09 section 3] */
+       SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: no scale, never brighter than
+                                      it */
+       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.nearest radii [SSDO09 section
+                                      3] */
 /* desc.shadow: what stands between a light and a point */
-enum { SSGI_GL_SHADOW_SEGMENT = 0,   /* points on the segment to the light, radius long at most, in screen space */
-       SSGI_GL_SHADOW_MAP,           /* your shadow maps, biased so that nothing shadows itself; lights without a map
-                                        are unshadowed */
-       SSGI_GL_SHADOW_FILL,          /* the same, and what the bias loses from points on its segment [SSDO09 section 5];
-                                        lights without a map as SEGMENT */
+enum { SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
+       SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
+       SSGI_GL_SHADOW_FILL,        /* MAP, and points over what the bias loses [SSDO09 section 5]; without a map,
+                                      SEGMENT */
        SSGI_GL_SHADOW_NONE };
 /* desc.radiance: what senders send */
-enum { SSGI_GL_RADIANCE_LIGHT = 0,   /* albedo times what ssdo, shade or lights wrote */
-       SSGI_GL_RADIANCE_DIRECT,      /* your own texture of outgoing radiance */
-       SSGI_GL_RADIANCE_BOTH,        /* the sum */
-       SSGI_GL_RADIANCE_ALBEDO };    /* albedo alone: what s3ho reads, whose light comes later */
+enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
+       SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
+       SSGI_GL_RADIANCE_BOTH,      /* the sum */
+       SSGI_GL_RADIANCE_ALBEDO };  /* albedo alone: what s3ho reads, whose light comes later */
 /* desc.transfer: what the vectors of s3ho hold */
-enum { SSGI_GL_TRANSFER_FREE = 0,    /* one vector: what free directions bring */
-       SSGI_GL_TRANSFER_BOTH,        /* one a channel: that and what blockers reflect, lit as if nothing stood before
-                                        them [S3HO12 2.3] */
-       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what blockers reflect. Three vectors are six targets with 3
-                                        or 4 bands, three with fewer (GLES promises four) */
+enum { SSGI_GL_TRANSFER_FREE = 0,  /* one vector: what free directions bring */
+       SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and what blockers reflect of unoccluded light [S3HO12 2.3] */
+       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what blockers reflect. Targets: 6 with 3 or 4 bands (GLES
+                                        has 4) */
 /* desc.shading: how vectors meet light */
 enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12 2.2] */
-       SSGI_GL_SHADING_BENT_NORMAL,  /* ambient visibility times the environment's irradiance along the mean free
-                                        direction */
-       SSGI_GL_SHADING_BENT_CONE,    /* the same, from a cone as wide as free directions are spread [SSBN11] */
-       SSGI_GL_SHADING_BENT };       /* no light: that direction, view space, unit, and the cosine of the cone's
-                                        half-angle */
+       SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean free direction */
+       SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as free directions are spread [SSBN11] */
+       SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
 /* desc.storage: how fields are kept */
-enum { SSGI_GL_STORAGE_ATLAS = 0,    /* ssgi_field.texels as slices of one integer array: many fields at once, filtered
-                                        in the shader, in every dialect: 4 fetches */
-       SSGI_GL_STORAGE_CUBE };       /* one field as two cube maps (ssgi_field_cube), LINEAR,
-                                        GL_TEXTURE_CUBE_MAP_SEAMLESS enabled (GLES always is); 16 bits need RGBA16,
-                                        which GLES lacks: 2 fetches */
+enum { SSGI_GL_STORAGE_ATLAS = 0,  /* ssgi_field.texels, a slice of one integer array a field; every dialect; 4 fetches
+                                      */
+       SSGI_GL_STORAGE_CUBE };     /* one field as two cube maps, seamless (ssgi_field_cube); 16 bits not in GLES; 2
+                                      fetches */
 /* desc.cap: how a cap becomes occlusion */
-enum { SSGI_GL_CAP_CLOSED = 0,       /* closed form: two arcs */
-       SSGI_GL_CAP_TABLE };          /* your texture of ssgi_cap_table: 1 fetch */
+enum { SSGI_GL_CAP_CLOSED = 0,     /* closed form: two arcs */
+       SSGI_GL_CAP_TABLE };        /* your texture of ssgi_cap_table: 1 fetch */
 /* desc.objects: which object a pixel shows, so that no caster shades itself */
-enum { SSGI_GL_OBJECTS_NONE = 0,     /* casters shade whatever is there */
-       SSGI_GL_OBJECTS_TEXTURE,      /* your texture of numbers, 0 = none; a pixel whose number is ssgi_gl_caster.object
-                                        is left alone */
-       SSGI_GL_OBJECTS_CUSTOM };     /* your GLSL in desc.fetch: uint ssgi_custom_object(ivec2 texel) */
+enum { SSGI_GL_OBJECTS_NONE = 0,   /* casters shade whatever is there */
+       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_caster.object leaves its own pixels
+                                      alone */
+       SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.effect: what surfels do to pixels */
 enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-       SSGI_GL_EFFECT_LIGHT,         /* directional occlusion: irradiance over pi of the open surface less what surfels
-                                        hide of the environment */
-       SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
-       SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe about the mirrored view direction, cos^frame.exponent,
-                                        normalised: times your specular reflectance */
-       SSGI_GL_EFFECT_SCATTER };     /* radiance that leaves a translucent surface: the dipole over what surfels receive
-                                        (frame.dipole) */
+       SSGI_GL_EFFECT_LIGHT,       /* irradiance over pi of the open surface, less what surfels hide of the environment
+                                      */
+       SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
+       SSGI_GL_EFFECT_SPECULAR,    /* radiance of the lobe cos^frame.exponent about the mirrored view direction,
+                                      normalised */
+       SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole over what surfels receive
+                                      */
 /* desc.overlap: surfel-surfel visibility is ignored; how overlapping form factors are combined */
-enum { SSGI_GL_OVERLAP_SHARE = 0,    /* as if each hid its share of what the others leave: 1 - exp(-sum of form factors)
-                                        */
-       SSGI_GL_OVERLAP_ADD };        /* form factors add up, to 1 at most, as published */
+enum { SSGI_GL_OVERLAP_SHARE = 0,  /* each hides its share of what the others leave: 1 - exp(-sum of form factors) */
+       SSGI_GL_OVERLAP_ADD };      /* form factors add up, to 1 at most, as published */
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
-enum { SSGI_GL_SENDS_COLOUR = 0,     /* the colour that they had */
-       SSGI_GL_SENDS_LIGHTS,         /* colour times irradiance over pi by t_ssgi_lights, shadowed when desc.shadow is
-                                        MAP or FILL, else open; and by the environment, open, when desc.environment is
-                                        not NONE */
-       SSGI_GL_SENDS_CUSTOM };       /* your GLSL in desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal,
-                                        vec3 colour), view space */
+enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
+       SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
+                                      the environment, open, if desc.environment */
+       SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view
+                                      space */
 /* desc.colour: what blur filters: ambient visibility; light, three channels; what s3ho wrote */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_VECTORS };
 /* desc.filter */
-enum { SSGI_GL_BILATERAL = 0,        /* box over a tile, weighted by distance to the centre's tangent plane (position
-                                        and normal) */
-       SSGI_GL_GAUSSIAN };           /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08
-                                        4.1.3] */
+enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
+       SSGI_GL_GAUSSIAN };         /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08
+                                      4.1.3] */
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and what is off leaves no text behind. Fields that a pass does not use are not looked at, but must be in their
-   limits.
-   ssgi_gl_check names the field that is not. */
+   and what is off leaves no text behind. A comment begins with the passes that look at the field; the others ignore it,
+   but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the field that is not. */
 typedef struct ssgi_gl_desc {
     /* every pass */
-    int pass;               /* SSGI_GL_SSAO .. */
-    int dialect;            /* SSGI_GL_330 .. */
-    int orthographic;       /* [limit: 0..1]  1: the camera is orthographic (ssgi_view.orthographic says so) */
-    int depth;              /* SSGI_GL_DEPTH_WINDOW .. */
-    int normal;             /* SSGI_GL_NORMAL_SIGNED .. */
-    int world_normals;      /* [limit: 0..1]  1: the normals are in world space; frame.rotation turns them into view
-                               space */
-    int half;               /* gathers, shade, blur   [limit: 0..1]  1: gathers draw one pixel of every 2x2, into
-                               targets of half size (rounded up); blur brings it to full size */
-    int lines;              /* [limit: 0..1]  1: #line directives, so that a compiler's "0:N" is line N of this header
-                               */
-    const char *version;    /* your first line(s) instead of "#version ..", verbatim; NULL = ours. The dialect still
-                               decides the rest. */
-    const char *fetch;      /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
+    int pass;            /* SSGI_GL_SSAO .. */
+    int dialect;         /* SSGI_GL_330 .. */
+    int orthographic;    /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
+    int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
+    int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
+    int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
+    int half;            /* gathers, shade, blur   1: gathers draw one pixel of every 2x2, into targets of half size,
+                            rounded up; blur brings it to full size */
+    int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
+    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
+    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
-    int noise;              /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;            /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16]  directions per pixel. lights [default:
-                               8]  points on a segment. survey [default: 32] */
-    int steps;              /* hsao   [limit: 0..64] [default: 6]  per direction: N_s. ssao, ssdo, s3ho [default: 1]
-                               points along a direction, the first blocked one counts */
-    int thin;               /* [limit: 0..1]  0: what is seen extends away from the viewer without end; 1: by
-                               frame.thickness */
-    int falloff;            /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;             /* ssao, ssdo, s3ho   [limit: 0..1]  0: one set in the text, turned by the noise; 1: M sets
-                               in a texture, the noise picks one */
-    int fade;               /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
-    int range;              /* ssao, ssdo, s3ho   [limit: 0..1]  1: surfaces farther than the radius, or below the
-                               receiver's plane, block nothing [S3HO12 2.1] */
-    int layers;             /* all but hsao's slices   [limit: 0..8] [default: 1]  depth layers, peeled: solid from an
-                               odd one to the next; an odd last one as thin says */
-    int views;              /* all but hsao's slices   [limit: 0..4]  extra cameras: visible if any camera sees the
-                               point in front of its depth; occluded if none does and at least one finds it inside solid
-                               geometry */
-    int view_layers;        /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
-    int receiver;           /* ssdo, lights, senders   [limit: 0..7, below layers]  which layer is lit: hidden ones
-                               become senders */
+    int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
+    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, survey 32]  directions; points on
+                            a segment */
+    int steps;           /* hsao   [limit: 0..64] [default: 6; others 1]  per direction: N_s; of points, the first
+                            blocked one counts */
+    int thin;            /* 0: what is seen extends away from the viewer without end; 1: by frame.thickness */
+    int falloff;         /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
+    int kernel;          /* ssao, ssdo, s3ho   0: one set in the text, turned by the noise; 1: M sets in a texture, the
+                            noise picks */
+    int fade;            /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
+    int range;           /* ssao, ssdo, s3ho   1: surfaces beyond the radius, or below the receiver's plane, block
+                            nothing [S3HO12 2.1] */
+    int layers;          /* all but hsao's slices   [limit: 0..8] [default: 1]  depth layers, peeled: solid from an odd
+                            one to the next; an odd last one as thin says */
+    int views;           /* all but hsao's slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
+                            in front of its depth; occluded if none does and at least one finds it inside solid geometry
+                            */
+    int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
+    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the layer that is lit: hidden ones
+                            become senders */
 
     /* hsao */
-    int search;             /* SSGI_GL_SLICES, SSGI_GL_MARCH */
-    int directions;         /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int normal_rays;        /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
-    int hard;               /* hsao, splat   [limit: 0..1]  1: no attenuation, all within the radius occludes fully */
+    int search;          /* SSGI_GL_SLICES, SSGI_GL_MARCH */
+    int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
+    int normal_rays;     /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
+    int hard;            /* hsao, splat   1: no attenuation, all within the radius occludes fully */
 
     /* ssdo, and lights */
-    int environment;        /* SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;             /* SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both at once share the
-                               visibility and write two targets */
-    int two_sided;          /* ssdo, s3ho   [limit: 0..1]  1: senders shine from both sides; 0: only toward their
-                               normal. splat   the same of surfels, which occlude so, too: 1 for sheets and leaves, 0
-                               for what is closed */
-    int radiance;           /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int shadow;             /* lights   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;         /* lights   [limit: 0..1]  1: adds to t_ssgi_light, what an earlier pass wrote */
+    int environment;     /* SSGI_GL_ENVIRONMENT_NONE .. */
+    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both share the visibility, two
+                            targets */
+    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides, not only toward their normal. splat surfels
+                            occlude from both, too: for sheets and leaves */
+    int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
+    int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
+    int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
 
     /* s3ho, shade, blur of vectors */
-    int bands;              /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  of spherical harmonics: 1, 4, 9,
-                               16 coefficients; bent normals need 2, and read no more */
-    int packed;             /* [limit: 0..1]  0: targets of four floats, RGBA16F, up to four; 1: halves in RGBA32UI,
-                               eight a target, up to two a vector */
-    int transfer;           /* SSGI_GL_TRANSFER_FREE ..; three vectors must be packed */
-    int shaded;             /* s3ho   [limit: 0..1]  1: keeps no vectors: meets frame.harmonics at once and writes
-                               light; shade is not drawn */
-    int exact;              /* s3ho when shaded, ssdo with SH, shade by HARMONICS   [limit: 0..1]  1: what the bands
-                               lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking) and dimmed by
-                               ambient visibility; not where transfer is REFLECTED */
-    int shading;            /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lamps;              /* shade   [limit: 0..1]  1: rows of t_ssgi_lights light it too, as harmonics, unshadowed
-                               but for the vectors; a POINT is a sphere of radius `least` */
-    int albedo;             /* shade   [limit: 0..1]  1: writes outgoing radiance; 0: irradiance over pi */
+    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  1, 4, 9, 16 coefficients; bent
+                            normals read 2 */
+    int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two a
+                            vector */
+    int transfer;        /* SSGI_GL_TRANSFER_FREE ..; three vectors must be packed */
+    int shaded;          /* s3ho   1: keeps no vectors, meets frame.harmonics at once and writes light; shade is not
+                            drawn */
+    int exact;           /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: what the bands
+                            lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking), dimmed by ambient
+                            visibility */
+    int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
+    int lamps;           /* shade   1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors;
+                            a POINT is a sphere of radius `least` */
+    int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* field */
-    int storage;            /* SSGI_GL_STORAGE_ATLAS .. */
-    int measure;            /* SSGI_FIELD_VECTOR ..: as the fields were baked */
-    int eight_bits;         /* ATLAS   [limit: 0..1]  1: the fields have 8 bits a component */
-    int cap;                /* SSGI_GL_CAP_CLOSED .. */
-    int objects;            /* SSGI_GL_OBJECTS_NONE .. */
+    int storage;         /* SSGI_GL_STORAGE_ATLAS .. */
+    int measure;         /* SSGI_FIELD_VECTOR ..: as the fields were baked */
+    int eight_bits;      /* ATLAS   1: the fields have 8 bits a component */
+    int cap;             /* SSGI_GL_CAP_CLOSED .. */
+    int objects;         /* SSGI_GL_OBJECTS_NONE .. */
 
     /* surfels, shuffle, splat, unshuffle, smooth, sum */
-    int effect;             /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;             /* [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^(levels
-                               - 1) + 1 taps along each axis */
-    int tessellate;         /* surfels, splat   [limit: 0..1]  0: from a buffer of surfels; 1: from triangles as
-                               patches, by tessellation (and for splat geometry) shaders: 410, 450, 320es */
-    int sends;              /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int enlarge;            /* splat   [limit: 0..1]  levels make up for being drawn to 1 pixel of 4^level by: 0:
-                               weight; 1: the radius, the paper's, which is too dark by up to 1/3 at epsilon .1 */
-    int closely;            /* splat   [limit: 0..16]  points over a surfel's disc, for pixels within 4 of its radii,
-                               where its centre alone finds too little: half at 1/3 radius from a wall; 0, 1: the
-                               centre, as published */
-    int overlap;            /* sum     SSGI_GL_OVERLAP_SHARE .. */
-    int axis;               /* smooth  [limit: 0..1]  0: along x; 1: along y */
+    int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
+    int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^(levels -
+                            1) + 1 taps */
+    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
+                            320es */
+    int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
+    int enlarge;         /* splat   levels draw to 1 pixel of 4^level; 0: so weighted; 1: so enlarged, the paper's, up
+                            to 1/3 too dark */
+    int closely;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+                            its centre alone, as published, which finds half at 1/3 radius from a wall */
+    int overlap;         /* sum     SSGI_GL_OVERLAP_SHARE .. */
+    int axis;            /* smooth  0: along x; 1: along y */
 
     /* blur */
-    int colour;             /* SSGI_GL_GREY .. */
-    int filter;             /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;      /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels: 1 is 3x3; of half-size pixels
-                               when half is 1 */
-    int filter_normals;     /* and smooth   [limit: 0..1]  1: neighbours' normals are compared too, 1 more fetch each */
+    int colour;          /* SSGI_GL_GREY .. */
+    int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
+    int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half is 1: 1 is
+                            3x3 */
+    int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
-   for
-   accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
+   for accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
      hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)
      hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2, thin
      ssao          8, 16, 32 points, thin
@@ -344,9 +325,8 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the
-   rest of desc stays. s3ho becomes shaded and exact; ssdo without an environment gets MAP; a bounce is yours to add.
-   Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays as it is. */
+   the rest of desc stays. s3ho becomes shaded and exact; ssdo without an environment gets MAP; a bounce is yours to
+   add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
@@ -357,8 +337,7 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
    capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. A desc that
    ssgi_gl_check refuses, or a stage that is none or that the pass does not have, returns 0 and writes nothing (but the
-   0
-   in the last case). A pure function: the same desc gives the same bytes, whatever the locale. */
+   0 in the last case). A pure function: the same desc gives the same bytes, whatever the locale. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and
@@ -367,19 +346,15 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal, _rotate, _product
    (ssgi_sh_turn is _rotate) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
-   of
-   the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. 3 ms a
-   call
-   for 4 bands, whose product has 194 terms. */
+   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. 3 ms a
+   call for 4 bands, whose product has 194 terms. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
 /* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's
-   storage,
-   measure, eight_bits and cap; the samplers t_ssgi_casters, t_ssgi_fields (or the two cube maps), t_ssgi_cap are
-   declared
-   in it. float ssgi_field_visibility(int casters, int object, vec3 position, vec3 normal): the product of 1 - occlusion
-   over rows 0 .. casters - 1 but those of that object (0: none), in the space that ssgi_gl_caster_set was given. GLES:
-   after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+   storage, measure, eight_bits and cap; the samplers t_ssgi_casters, t_ssgi_fields (or the two cube maps), t_ssgi_cap
+   are declared in it. float ssgi_field_visibility(int casters, int object, vec3 position, vec3 normal): the product of
+   1 - occlusion over rows 0 .. casters - 1 but those of that object (0: none), in the space that ssgi_gl_caster_set was
+   given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -392,14 +367,14 @@ enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL
 
 /* One input or output of a pass: the very row that its declaration was printed from. */
 typedef struct ssgi_gl_io {
-    const char *name;       /* exactly as in the text: "t_ssgi_depth" */
+    const char *name;    /* exactly as in the text: "t_ssgi_depth" */
     int         kind;
-    const char *type;       /* GLSL: "sampler2D", "vec4" */
-    int         slot;       /* TEXTURE: unit, 0..15, the same in every variant of the pass (binding in dialects that
-                               have it). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer.
-                               CONSTANT: its value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    const char *type;    /* GLSL: "sampler2D", "vec4" */
+    int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (binding in dialects that have
+                            it). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its
+                            value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
     size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
-    const char *format;     /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
+    const char *format;  /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
@@ -413,44 +388,43 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 /* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140; a pass declares
    the members that it reads, each in its place). */
 typedef struct ssgi_gl_frame {
-    float   project[4];     /* from ssgi_view */
+    float   project[4];  /* from ssgi_view */
     float   unproject[4];
-    float   decode[4];      /* depth[0], depth[1], clear, 0 */
-    int32_t origin[2];      /* [units: texels]  first texel of the picture in the G-buffer's textures */
-    int32_t size[2];        /* [units: pixels]  of the picture */
-    int32_t target[2];      /* [units: texels]  first texel of the picture in the targets, and in textures that earlier
-                               passes wrote; half of it in those of half size */
-    float   radius;         /* [units: view] [limit: > 0]  farthest occluder */
-    float   offset;         /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
-                               fetches: all that test points */
-    float   thickness;      /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are
-                               taken to reach (desc.thin); 0.7 of it suits ssdo, half march */
-    float   phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame when frames are averaged
-                               */
-    float   fade;           /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
-                               radius: nowhere */
-    float   nearest;        /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float   gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   steepest;       /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
-                               shadow maps follows */
-    int32_t lights;         /* rows of t_ssgi_lights */
-    float   lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12];   /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.exact,
-                               bent normals); identity by default */
-    float   harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
-                               ssgi_gl_harmonics_set; black by default */
-    float   surfel[4];      /* surfels, smooth: ssgi_gl_surfels_set */
-    float   mesh[16];       /* surfels: mesh to view space, column-major; identity by default */
-    float   dipole[16];     /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   more[2];        /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
-    float   front;          /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
-                               nearest depth seen, of the last frame, say, saves most of what stands around the eye */
+    float   decode[4];   /* depth[0], depth[1], clear, 0 */
+    int32_t origin[2];   /* [units: texels]  first texel of the picture in the G-buffer's textures */
+    int32_t size[2];     /* [units: pixels]  of the picture */
+    int32_t target[2];   /* [units: texels]  first texel of the picture in the targets, and in textures that earlier
+                            passes wrote; half of it in those of half size */
+    float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
+    float   offset;      /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
+                            fetches: all that test points */
+    float   thickness;   /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken
+                            to reach (desc.thin); 0.7 of it suits ssdo, half march */
+    float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
+    float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
+                            radius: nowhere */
+    float   nearest;     /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
+    float   steepest;    /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
+                            shadow maps follows */
+    int32_t lights;      /* rows of t_ssgi_lights */
+    float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
+    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.exact, bent
+                             normals); identity by default */
+    float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
+                              ssgi_gl_harmonics_set; black by default */
+    float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
+    float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
+    float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float   more[2];     /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
+    float   front;       /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
+                            nearest depth seen, of the last frame, say, saves most of what stands around the eye */
     float   gap_;
-    float   epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times
-                               what it sends (times the lobe's peak): a tenth of what counts as bright */
-    float   exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    int32_t level[2];       /* [units: texels]  of one level: ssgi_splat_size */
-    float   window[4];      /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
+                            it sends (times the lobe's peak): a tenth of what counts as bright */
+    float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
+    int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
+    float   window[4];   /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
 /* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units:
@@ -460,59 +434,62 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 /* Sets what surfels are made with: view, desc (but shrink, and frame.radius in place of most) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
    tells how many it asks for. */
-SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why);
+SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
+                                         int levels, const float *mesh_to_view, const char **why);
 
 /* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
 /* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (NULL: in view
    space already). */
-SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands, const float *world_to_view, const char **why);
+SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
+                                           const float *world_to_view, const char **why);
 
 /* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their depths are hardware depths in the
-   slices of one array texture, camera v's
-   layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
+   slices of one array texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use
+   a part of it. */
 typedef struct ssgi_gl_views {
-    float   to[4][16];      /* view space to x, y, z, 1: pixels (times z when perspective) and view depth of that
-                               camera; column-major */
-    float   from[4][16];    /* back */
-    float   decode[4][4];   /* ssgi_view.depth[0], [1], clear, orthographic */
-    float   size[4][4];     /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be
-                               in the open, at depth 1 when perspective; 0 */
+    float   to[4][16];   /* view space to x, y, z, 1: pixels (times z when perspective) and view depth of that camera;
+                            column-major */
+    float   from[4][16]; /* back */
+    float   decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
+    float   size[4][4];  /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
+                            the open, at depth 1 when perspective; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3. Both matrices are rigid, world to view: of the camera of the picture, and of the extra one
    whose projection `view` decodes. */
-SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view, const float picture_world_to_view[16],
-                                       const float extra_world_to_view[16], const char **why);
+SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
+                                       const float picture_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why);
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
-   members is a light without a shadow map.
-   A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of them are a point light with a cube of
-   maps. */
+   members is a light without a shadow map. A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of
+   them are a point light with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 typedef struct ssgi_gl_light {
-    float at[3], kind;      /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
+    float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
     float colour[3], least; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
                                its normal. least: the distance below which 1/d^2 grows no more */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective (ssgi_shadow_patch) */
-    float map[3][4];        /* view space to x, y (texels in the tile, times depth when perspective) and view depth of
-                               the light's camera: rows */
-    float decode[4];        /* of its ssgi_view: depth[0], [1], clear, orthographic */
-    float tile[4];          /* [units: texels]  x, y, width, height of the map in the atlas t_ssgi_shadow; width 0: no
-                               map */
+    float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
+                            light's camera: rows */
+    float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
+    float tile[4];       /* [units: texels]  x, y, width, height of the map in the atlas t_ssgi_shadow; width 0: no map
+                            */
 } ssgi_gl_light;
 
 /* Gives a light its shadow map: drawn by a camera (rigid world to view, projection decoded as `view`) into texels x, y
    .. of the atlas. */
-SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y, const float picture_world_to_view[16],
-                                       const float light_world_to_view[16], const char **why);
+SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
+                                       const float picture_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why);
 
 /* A caster: one row of the texture t_ssgi_casters, 10 texels of RGBA32F, byte for byte. ssgi_gl_caster_set fills it. */
 typedef struct ssgi_gl_caster {
-    float at[3], reach;     /* the sphere that it reaches, view space */
-    float to_field[3][4];   /* view space to the caster's coordinates about the field's centre: rows */
+    float at[3], reach;  /* the sphere that it reaches, view space */
+    float to_field[3][4]; /* view space to the caster's coordinates about the field's centre: rows */
     float ramp, end, inside, power;     /* ssgi_field_limits */
     float low[8], span[8];
     float resolution, slice, fitted, object;   /* slice: of t_ssgi_fields. fitted: ssgi_field.reach. object: a whole
@@ -520,19 +497,19 @@ typedef struct ssgi_gl_caster {
 } ssgi_gl_caster;
 
 /* Sets a caster where it stands now.
-     limits        NULL: ssgi_field_limits_of     slice   [limit: 0..2047] of t_ssgi_fields; smaller fields than the
-     array's slices stand in their lower corner
-     mesh_to_view  [limit: rotation, translation and uniform scale] from the coordinates that the field was baked in to
-     those of the pass: world to view times object to world
+     limits        NULL: ssgi_field_limits_of
+     slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
+     mesh_to_view  [limit: rotation, translation, uniform scale] from the bake's coordinates to those of the pass
      object        [limit: 0..16777215]
    Outputs are untouched when something is wrong. */
-SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field, const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
+SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field,
+                                        const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                        int object, const char **why);
 
 #ifdef __cplusplus
 }
 #endif
-#endif /* SSGI_GL_H: END OF HEADER -------------------------------------------------------------------------------------
-          */
+#endif /* SSGI_GL_H: END OF HEADER */
 
 #if defined(SSGI_GL_IMPLEMENTATION) && !defined(SSGI_GL_IMPLEMENTED)
 #define SSGI_GL_IMPLEMENTED
@@ -557,14 +534,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
-{ "SSGI_FAR", __LINE__ + 1,
-    "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
-{ "ssgi_inside", __LINE__ + 1,
-    "bool ssgi_inside(ivec2 p) {\n"
+{ "SSGI_FAR", __LINE__, "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
+{ "ssgi_inside", __LINE__, "bool ssgi_inside(ivec2 p) {\n"
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
     "}\n" },
-{ "ssgi_decode", __LINE__ + 1,
-    "float ssgi_decode(float d) {\n"
+{ "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
     "#if orthographic\n"
     "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
     "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
@@ -573,54 +547,46 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR;\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_depth", __LINE__ + 1,
-    "// view depth at a pixel of the picture\n"
+{ "ssgi_depth", __LINE__, "// view depth at a pixel of the picture\n"
     "float ssgi_depth(ivec2 p) {\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n" },
-{ "ssgi_layer", __LINE__ + 1,
-    "// view depth of a hidden layer, 1 .., at a pixel of the picture\n"
+{ "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel of the picture\n"
     "float ssgi_layer(ivec2 p, int j) {\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n" },
-{ "ssgi_position", __LINE__ + 1,
-    "// the view-space point seen at a pixel position, at a view depth\n"
+{ "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
     "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_project", __LINE__ + 1,
-    "// the pixel position of a view-space point in front of the eye\n"
+{ "ssgi_project", __LINE__, "// the pixel position of a view-space point in front of the eye\n"
     "vec2 ssgi_project(vec3 P) {\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
     "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
     "}\n" },
-{ "ssgi_footprint", __LINE__ + 1,
-    "// width of a pixel at a view depth\n"
+{ "ssgi_footprint", __LINE__, "// width of a pixel at a view depth\n"
     "float ssgi_footprint(float z) {\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n"
     "}\n" },
-{ "ssgi_screen", __LINE__ + 1,
-    "// pixels that a small step along t from P covers, per unit of length\n"
+{ "ssgi_screen", __LINE__, "// pixels that a small step along t from P covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
     "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_toward", __LINE__ + 1,
-    "// unit vector to the eye\n"
+{ "ssgi_toward", __LINE__, "// unit vector to the eye\n"
     "vec3 ssgi_toward(vec3 P) {\n"
     "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
     "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_sphere", __LINE__ + 1,
-    "// pixels that a sphere spans deeper than the front; empty behind it\n"
+{ "ssgi_sphere", __LINE__, "// pixels that a sphere spans deeper than the front; empty behind it\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
     "    if (at.w - at.z <= u_ssgi_front) return vec4(0.0);\n"
@@ -641,47 +607,40 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
     "}\n" },
-{ "ssgi_octahedral", __LINE__ + 1,
-    "// a direction on the octahedral map's square, [-1,1]\n"
+{ "ssgi_octahedral", __LINE__, "// a direction on the octahedral map's square, [-1,1]\n"
     "vec2 ssgi_octahedral(vec3 d) {\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
     "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
     "}\n" },
-{ "ssgi_octahedral_decode", __LINE__ + 1,
-    "// and back; not unit\n"
+{ "ssgi_octahedral_decode", __LINE__, "// and back; not unit\n"
     "vec3 ssgi_octahedral_decode(vec2 e) {\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
     "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
     "}\n" },
-{ "ssgi_unit", __LINE__ + 1,
-    "// a unit normal from whatever the texture held\n"
+{ "ssgi_unit", __LINE__, "// a unit normal from whatever the texture held\n"
     "vec3 ssgi_unit(vec3 n) {\n"
     "    float l = dot(n, n);\n"
     "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
     "}\n" },
-{ "ssgi_normal_texel", __LINE__ + 1,
-    "vec4 ssgi_normal_texel(ivec2 p) {\n"
+{ "ssgi_normal_texel", __LINE__, "vec4 ssgi_normal_texel(ivec2 p) {\n"
     "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0); // #if receiver\n"
     "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n"
     "}\n" },
-{ "ssgi_raw_normal", __LINE__ + 1,
-    "vec3 ssgi_raw_normal(ivec2 p) {\n"
+{ "ssgi_raw_normal", __LINE__, "vec3 ssgi_raw_normal(ivec2 p) {\n"
     "    return ssgi_normal_texel(p).xyz; // #if normal == SIGNED\n"
     "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0; // #if normal == UNSIGNED\n"
     "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy); // #if normal == OCTAHEDRAL\n"
     "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n"
     "}\n" },
-{ "ssgi_tangent", __LINE__ + 1,
-    "// the neighbour on either side whose depth is nearer, as a difference along +step\n"
+{ "ssgi_tangent", __LINE__, "// the neighbour on either side whose depth is nearer, as a difference along +step\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
     "    vec3 A = ssgi_position(vec2(p + step_) + 0.5, a) - P, B = P - ssgi_position(vec2(p - step_) + 0.5, b);\n"
     "    return abs(A.z) < abs(B.z) ? A : B;\n"
     "}\n" },
-{ "ssgi_normal", __LINE__ + 1,
-    "#if normal == FROM_DEPTH\n"
+{ "ssgi_normal", __LINE__, "#if normal == FROM_DEPTH\n"
     "// unit view-space normal at a pixel of the picture whose point is P, facing the viewer\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
@@ -695,8 +654,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_noise", __LINE__ + 1,
-    "#if noise == GRADIENT\n"
+{ "ssgi_noise", __LINE__, "#if noise == GRADIENT\n"
     "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence along the\n"
     "// picture\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
@@ -712,21 +670,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fract(vec2(j.w, j.z + 0.5) + u_ssgi_phase);\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_basis", __LINE__ + 1,
-    "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
+{ "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
     "mat3 ssgi_basis(vec3 n) {\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
     "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n"
     "}\n" },
-{ "ssgi_environment", __LINE__ + 1,
-    "// radiance of the environment about a world-space direction\n"
+{ "ssgi_environment", __LINE__, "// radiance of the environment about a world-space direction\n"
     "vec3 ssgi_environment(vec3 d) {\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0);\n"
     "    ivec2 p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
-{ "ssgi_open_texel", __LINE__ + 1,
-    "vec3 ssgi_open_texel(ivec2 p, ivec2 last, int slice) {\n"
+{ "ssgi_open_texel", __LINE__, "vec3 ssgi_open_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // over an edge the square goes on mirrored\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
@@ -746,22 +701,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ---- what senders write, one fetch a sample */
 
-{ "ssgi_unpack_radiance", __LINE__ + 1,
-    "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
+{ "ssgi_unpack_radiance", __LINE__, "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
     "vec3 ssgi_unpack_radiance(uint u) {\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
     "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
     "}\n" },
-{ "ssgi_unpack_depth", __LINE__ + 1,
-    "float ssgi_unpack_depth(uint u) {\n"
+{ "ssgi_unpack_depth", __LINE__, "float ssgi_unpack_depth(uint u) {\n"
     "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
     "}\n" },
-{ "ssgi_unpack_normal", __LINE__ + 1,
-    "vec3 ssgi_unpack_normal(uint u) {\n"
+{ "ssgi_unpack_normal", __LINE__, "vec3 ssgi_unpack_normal(uint u) {\n"
     "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
     "}\n" },
-{ "ssgi_pack_radiance", __LINE__ + 1,
-    "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
+{ "ssgi_pack_radiance", __LINE__, "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
     "    // rounds up to the next exponent where 9 bits would overflow\n"
@@ -770,8 +721,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
     "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
     "}\n" },
-{ "ssgi_pack_place", __LINE__ + 1,
-    "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
+{ "ssgi_pack_place", __LINE__, "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
     "uint ssgi_pack_place(float z, vec3 n) {\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
@@ -785,10 +735,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
-{ "ssgi_reach", __LINE__ + 1,
-    "float ssgi_reach; // length of the segment that is tested\n" },
-{ "ssgi_thickness", __LINE__ + 1,
-    "// how far what is seen reaches away from the viewer\n"
+{ "ssgi_reach", __LINE__, "float ssgi_reach; // length of the segment that is tested\n" },
+{ "ssgi_thickness", __LINE__, "// how far what is seen reaches away from the viewer\n"
     "float ssgi_thickness() {\n"
     "    // a short segment must not end on what floats far before it\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_reach); // #if pass == LIGHTS\n"
@@ -796,12 +744,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ---- the blocker itself, where it is looked at: what it sends, how far it is */
 
-{ "ssgi_P", __LINE__ + 1,
-    "vec3 ssgi_P; // the receiver\n" },
-{ "ssgi_n", __LINE__ + 1,
-    "vec3 ssgi_n; // its normal\n" },
-{ "ssgi_point", __LINE__ + 1,
-    "// the point that camera v shows at a pixel and depth; -1 is the picture's\n"
+{ "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
+{ "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
+{ "ssgi_point", __LINE__, "// the point that camera v shows at a pixel and depth; -1 is the picture's\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "#if views\n"
     "    if (v >= 0) {\n"
@@ -813,16 +758,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_sender", __LINE__ + 1,
     "vec4 ssgi_sender; // what the surface found around the sample sends to the receiver, and how near it is\n" },
-{ "ssgi_sender_place", __LINE__ + 1,
-    "uint ssgi_sender_place; // its normal, packed\n" },
-{ "ssgi_held", __LINE__ + 1,
-    "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
+{ "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
+{ "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
     "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
     "}\n" },
-{ "ssgi_sent", __LINE__ + 1,
-    "// what a surface at Q sends to the receiver\n"
+{ "ssgi_sent", __LINE__, "// what a surface at Q sends to the receiver\n"
     "vec3 ssgi_sent(uvec2 s, vec3 Q) {\n"
     "#if bounce == PATCH\n"
     "    vec3 d = ssgi_P - Q;\n"
@@ -837,8 +779,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_faded", __LINE__ + 1,
-    "// how much a blocker that the picture shows at Q still blocks\n"
+{ "ssgi_faded", __LINE__, "// how much a blocker that the picture shows at Q still blocks\n"
     "float ssgi_faded(vec3 Q) {\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
@@ -854,8 +795,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
     "    return decode.w > 0.0 ? w : 1.0 / w;\n"
     "}\n" },
-{ "ssgi_surface", __LINE__ + 1,
-    "// view depth of layer j at a pixel of camera v\n"
+{ "ssgi_surface", __LINE__, "// view depth of layer j at a pixel of camera v\n"
     "float ssgi_surface(int v, ivec2 p, int j) {\n"
     "#if views\n"
     "    ivec3 texel = ivec3(p, v * SSGI_VIEW_LAYERS + j);\n"
@@ -864,8 +804,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
     "    return ssgi_depth(p);\n"
     "}\n" },
-{ "ssgi_way", __LINE__ + 1,
-    "vec3 ssgi_way; // from the receiver to the sample\n" },
+{ "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
 { "ssgi_offer", __LINE__ + 1,
     "// of the surfaces around the sample that send anything the sender is the one nearest to that way\n"
     "void ssgi_offer(uvec2 s, vec3 Q) {\n"
@@ -879,7 +818,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Where depth s stands at a pixel of camera v: above 0 inside matter, which is from an odd layer to the next;\n"
     "// -1 seen in the open, by more than the slack; 0 not known.\n"
     "float ssgi_matter(int v, ivec2 p, float s, int layers, float slack) {\n"
-    "    // matter whose far side is no layer has no end; if thin, ssgi_thickness(), and what lies behind is not known\n"
+    "    // matter whose far side is no layer has no end; if thin, ssgi_thickness(); behind, nothing is known\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
@@ -906,8 +845,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return found;\n"
     "}\n" },
-{ "ssgi_blocked", __LINE__ + 1,
-    "#if layers > 1 || views\n"
+{ "ssgi_blocked", __LINE__, "#if layers > 1 || views\n"
     "// how much S is blocked: inside matter\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
@@ -950,14 +888,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
 
-{ "ssgi_sh", __LINE__ + 1,
-    "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
+{ "ssgi_sh", __LINE__, "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
     "    vec4 b, c; // #if bands > 2\n"
     "    vec4 d; // #if bands > 3\n"
     "};\n" },
-{ "ssgi_vectors", __LINE__ + 1,
-    "struct ssgi_vectors { ssgi_sh c[3]; }; // #if transfer\n"
+{ "ssgi_vectors", __LINE__, "struct ssgi_vectors { ssgi_sh c[3]; }; // #if transfer\n"
     "struct ssgi_vectors { ssgi_sh c[1]; }; // #if !transfer\n" },
 { "ssgi_sh_basis", __LINE__ + 1,
     "// real spherical harmonics at a unit direction, l*l + l + m, without the Condon-Shortley sign\n"
@@ -980,11 +916,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return y;\n"
     "}\n" },
-{ "SSGI_COSINE", __LINE__ + 1,
-    "// zonal harmonics of the clamped cosine\n"
+{ "SSGI_COSINE", __LINE__, "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
-{ "ssgi_sh_zonal", __LINE__ + 1,
-    "// a lobe about n from its zonal harmonics, a lane a band\n"
+{ "ssgi_sh_zonal", __LINE__, "// a lobe about n from its zonal harmonics, a lane a band\n"
     "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) {\n"
     "    ssgi_sh y = ssgi_sh_basis(n);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
@@ -994,23 +928,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y.d *= zonal.w; // #if bands > 3\n"
     "    return y;\n"
     "}\n" },
-{ "ssgi_sh_add", __LINE__ + 1,
-    "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
+{ "ssgi_sh_add", __LINE__, "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
     "    s.a += y.a * w;\n"
     "    s.b += y.b * w; // #if bands > 2\n"
     "    s.c += y.c * w; // #if bands > 2\n"
     "    s.d += y.d * w; // #if bands > 3\n"
     "}\n" },
-{ "ssgi_sh_dot", __LINE__ + 1,
-    "// the integral of the product\n"
+{ "ssgi_sh_dot", __LINE__, "// the integral of the product\n"
     "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) {\n"
     "    float s = dot(x.a, y.a);\n"
     "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
     "    s += dot(x.d, y.d); // #if bands > 3\n"
     "    return s;\n"
     "}\n" },
-{ "ssgi_sh_complex", __LINE__ + 1,
-    "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
+{ "ssgi_sh_complex", __LINE__, "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
     "}\n" },
 { "ssgi_sh_about_z", __LINE__ + 1,
@@ -1028,8 +959,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.c.yzw = vec3(three.y, two.y, one.y);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_sh_quarter", __LINE__ + 1,
-    "// and about x by a quarter, forth (1) or back (-1)\n"
+{ "ssgi_sh_quarter", __LINE__, "// and about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
@@ -1042,8 +972,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "               way * (0.61237244 * o.x - 0.79056942 * o.y), 0.25 * s.d.w - 0.96824584 * s.d.y);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_sh_turn", __LINE__ + 1,
-    "// turns a function by a rotation: its value at n goes to R n\n"
+{ "ssgi_sh_turn", __LINE__, "// turns a function by a rotation: its value at n goes to R n\n"
     "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
     "    s.a.yzw = (R * s.a.wyz).yzx; // #if bands > 1\n"
     "#if bands > 2\n"
@@ -1060,8 +989,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_about_z(s, phi);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_pack_half", __LINE__ + 1,
-    "#if dialect == 330 || dialect == 410\n"
+{ "ssgi_pack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
     "// packHalf2x16, which this language lacks: to nearest even\n"
     "uint ssgi_pack_half(vec2 v) {\n"
     "    uvec2 u = floatBitsToUint(clamp(v, -65504.0, 65504.0)), a = u & 0x7fffffffu;\n"
@@ -1075,8 +1003,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_unpack_half", __LINE__ + 1,
-    "#if dialect == 330 || dialect == 410\n"
+{ "ssgi_unpack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
     "vec2 ssgi_unpack_half(uint u) {\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
     "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
@@ -1088,8 +1015,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return unpackHalf2x16(u);\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_unpack", __LINE__ + 1,
-    "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
+{ "ssgi_unpack", __LINE__, "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
     "    s.a = vec4(ssgi_unpack_half(u.x).x, 0.0, 0.0, 0.0);\n"
     "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y)); // #if bands > 1\n"
@@ -1099,8 +1025,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w)); // #if bands > 3\n"
     "    return s;\n"
     "}\n" },
-{ "ssgi_load", __LINE__ + 1,
-    "// what s3ho wrote at a texel of its targets\n"
+{ "ssgi_load", __LINE__, "// what s3ho wrote at a texel of its targets\n"
     "ssgi_vectors ssgi_load(ivec2 p) {\n"
     "    ssgi_vectors v;\n"
     "#if transfer\n"
@@ -1131,8 +1056,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return v;\n"
     "}\n" },
-{ "ssgi_pack_first", __LINE__ + 1,
-    "// coefficients 0..7, 8..15\n"
+{ "ssgi_pack_first", __LINE__, "// coefficients 0..7, 8..15\n"
     "uvec4 ssgi_pack_first(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), 0u, 0u, 0u);\n"
     "    u.y = ssgi_pack_half(s.a.zw); // #if bands > 1\n"
@@ -1140,14 +1064,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    u.w = ssgi_pack_half(s.b.zw); // #if bands > 2\n"
     "    return u;\n"
     "}\n" },
-{ "ssgi_pack_more", __LINE__ + 1,
-    "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
+{ "ssgi_pack_more", __LINE__, "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
     "    return u;\n"
     "}\n" },
-{ "ssgi_store", __LINE__ + 1,
-    "void ssgi_store(ssgi_vectors v) {\n"
+{ "ssgi_store", __LINE__, "void ssgi_store(ssgi_vectors v) {\n"
     "#if transfer\n"
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
@@ -1167,30 +1089,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_vectors_none", __LINE__ + 1,
-    "ssgi_vectors ssgi_vectors_none() {\n"
+{ "ssgi_vectors_none", __LINE__, "ssgi_vectors ssgi_vectors_none() {\n"
     "    ssgi_vectors v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return v;\n"
     "}\n" },
-{ "ssgi_free", __LINE__ + 1,
-    "// ambient visibility, as the vectors know it\n"
+{ "ssgi_free", __LINE__, "// ambient visibility, as the vectors know it\n"
     "vec3 ssgi_free(ssgi_vectors v) {\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
     "}\n" },
 { "ssgi_lacking", __LINE__ + 1,
     "vec3 ssgi_lacking = vec3(0.0); // what the harmonics lack of an open surface's irradiance over pi\n" },
-{ "ssgi_incoming", __LINE__ + 1,
-    "// one channel of irradiance from a vector [S3HO12 eq. 3]\n"
+{ "ssgi_incoming", __LINE__, "// one channel of irradiance from a vector [S3HO12 eq. 3]\n"
     "float ssgi_incoming(int c, ssgi_sh s) {\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
     "    return e;\n"
     "}\n" },
-{ "ssgi_irradiance", __LINE__ + 1,
-    "// and all three, over pi\n"
+{ "ssgi_irradiance", __LINE__, "// and all three, over pi\n"
     "vec3 ssgi_irradiance(ssgi_vectors v) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
@@ -1199,10 +1117,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ==== >>gather: what a pixel collects =========================================================================== */
 
-{ "SSGI_KERNEL", __LINE__ + 1,
-    "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
-{ "ssgi_length", __LINE__ + 1,
-    "// where on its direction a sample stands\n"
+{ "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
+{ "ssgi_length", __LINE__, "// where on its direction a sample stands\n"
     "float ssgi_length(float xi) {\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
     "    return xi; // #if falloff != SQUARE\n"
@@ -1217,8 +1133,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
     "}\n" },
-{ "ssgi_gather", __LINE__ + 1,
-    "#if pass == SSAO\n"
+{ "ssgi_gather", __LINE__, "#if pass == SSAO\n"
     "// occlusion from point samples: directions by the cosine, lengths such that it converges to the attenuation\n"
     "// that desc.falloff names\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1293,14 +1208,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_attenuation", __LINE__ + 1,
-    "// weight of an occluder at a distance [HSAO08 3.5]\n"
+{ "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
     "float ssgi_attenuation(float d) {\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
     "    return max(1.0 - d / u_ssgi_radius, 0.0); // #if !hard\n"
     "}\n" },
-{ "ssgi_ray", __LINE__ + 1,
-    "// occlusion along one ray from the lifted receiver: the weight of the first blocked step\n"
+{ "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first blocked step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = u_ssgi_radius * (float(i) + xi) / float(SSGI_STEPS);\n"
@@ -1352,10 +1265,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    e *= 1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x));\n"
     "    return cosg * s * s + sing * (mix(e, 3.14159265 - e, lessThan(c, vec2(0.0))) - s * c);\n"
     "}\n" },
-{ "SSGI_LEVEL", __LINE__ + 1,
-    "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
-{ "ssgi_gather", __LINE__ + 1,
-    "#if pass == HSAO && search == SLICES\n"
+{ "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
+{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
     "// Occlusion: horizons on both sides (.x, .y) of SSGI_DIRECTIONS planes through the view direction. n over the\n"
     "// length l of its projection makes dot(d, n) the height over the tangent plane within the slice: exactly 0 on\n"
     "// a plane, wherever texels lie. Each rise of a horizon is attenuated by the mean distance of the taps that it\n"
@@ -1431,8 +1342,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return sum / float(SSGI_DIRECTIONS);\n"
     "}\n"
     "#endif\n" },
-{ "main_gather", __LINE__ + 1,
-    "#if half\n"
+{ "main_gather", __LINE__, "#if half\n"
     "void main() { // one pixel of every 2x2\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
     "    vec2 xi = ssgi_noise(p);\n"
@@ -1469,11 +1379,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ==== >>light: lights, senders, what vectors of s3ho meet ======================================================= */
 
-{ "ssgi_light", __LINE__ + 1,
-    "// l, d: way and distance to a light; g: falloff, but for the receiver's cosine\n"
+{ "ssgi_light", __LINE__, "// l, d: way and distance to a light; g: falloff, but for the receiver's cosine\n"
     "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
-{ "ssgi_light_at", __LINE__ + 1,
-    "// row i of t_ssgi_lights, as it shines on P\n"
+{ "ssgi_light_at", __LINE__, "// row i of t_ssgi_lights, as it shines on P\n"
     "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
@@ -1487,8 +1395,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
     "    return s;\n"
     "}\n" },
-{ "ssgi_segment", __LINE__ + 1,
-    "// 1 where any point of a segment from the lifted receiver is blocked\n"
+{ "ssgi_segment", __LINE__, "// 1 where any point of a segment from the lifted receiver is blocked\n"
     "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
     "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
@@ -1517,8 +1424,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
-{ "ssgi_lit", __LINE__ + 1,
-    "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
+{ "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0), start = ssgi_lift(P, n);\n"
@@ -1550,8 +1456,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return sum;\n"
     "}\n" },
-{ "main_lights", __LINE__ + 1,
-    "void main() {\n"
+{ "main_lights", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
     "    float z = ssgi_depth(p); // #if !receiver\n"
@@ -1565,8 +1470,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
     "}\n" },
-{ "main_senders", __LINE__ + 1,
-    "void main() {\n"
+{ "main_senders", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
     "    float z = ssgi_depth(p); // #if !receiver\n"
@@ -1612,8 +1516,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return s.colour.xyz * e * s.g;\n"
     "}\n" },
-{ "main_shade", __LINE__ + 1,
-    "void main() {\n"
+{ "main_shade", __LINE__, "void main() {\n"
     "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "    float z = ssgi_depth(p);\n"
@@ -1652,8 +1555,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ==== >>field: casters whose occlusion was baked ================================================================ */
 
-{ "main_caster", __LINE__ + 1,
-    "flat out vec4 v_ssgi_caster[9]; // ssgi_gl_caster from to_field on\n"
+{ "main_caster", __LINE__, "flat out vec4 v_ssgi_caster[9]; // ssgi_gl_caster from to_field on\n"
     "void main() {\n"
     "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_casters, ivec2(0, gl_InstanceID), 0)); // that it reaches\n"
     "    for (int i = 0; i < 9; ++i) v_ssgi_caster[i] = texelFetch(t_ssgi_casters, ivec2(i + 1, gl_InstanceID), 0);\n"
@@ -1661,11 +1563,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
-{ "SSGI_FIELD_UNIT", __LINE__ + 1,
-    "const float SSGI_FIELD_UNIT = 1.0 / 255.0; // #if eight_bits\n"
+{ "SSGI_FIELD_UNIT", __LINE__, "const float SSGI_FIELD_UNIT = 1.0 / 255.0; // #if eight_bits\n"
     "const float SSGI_FIELD_UNIT = 1.0 / 65535.0; // #if !eight_bits\n" },
-{ "ssgi_field_texel", __LINE__ + 1,
-    "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
+{ "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "#if eight_bits\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
@@ -1676,8 +1576,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    b += weight * vec4(v.z & 65535u, v.z >> 16, v.w & 65535u, v.w >> 16);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_field_fetch", __LINE__ + 1,
-    "#if storage == CUBE\n"
+{ "ssgi_field_fetch", __LINE__, "#if storage == CUBE\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    a = textureLod(t_ssgi_field, w, 0.0);\n"
     "    b = textureLod(t_ssgi_field_centre, w, 0.0);\n"
@@ -1720,8 +1619,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
     "}\n" },
-{ "ssgi_cap_any", __LINE__ + 1,
-    "#if cap == TABLE\n"
+{ "ssgi_cap_any", __LINE__, "#if cap == TABLE\n"
     "// the same from a table: h: solid angle / 2 pi; coordinates hit texel centres\n"
     "float ssgi_cap_any(float h, float c) {\n"
     "    float n = float(textureSize(t_ssgi_cap, 0).x);\n"
@@ -1742,8 +1640,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float r = length(w);\n"
     "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
-{ "ssgi_field_occlusion", __LINE__ + 1,
-    "// occlusion by a caster, in [0,1]; n: unit normal\n"
+{ "ssgi_field_occlusion", __LINE__, "// occlusion by a caster, in [0,1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 caster[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, caster[8].xy, a, b);\n"
@@ -1781,13 +1678,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return visibility;\n"
     "}\n" },
-{ "ssgi_object", __LINE__ + 1,
-    "uint ssgi_object(ivec2 p) {\n"
+{ "ssgi_object", __LINE__, "uint ssgi_object(ivec2 p) {\n"
     "    return ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
     "    return texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
     "}\n" },
-{ "main_field", __LINE__ + 1,
-    "flat in vec4 v_ssgi_caster[9];\n"
+{ "main_field", __LINE__, "flat in vec4 v_ssgi_caster[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
@@ -1804,8 +1699,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* Twins of >>surfels in ssgi.h. */
 
-{ "main_patch", __LINE__ + 1,
-    "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
+{ "main_patch", __LINE__, "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
     "void main() {\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
@@ -1815,26 +1709,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_colour = a_ssgi_colour;\n"
     "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
     "}\n" },
-{ "ssgi_tess_count", __LINE__ + 1,
-    "int ssgi_tess_count(int level) {\n"
+{ "ssgi_tess_count", __LINE__, "int ssgi_tess_count(int level) {\n"
     "    int half_ = (level + 1) / 2;\n"
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
     "}\n" },
-{ "ssgi_part", __LINE__ + 1,
-    "// weights of corner c of part i of n * n\n"
+{ "ssgi_part", __LINE__, "// weights of corner c of part i of n * n\n"
     "vec3 ssgi_part(int i, int n, int c) {\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
     "    return vec3(n - down, down - across, across) / float(n);\n"
     "}\n" },
-{ "ssgi_surfel_radius", __LINE__ + 1,
-    "float ssgi_surfel_radius(float depth) {\n"
+{ "ssgi_surfel_radius", __LINE__, "float ssgi_surfel_radius(float depth) {\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_aside", __LINE__ + 1,
-    "// how far outside of the frustum\n"
+{ "ssgi_aside", __LINE__, "// how far outside of the frustum\n"
     "float ssgi_aside(vec3 P) {\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
@@ -1846,8 +1736,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
     "}\n" },
-{ "main_levels", __LINE__ + 1,
-    "layout(vertices = 3) out;\n"
+{ "main_levels", __LINE__, "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
@@ -1894,21 +1783,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float all = empty ? 0.0 : float(level);\n"
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
     "}\n" },
-{ "ssgi_hash", __LINE__ + 1,
-    "uint ssgi_hash(uint x) {\n"
+{ "ssgi_hash", __LINE__, "uint ssgi_hash(uint x) {\n"
     "    x = x * 747796405u + 2891336453u;\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n"
     "}\n" },
-{ "ssgi_surfel_light", __LINE__ + 1,
-    "// irradiance over pi of a surfel, open to the environment\n"
+{ "ssgi_surfel_light", __LINE__, "// irradiance over pi of a surfel, open to the environment\n"
     "vec3 ssgi_surfel_light(vec3 P, vec3 n) {\n"
     "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
     "    sum += ssgi_open(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
     "    return sum;\n"
     "}\n" },
-{ "main_points", __LINE__ + 1,
-    "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
+{ "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
     "void main() {\n"
@@ -1938,8 +1824,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
     "}\n" },
-{ "main_buffer", __LINE__ + 1,
-    "void main() {\n"
+{ "main_buffer", __LINE__, "void main() {\n"
     "    vec3 P = a_ssgi_surfel0.xyz, n = a_ssgi_surfel1.xyz, colour = a_ssgi_surfel2.xyz;\n"
     "#if sends == LIGHTS\n"
     "    colour *= ssgi_surfel_light(P, n);\n"
@@ -1950,12 +1835,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
     "}\n" },
-{ "main_nothing", __LINE__ + 1,
-    "// nothing is drawn; GLES requires a fragment stage\n"
+{ "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
     "void main() {\n"
     "}\n" },
-{ "ssgi_deal", __LINE__ + 1,
-    "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
+{ "ssgi_deal", __LINE__, "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
     "ivec2 ssgi_deal(ivec2 block, int mask) {\n"
     "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
     "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
@@ -1964,8 +1847,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* Level l deals the pixels of each block of 2^l x 2^l out to as many sub-buffers, which lie side by side. */
 
-{ "main_shuffle", __LINE__ + 1,
-    "void main() {\n"
+{ "main_shuffle", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    q.y -= l * u_ssgi_level.y;\n"
@@ -1979,8 +1861,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
     "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
     "}\n" },
-{ "main_unshuffle", __LINE__ + 1,
-    "void main() {\n"
+{ "main_unshuffle", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    ivec2 p = ivec2(q.x, q.y - l * u_ssgi_level.y), block = p >> l, across = (u_ssgi_size + mask) >> l;\n"
@@ -1990,8 +1871,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_shell", __LINE__ + 1,
-    "// what of a surfel is drawn at a level: a rectangle of one sub-buffer\n"
+{ "ssgi_shell", __LINE__, "// what of a surfel is drawn at a level: a rectangle of one sub-buffer\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty where nothing is reached\n"
@@ -2024,19 +1904,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n"
     "}\n" },
-{ "ssgi_corner", __LINE__ + 1,
-    "vec4 ssgi_corner(vec4 b, int corner) {\n"
+{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 b, int corner) {\n"
     "    vec2 at = vec2((corner & 1) == 1 ? b.z : b.x, corner > 1 ? b.w : b.y);\n"
     "    return vec4(at / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
-{ "main_quad", __LINE__ + 1,
-    "void main() {\n"
+{ "main_quad", __LINE__, "void main() {\n"
     "    int corner = gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
     "    gl_Position = ssgi_corner(b, corner < 3 ? corner : 6 - corner);\n"
     "}\n" },
-{ "main_strip", __LINE__ + 1,
-    "layout(points) in;\n"
+{ "main_strip", __LINE__, "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
@@ -2071,8 +1948,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (max(dd, 1e-30) * (dd + rr));\n"
     "}\n" },
-{ "main_splat", __LINE__ + 1,
-    "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+{ "main_splat", __LINE__, "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "void main() {\n"
     "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
@@ -2114,20 +1990,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* ==== >>filter ================================================================================================== */
 
-{ "ssgi_plane", __LINE__ + 1,
-    "// the tangent plane at P, for ssgi_off_plane\n"
+{ "ssgi_plane", __LINE__, "// the tangent plane at P, for ssgi_off_plane\n"
     "vec3 ssgi_plane(vec3 P, vec3 n) {\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_off_plane", __LINE__ + 1,
-    "// how far the point seen o pixels from P at depth z lies off the plane through P\n"
+{ "ssgi_off_plane", __LINE__, "// how far the point seen o pixels from P at depth z lies off the plane through P\n"
     "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
     "    return abs(dot(k.xy, o) - k.z * (z + P.z)); // #if orthographic\n"
     "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
     "}\n" },
-{ "main_smooth", __LINE__ + 1,
-    "void main() {\n"
+{ "main_smooth", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
     "    ivec2 first = ivec2(0, l * u_ssgi_level.y), p = q - first;\n"
@@ -2152,14 +2025,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_once", __LINE__ + 1,
-    "// of what is hidden so much is hidden once\n"
+{ "ssgi_once", __LINE__, "// of what is hidden so much is hidden once\n"
     "float ssgi_once(float form) {\n"
     "    return 1.0 / max(form, 1.0); // #if overlap == ADD\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0; // #if overlap != ADD\n"
     "}\n" },
-{ "main_sum", __LINE__ + 1,
-    "void main() {\n"
+{ "main_sum", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
     "    vec4 sum = vec4(0.0);\n"
@@ -2180,8 +2051,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_scatter = vec4(sum.xyz, z);\n"
     "#endif\n"
     "}\n" },
-{ "main_blur", __LINE__ + 1,
-    "void main() {\n"
+{ "main_blur", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "#if colour == VECTORS && half\n"
     "    ssgi_vectors sum = ssgi_vectors_none();\n"
@@ -2291,8 +2161,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    o_ssgi_survey = sum / float(SSGI_SAMPLES);\n"
     "}\n" },
-{ "main_triangle", __LINE__ + 1,
-    "// one triangle that covers the viewport\n"
+{ "main_triangle", __LINE__, "// one triangle that covers the viewport\n"
     "void main() {\n"
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
     "}\n" },
@@ -2300,32 +2169,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
 
-/* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always). Texture
-   units are fixed, so that a texture has one unit in every variant of a pass: textures that meet in a pass have different
-   ones. Locations of outputs and attributes, and places of captures, count up in this order. */
+/* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
+   Texture units are fixed, so that a texture has one unit in every variant of a pass: textures that meet in a pass
+   differ in theirs. Locations of outputs and attributes, and places of captures, count up in this order. */
 typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
 
-#define SSGI_GL__C(name, field)               { NULL, 0, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
-#define SSGI_GL__P(member, type, units) \
-    { NULL, sizeof ((ssgi_gl_frame *)0)->member, { "u_ssgi_" #member, SSGI_GL_PARAM, type, 0, offsetof(ssgi_gl_frame, member), units } }
-#define SSGI_GL__V(member, type, units) \
-    { NULL, sizeof ((ssgi_gl_views *)0)->member, { "u_ssgi_view_" #member, SSGI_GL_PARAM, type, 1, offsetof(ssgi_gl_views, member), units } }
-#define SSGI_GL__T(name, unit, when, type, format) { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, format } }
-#define SSGI_GL__O(name, when, type, format)       { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, format } }
-#define SSGI_GL__A(name, type, format)             { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, format } }
-#define SSGI_GL__K(name, type, format)             { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, format } }
+#define SSGI_GL__C(name, field) { NULL, 0, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
+#define SSGI_GL__IN(block, prefix, of, member, type, units) \
+    { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
+#define SSGI_GL__P(member, type, units) SSGI_GL__IN(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
+#define SSGI_GL__V(member, type, units) SSGI_GL__IN(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
+#define SSGI_GL__T(name, unit, when, type, is) { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__O(name, when, type, is)       { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
+#define SSGI_GL__A(name, type, is)             { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
+#define SSGI_GL__K(name, type, is)             { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
 /* What s3ho writes and shade and blur read: a texture and an output of one name. */
-#define SSGI_GL__FLOATS(name, unit, format) SSGI_GL__T(name, unit, "!packed", "sampler2D", "RGBA16F or RGBA32F: " format), \
-                                            SSGI_GL__O(name, "!packed", "vec4", "RGBA16F or RGBA32F: " format)
-#define SSGI_GL__HALVES(name, unit, format) SSGI_GL__T(name, unit, "packed", "usampler2D", "RGBA32UI: " format), \
-                                            SSGI_GL__O(name, "packed", "uvec4", "RGBA32UI: " format)
-#define SSGI_GL__LIGHT_FORMAT "RGBA32F or RGBA16F: "
+#define SSGI_GL__FLOATS(name, unit, is) \
+    SSGI_GL__T(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
+    SSGI_GL__O(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
+#define SSGI_GL__HALVES(name, unit, is) \
+    SSGI_GL__T(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
+    SSGI_GL__O(name, "packed", "uvec4", "RGBA32UI: " is)
+#define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__C("SSGI_SAMPLES", samples), SSGI_GL__C("SSGI_DIRECTIONS", directions), SSGI_GL__C("SSGI_STEPS", steps),
     SSGI_GL__C("SSGI_NORMAL_RAYS", normal_rays), SSGI_GL__C("SSGI_LAYERS", layers), SSGI_GL__C("SSGI_VIEWS", views),
-    SSGI_GL__C("SSGI_VIEW_LAYERS", view_layers), SSGI_GL__C("SSGI_RECEIVER", receiver), SSGI_GL__C("SSGI_LEVELS", levels),
-    SSGI_GL__C("SSGI_NEAR", closely), SSGI_GL__C("SSGI_AXIS", axis), SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius),
+    SSGI_GL__C("SSGI_VIEW_LAYERS", view_layers), SSGI_GL__C("SSGI_RECEIVER", receiver),
+    SSGI_GL__C("SSGI_LEVELS", levels), SSGI_GL__C("SSGI_NEAR", closely), SSGI_GL__C("SSGI_AXIS", axis),
+    SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius),
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
@@ -2359,47 +2231,51 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
-    SSGI_GL__T("depth", 0, NULL, "sampler2D", "depth: hardware depth (any DEPTH_COMPONENT, compare mode off) or R32F view depth, NEAREST"),
-    SSGI_GL__T("normal", 1, "!receiver", "sampler2D", "normal: RGBA16F, RGB10_A2, RG16F .. as desc.normal says, no mipmap filter"),
-    SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 ..: as desc.normal says, no mipmap filter"),
+    SSGI_GL__T("depth", 0, NULL, "sampler2D", "hardware depth (any, compare mode off) or R32F view depth, NEAREST"),
+    SSGI_GL__T("normal", 1, "!receiver", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
+    SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
-    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size: ssgi_jitter_tile, no mipmap filter"),
-    SSGI_GL__T("views", 4, NULL, "sampler2DArray", "extra cameras: hardware depth, slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: ssgi_jitter_tile"),
+    SSGI_GL__T("views", 4, NULL, "sampler2DArray", "hardware depth, slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__T("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
-    SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: the same of extra cameras, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__T("kernel", 7, NULL, "sampler2D", "RGBA32F or RGBA16F, a row a set: ssgi_kernel, NEAREST"),
-    SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB32F, RGB16F ..: ssgi_environment_map, a sample's solid angle, NEAREST"),
-    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB32F, RGB16F .., NEAREST: slice 0 ssgi_environment_map, solid angle 0, with exact harmonics less those (ssgi_sh_lacking); for cones slice k of n is ssgi_environment_cone, cosine k/n"),
+    SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
+    SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
+    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: slice 0 ssgi_environment_map, solid angle 0, "
+               "with exact less the harmonics (ssgi_sh_lacking); for cones k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
-    SSGI_GL__T("shadow", 11, NULL, "sampler2D", "depth: hardware depth, compare mode off, NEAREST; the shadow maps as tiles"),
-    SSGI_GL__T("light", 12, NULL, "sampler2D", "what ssdo, shade or lights wrote: RGBA32F or RGBA16F, NEAREST"),
-    SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F ..: linear albedo, no mipmap filter"),
-    SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., no mipmap filter"),
-    SSGI_GL__T("direct", 14, NULL, "sampler2D", "your outgoing radiance: RGBA16F, R11F_G11F_B10F .., no mipmap filter"),
+    SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
+    SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
+    SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
+    SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
     SSGI_GL__T("casters", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row a ssgi_gl_caster"),
-    SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: number of the object that a pixel shows, 0 = none"),
+    SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__T("fields", 4, "!eight_bits", "usampler2DArray", "RGBA32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("fields", 4, "eight_bits", "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("field", 5, NULL, "samplerCube", "RGBA16 or RGBA8, LINEAR, seamless: ssgi_field_cube, distance"),
     SSGI_GL__T("field_centre", 6, NULL, "samplerCube", "the same: ssgi_field_cube, centre"),
     SSGI_GL__T("cap", 7, NULL, "sampler2D", "R16F or R32F, LINEAR, CLAMP_TO_EDGE: ssgi_cap_table"),
-    SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "what shuffle wrote: RGBA32UI, NEAREST"),
-    SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order: R32F or R16F for occlusion, else RGBA32F or RGBA16F, NEAREST"),
-    SSGI_GL__T("ao", 9, NULL, "sampler2D", "what ssao or hsao wrote: RG32F or RG16F, NEAREST"),
+    SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
+    SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
+    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao or hsao wrote"),
 
-    SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: what ambient visibility there is is multiplied by"),
+    SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
-    SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth for the filter; R8 or R16F if nothing filters"),
-    SSGI_GL__O("light", NULL, "vec4", SSGI_GL__LIGHT_FORMAT "irradiance over pi (shade with albedo: radiance), view depth for the filter"),
-    SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__LIGHT_FORMAT "irradiance over pi from the bounce, view depth"),
-    SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__LIGHT_FORMAT "radiance of the lobe, view depth"),
-    SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__LIGHT_FORMAT "radiance, view depth"),
-    SSGI_GL__O("sender", NULL, "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent and 14, octahedral view-space normal as 6 6"),
-    SSGI_GL__O("bent", NULL, "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of the cone's half-angle"),
+    SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
+               "R16F if nothing filters"),
+    SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
+    SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
+    SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
+    SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
+    SSGI_GL__O("sender", NULL, "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 "
+               "bits of exponent and 14, octahedral view-space normal as 6 6"),
+    SSGI_GL__O("bent", NULL, "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
     SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
-    SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000 of the sum: form factors"),
-    SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__LIGHT_FORMAT "what surfels bring, form factors"),
-    SSGI_GL__O("survey", NULL, "vec4", "RGBA16F or RGBA32F, an eighth of the picture's width and height, rounded up: shares of points around a surface; -1 where nothing is seen"),
+    SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
+    SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
+    SSGI_GL__O("survey", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the picture's width and height, rounded up: shares of "
+               "points around a surface; -1 where nothing is seen"),
     SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
     SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
     SSGI_GL__FLOATS("sh1", 3, "coefficients 4..7"),
@@ -2442,7 +2318,8 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
     { SSGI_GL_SHUFFLE, "shuffle", NULL, SSGI_GL__PLAIN("main_shuffle") },
     { SSGI_GL_SPLAT, "splat", "!tessellate", { "main_quad", "main_splat", NULL, NULL, NULL } },
-    { SSGI_GL_SPLAT, "splat", "tessellate", { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
+    { SSGI_GL_SPLAT, "splat", "tessellate",
+      { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
     { SSGI_GL_UNSHUFFLE, "unshuffle", NULL, SSGI_GL__PLAIN("main_unshuffle") },
     { SSGI_GL_SMOOTH, "smooth", NULL, SSGI_GL__PLAIN("main_smooth") },
     { SSGI_GL_SUM, "sum", NULL, SSGI_GL__PLAIN("main_sum") },
@@ -2462,15 +2339,21 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 }
 
 /* Every int of ssgi_gl_desc: 0 .. most. values: their names in #if lines, in order from 0. */
-typedef struct ssgi_gl__field { const char *name; size_t offset; int most; const char *values, *sentence; } ssgi_gl__field;
+typedef struct ssgi_gl__field {
+    const char *name;
+    size_t offset;
+    int most;
+    const char *values, *sentence;
+} ssgi_gl__field;
 
-#define SSGI_GL__I(field, most, text) { #field, offsetof(ssgi_gl_desc, field), most, "", "desc." #field ": must be " text }
+#define SSGI_GL__I(field, most, text) \
+    { #field, offsetof(ssgi_gl_desc, field), most, "", "desc." #field ": must be " text }
 #define SSGI_GL__B(field) SSGI_GL__I(field, 1, "0 or 1")
 #define SSGI_GL__E(field, most, prefix, values) \
     { #field, offsetof(ssgi_gl_desc, field), most, values, "desc." #field ": must be " prefix "_ and one of " values }
 static const ssgi_gl__field ssgi_gl__fields[] = {
-    SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT "
-               "UNSHUFFLE SMOOTH SUM BLUR SURVEY"),
+    SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR SURVEY"),
     SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"),
     SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
@@ -2532,7 +2415,7 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     }
     if (desc->pass == SSGI_GL_HSAO && desc->search == SSGI_GL_SLICES) {
         if (desc->normal_rays)
-            return ssgi_gl__bad(why, "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon themselves");
+            return ssgi_gl__bad(why, "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon");
         if (desc->layers > 1)
             return ssgi_gl__bad(why, "desc.layers: slices read what is seen alone; hidden layers need SSGI_GL_MARCH");
         if (desc->views)
@@ -2548,32 +2431,32 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
                                             || (desc->pass == SSGI_GL_BLUR && desc->colour == SSGI_GL_VECTORS)))
         return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
     if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
-        return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector of two bands or more: desc.bands, desc.transfer");
+        return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more");
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
     if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
         return ssgi_gl__bad(why, "desc.receiver: hidden layers need their normals");
     if (desc->tessellate && (desc->pass == SSGI_GL_SURFELS || desc->pass == SSGI_GL_SPLAT)
         && !ssgi_gl__dialects[desc->dialect].tessellation)
-        return ssgi_gl__bad(why, "desc.tessellate: needs tessellation and geometry shaders: SSGI_GL_410, _450 or _320ES");
+        return ssgi_gl__bad(why, "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES");
     if (!desc->fetch && desc->sends == SSGI_GL_SENDS_CUSTOM)
         return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_surfel when sends is CUSTOM");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM
                          || desc->objects == SSGI_GL_OBJECTS_CUSTOM))
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object where depth, normal or objects is CUSTOM");
+        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object when they are CUSTOM");
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
     static const struct counts { unsigned char half, samples, directions, steps, rays, thin, faded; } table[5][3] = {
-        { { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 }, { 0, 32, 0, 1, 0, 1, 0 } },     /* ssao: FAST, BALANCED, BEST */
-        { { 1, 0, 1, 3, 0, 0, 0 }, { 1, 0, 2, 6, 0, 0, 0 }, { 0, 0, 3, 8, 0, 0, 0 } },       /* slices */
-        { { 0, 0, 4, 6, 0, 1, 0 }, { 0, 0, 6, 9, 1, 1, 0 }, { 0, 0, 8, 18, 2, 1, 0 } },      /* march: rays past a solid
-                                                                                                foreground all end on it */
-        { { 1, 4, 0, 4, 0, 1, 1 }, { 0, 4, 0, 4, 0, 1, 1 }, { 0, 8, 0, 6, 0, 1, 1 } },       /* ssdo, s3ho: points along a
-                                                                                                direction miss less */
-        { { 0, 4, 0, 1, 0, 1, 0 }, { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 } } };    /* lights */
+        /* FAST, BALANCED, BEST of ssao; slices; march, whose rays past a solid foreground would all end on it; ssdo and
+           s3ho, where points along a direction miss less than single ones; lights */
+        { { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 }, { 0, 32, 0, 1, 0, 1, 0 } },
+        { { 1, 0, 1, 3, 0, 0, 0 }, { 1, 0, 2, 6, 0, 0, 0 }, { 0, 0, 3, 8, 0, 0, 0 } },
+        { { 0, 0, 4, 6, 0, 1, 0 }, { 0, 0, 6, 9, 1, 1, 0 }, { 0, 0, 8, 18, 2, 1, 0 } },
+        { { 1, 4, 0, 4, 0, 1, 1 }, { 0, 4, 0, 4, 0, 1, 1 }, { 0, 8, 0, 6, 0, 1, 1 } },
+        { { 0, 4, 0, 1, 0, 1, 0 }, { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 } } };
     const struct counts *c;
     int row;
     ssgi_result r = ssgi_gl_check(desc, why);
@@ -2585,7 +2468,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: row = 3; break;
     case SSGI_GL_LIGHTS: row = 4; break;
     case SSGI_GL_HSAO: case SSGI_GL_SENDERS: case SSGI_GL_BLUR: row = desc->search == SSGI_GL_SLICES ? 1 : 2; break;
-    default: return SSGI_OK;            /* these have no quality settings in the shader: bakes, sizes of surfels, epsilon */
+    default: return SSGI_OK;            /* these have no quality settings in the shader */
     }
     c = &table[row][preset];
     desc->half = c->half;
@@ -2643,6 +2526,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_VECTORS);
+    const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_SURVEY ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO ? 6 : 1;
@@ -2656,13 +2540,14 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!points) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
     if (!ssdo) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-    if (s3ho) d.environment = d.transfer == SSGI_GL_TRANSFER_REFLECTED ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
+    if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
     else if (!ssdo && !surfels) d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (!(ssdo ? d.environment == SSGI_GL_ENVIRONMENT_SH : s3ho ? d.shaded : shade && !d.shading)
-        || d.transfer == SSGI_GL_TRANSFER_REFLECTED) d.exact = 0;
+    if (reflected || !(ssdo ? d.environment == SSGI_GL_ENVIRONMENT_SH : s3ho ? d.shaded : shade && !d.shading))
+        d.exact = 0;
     if (!shade || d.shading == SSGI_GL_SHADING_BENT) d.lamps = 0;
     if (shade && d.shading && !d.lamps && d.bands > 2) d.bands = 2;        /* a mean direction needs no more */
-    if (surfels && d.shadow != SSGI_GL_SHADOW_MAP) d.shadow = d.shadow == SSGI_GL_SHADOW_FILL ? SSGI_GL_SHADOW_MAP : SSGI_GL_SHADOW_NONE;
+    if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
+    if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
     return d;
 }
@@ -2688,7 +2573,8 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *name, size_t lengt
 {
     int i;
     for (i = 0; i < SSGI_GL__FIELDS; ++i)
-        if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length]) return &ssgi_gl__fields[i];
+        if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
+            return &ssgi_gl__fields[i];
     return NULL;
 }
 
@@ -2826,14 +2712,15 @@ static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, i
     }
 }
 
-/* Adds the names of ours in a line of GLSL: ssgi_*, SSGI_*, and *_ssgi_* of one letter before it; not those in comments. */
+/* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
 static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 {
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
         const char *from = s;
         if (!ssgi_gl__letter(*s)) { ++s; continue; }
         while (ssgi_gl__letter(*s)) ++s;
-        if (s - from < 6 || (memcmp(from, "ssgi_", 5) && memcmp(from, "SSGI_", 5) && memcmp(from + 1, "_ssgi", 5))) continue;
+        if (s - from < 6 || (memcmp(from, "ssgi_", 5) && memcmp(from, "SSGI_", 5) && memcmp(from + 1, "_ssgi", 5)))
+            continue;
         ssgi_gl__named(names, from, (size_t)(s - from), 1);
         if (s - from > 12 && !memcmp(from, "ssgi_custom_", 12)) names->custom = 1;
     }
@@ -2866,13 +2753,18 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     for (i = 0; i < SSGI_GL__ROWS; ++i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
         const char *when = row->when;
-        stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && (!when || ssgi_gl__any(&when, d));
+        stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0)
+                     && (!when || ssgi_gl__any(&when, d));
     }
     stage->fetch = names.custom;
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
-typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES]; } ssgi_gl__program;
+typedef struct ssgi_gl__program {
+    ssgi_gl_desc d;
+    const ssgi_gl__pass *pass;
+    ssgi_gl__stage stage[SSGI_GL_STAGES];
+} ssgi_gl__program;
 
 static void ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc)
 {
@@ -2880,8 +2772,9 @@ static void ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc)
     p->d = ssgi_gl__resolve(desc);
     p->pass = NULL;
     for (i = 0; i < SSGI_GL__VARIANTS; ++i) {
-        const char *when = ssgi_gl__passes[i].when;
-        if (ssgi_gl__passes[i].pass == p->d.pass && (!when || ssgi_gl__any(&when, &p->d))) p->pass = &ssgi_gl__passes[i];
+        const ssgi_gl__pass *pass = &ssgi_gl__passes[i];
+        const char *when = pass->when;
+        if (pass->pass == p->d.pass && (!when || ssgi_gl__any(&when, &p->d))) p->pass = pass;
     }
     for (i = 0; i < SSGI_GL_STAGES; ++i) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i] ? p->pass->mains[i] : "");
 }
@@ -2899,7 +2792,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         if (!used) continue;
         if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(&p->d, io.offset); io.offset = 0; }
         else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
-        if (io.kind == SSGI_GL_CAPTURE && (stage == SSGI_GL_STAGES ? p->pass->mains[SSGI_GL_GEOMETRY] != NULL : stage == SSGI_GL_GEOMETRY))
+        if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
             continue;                           /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         if (n < capacity) out[n] = io;
@@ -2960,8 +2853,8 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
         }
         while (at < io[i].offset) {
             const size_t gap = at % 16 == 0 && io[i].offset - at >= 16 ? (io[i].offset - at) / 16 * 16 : 4;
-            ssgi_gl__print(t, gap > 16 ? "    %s u_ssgi_gap%d[%d];\n" : "    %s u_ssgi_gap%d;\n", gap == 4 ? "float" : "vec4",
-                           10 * block + gaps++, (int)(gap / 16));
+            ssgi_gl__print(t, "    %s u_ssgi_gap%d", gap == 4 ? "float" : "vec4", 10 * block + gaps++);
+            ssgi_gl__print(t, gap > 16 ? "[%d];\n" : ";\n", (int)(gap / 16));
             at += gap;
         }
         ssgi_gl__print(t, *io[i].format ? "    %s %s; // %s\n" : "    %s %s;\n", io[i].type, io[i].name, io[i].format);
@@ -2979,7 +2872,8 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
     ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
     for (i = 0; i < 4 * samples; i += 4)
-        ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1], (double)k[i + 2], (double)k[i + 3]);
+        ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1],
+                       (double)k[i + 2], (double)k[i + 3]);
     ssgi_gl__print(t, ");\n");
 }
 
@@ -3026,8 +2920,9 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     for (i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_PARAM || kind == SSGI_GL_CONSTANT) continue;
-        if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE) ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
-        if (kind == SSGI_GL_TEXTURE && dialect->bindings) ssgi_gl__print(t, "layout(binding = %d) ", io[i].slot);
+        if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE)
+            ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
+        else if (kind == SSGI_GL_TEXTURE && dialect->bindings) ssgi_gl__print(t, "layout(binding = %d) ", io[i].slot);
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
     if (d->fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->fetch);
@@ -3074,7 +2969,8 @@ static void ssgi_gl__print_product(ssgi_gl__text *t, int bands)
             float one[16] = { 0 }, other[16] = { 0 }, product[16];
             one[i] = other[j] = 1.0f;
             ssgi_sh_product(product, bands, one, other);
-            ssgi_gl__print(t, i == j ? "    q = x.%s * y.%s;\n" : "    q = x.%s * y.%s + x.%s * y.%s;\n", lane[i], lane[j], lane[j], lane[i]);
+            ssgi_gl__print(t, "    q = x.%s * y.%s", lane[i], lane[j]);
+            ssgi_gl__print(t, i == j ? ";\n" : " + x.%s * y.%s;\n", lane[j], lane[i]);
             for (k = 0; k < n; ++k)
                 if (product[k] > 1e-5f || product[k] < -1e-5f)
                     ssgi_gl__print(t, "    p.%s += q * %f;\n", lane[k], (double)product[k]);
@@ -3153,7 +3049,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 {
     ssgi_gl_frame f;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    if (!view || view->width < 1 || view->height < 1) return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
+    if (!view || view->width < 1 || view->height < 1)
+        return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
     if (!(radius > 0.0f && radius < SSGI_FAR)) return ssgi_gl__bad(why, "radius: must be > 0 and finite");
     memset(&f, 0, sizeof f);
     memcpy(f.project, view->project, sizeof f.project);
@@ -3181,14 +3078,16 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc, int levels, const float *mesh_to_view, const char **why)
+SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
+                                         int levels, const float *mesh_to_view, const char **why)
 {
     float scale[4], more[2];
     int size[2], i;
     ssgi_result r;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
     for (i = 0; mesh_to_view && i < 16; ++i)
-        if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR)) return ssgi_gl__bad(why, "mesh_to_view: must be finite");
+        if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR))
+            return ssgi_gl__bad(why, "mesh_to_view: must be finite");
     r = ssgi_surfel_scale(scale, more, desc, view, why);
     if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
     if (r != SSGI_OK) return r;
@@ -3213,7 +3112,8 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands, const float *world_to_view, const char **why)
+SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
+                                           const float *world_to_view, const char **why)
 {
     float turned[48];
     int i;
@@ -3235,7 +3135,7 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
         for (r = 0; r < 4; ++r) {
             double sum = c == 3 ? (double)a[12 + r] : 0.0;
             for (k = 0; k < 3; ++k) {
-                double inverse = 0.0;               /* element k, c of b's: the transposed rotation; its translation is that times -t */
+                double inverse = 0.0;               /* of b: the transposed rotation, and that times -t */
                 int i;
                 if (c < 3) inverse = (double)b[4 * k + c];
                 else for (i = 0; i < 3; ++i) inverse -= (double)b[4 * k + i] * (double)b[12 + i];
@@ -3245,8 +3145,10 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
         }
 }
 
-/* Column-major: a point of the picture's view space to x, y (pixels, times depth when perspective), view depth, 1 of another camera; and back. */
-static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float picture[16], const float other[16])
+/* Column-major: a point of the picture's view space to x, y (pixels, times depth when perspective), view depth, 1 of
+   another camera; and back. */
+static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float picture[16],
+                               const float other[16])
 {
     double m[16], b[16];
     int c, r;
@@ -3268,10 +3170,12 @@ static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *vi
     }
 }
 
-static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *picture, const float *other, const char *name, const char **why)
+static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *picture, const float *other,
+                                         const char *name, const char **why)
 {
     int i;
-    if (!view || view->width < 1 || view->height < 1) return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
+    if (!view || view->width < 1 || view->height < 1)
+        return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
     if (!picture) return ssgi_gl__bad(why, "picture_world_to_view: must not be NULL");
     if (!other) return ssgi_gl__bad(why, name);
     for (i = 0; i < 16; ++i)
@@ -3280,13 +3184,15 @@ static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *pic
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view, const float picture_world_to_view[16],
-                                       const float extra_world_to_view[16], const char **why)
+SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
+                                       const float picture_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why)
 {
     ssgi_result r;
     if (!views) return ssgi_gl__bad(why, "views: must not be NULL");
     if (i < 0 || i > 3) return ssgi_gl__bad(why, "i: must be 0..3");
-    r = ssgi_gl__check_camera(view, picture_world_to_view, extra_world_to_view, "extra_world_to_view: must not be NULL", why);
+    r = ssgi_gl__check_camera(view, picture_world_to_view, extra_world_to_view, "extra_world_to_view: must not be NULL",
+                              why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(views->to[i], views->from[i], view, picture_world_to_view, extra_world_to_view);
     views->decode[i][0] = view->depth[0];
@@ -3300,15 +3206,17 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y, const float picture_world_to_view[16],
-                                       const float light_world_to_view[16], const char **why)
+SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
+                                       const float picture_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why)
 {
     float to[16], from[16];
     ssgi_result r;
     int i, k;
     if (!light) return ssgi_gl__bad(why, "light: must not be NULL");
     if (x < 0 || y < 0) return ssgi_gl__bad(why, "x: the tile must lie in the atlas, x and y >= 0");
-    r = ssgi_gl__check_camera(view, picture_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL", why);
+    r = ssgi_gl__check_camera(view, picture_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
+                              why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(to, from, view, picture_world_to_view, light_world_to_view);
     for (i = 0; i < 3; ++i)
@@ -3325,7 +3233,9 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field, const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why)
+SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field,
+                                        const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                        int object, const char **why)
 {
     ssgi_field_limits l;
     ssgi_gl_caster c;
@@ -3333,12 +3243,14 @@ SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field
     const float *m = mesh_to_view;
     int i, k;
     if (!caster) return ssgi_gl__bad(why, "caster: must not be NULL");
-    if (!field || !field->texels || field->resolution < 2) return ssgi_gl__bad(why, "field: must come from ssgi_field_bake or ssgi_field_load");
+    if (!field || !field->texels || field->resolution < 2)
+        return ssgi_gl__bad(why, "field: must come from ssgi_field_bake or ssgi_field_load");
     if (!m) return ssgi_gl__bad(why, "mesh_to_view: must not be NULL");
     if (slice < 0 || slice > 2047) return ssgi_gl__bad(why, "slice: must be 0..2047");
     if (object < 0 || object > 16777215) return ssgi_gl__bad(why, "object: must be 0..16777215");
     l = limits ? *limits : ssgi_field_limits_of(field);
-    if (!(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f)) return ssgi_gl__bad(why, "limits.reach: must be above limits.ramp, which is 0 or more, and at most field->reach");
+    if (!(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f))
+        return ssgi_gl__bad(why, "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
     if (!(l.inside >= 0.0f && l.inside <= 1.0f)) return ssgi_gl__bad(why, "limits.inside: must be 0..1");
     if (!(l.power > 0.0f && l.power < SSGI_FAR)) return ssgi_gl__bad(why, "limits.power: must be above 0 and finite");
     for (i = 0; i < 16; ++i)
@@ -3348,10 +3260,13 @@ SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field
             square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
             across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
         }
-    turn = (double)m[0] * ((double)m[5] * (double)m[10] - (double)m[6] * (double)m[9]) - (double)m[4] * ((double)m[1] * (double)m[10] - (double)m[2] * (double)m[9])
-         + (double)m[8] * ((double)m[1] * (double)m[6] - (double)m[2] * (double)m[5]);
+    for (i = 0, turn = 0.0; i < 3; ++i) {       /* the determinant */
+        const int j = (i + 1) % 3, n = (i + 2) % 3;
+        turn += (double)m[i] * ((double)m[4 + j] * (double)m[8 + n] - (double)m[4 + n] * (double)m[8 + j]);
+    }
     for (i = 0; i < 3; ++i)
-        if (!(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0] && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0] && turn > 0.0))
+        if (!(turn > 0.0 && square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
+              && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0]))
             return ssgi_gl__bad(why, "mesh_to_view: must be a rotation, a translation and a uniform scale");
     memset(&c, 0, sizeof c);
     for (i = 0; i < 3; ++i) {           /* the inverse: transposed over the squared scale */
