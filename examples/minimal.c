@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
@@ -79,29 +80,42 @@ static GLuint ssgi_program(const ssgi_gl_desc *d)
     return p;
 }
 
+typedef struct input { const char *name; GLuint texture; } input;
+
+static void ssgi_bind(const ssgi_gl_desc *d, const input *inputs, int count)     /* each texture to its unit, by name */
+{
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    for (int i = 0, n = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < n; ++i)
+        for (int k = 0; k < count && row[i].kind == SSGI_GL_TEXTURE; ++k) {
+            if (strcmp(row[i].name, inputs[k].name)) continue;
+            glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot);
+            glBindTexture(GL_TEXTURE_2D, inputs[k].texture);
+        }
+}
+
 static void ambient_occlusion(GLuint depth, GLuint normal, const float projection[16], float radius, GLuint result)
 {
-    ssgi_gl_desc d = { 0 };
+    ssgi_gl_desc d = { 0 }, blur;
     ssgi_view view;
     ssgi_gl_frame frame;
     const char *why = "";
-    GLuint block, gather, filter, raw = texture(GL_RG32F, GL_RG, (W + 1) / 2, (H + 1) / 2), bound[3] = { depth, normal, raw };
+    GLuint block, gather, filter, raw = texture(GL_RG32F, GL_RG, (W + 1) / 2, (H + 1) / 2);
+    const input inputs[3] = { { "t_ssgi_depth", depth }, { "t_ssgi_normal", normal }, { "t_ssgi_ao", raw } };
     d.pass = SSGI_GL_HSAO;
     ssgi_gl_preset(&d, SSGI_GL_BALANCED, NULL);                    /* half size, 2 slices of 6 steps, 3x3 filter */
     gather = ssgi_program(&d);
-    d.pass = SSGI_GL_BLUR;
-    filter = ssgi_program(&d);
+    blur = d;
+    blur.pass = SSGI_GL_BLUR;
+    filter = ssgi_program(&blur);
     if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, &why) || ssgi_gl_frame_init(&frame, &view, radius, &why)) { puts(why); exit(1); }
     glGenBuffers(1, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);                 /* from here on: every frame */
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
-    for (GLuint i = 0; i < 3; ++i) {                               /* in the order of the rows: t_ssgi_depth, t_ssgi_normal, t_ssgi_ao */
-        glActiveTexture(GL_TEXTURE0 + i);
-        glBindTexture(GL_TEXTURE_2D, bound[i]);
-    }
     glDisable(GL_DEPTH_TEST);
+    ssgi_bind(&d, inputs, 3);
     target(gather, raw, 0, (W + 1) / 2, (H + 1) / 2);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    ssgi_bind(&blur, inputs, 3);
     target(filter, result, 0, W, H);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
