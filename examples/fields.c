@@ -1,5 +1,10 @@
 /* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits buy, what casters cost, what bakes
-   take, how two casters add up. Included by report.c, which opens stages and measures them. */
+   take, how two casters add up. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
@@ -88,6 +93,8 @@ static const struct { const char *label[2]; setup setup; } pairs[] = {
 
 enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32, COST_WIDTH = 640, COST_HEIGHT = 360 };
 typedef struct field_row_set { const char *title; row row[MOST_FIELD_ROWS]; int count; } field_row_set;
+static row demo_rows[FIELD_DEMO_ROWS];
+static field_row_set sets[FIELD_SETS];
 
 /* ---- >>measuring --------------------------------------------------------------------------------------------------- */
 
@@ -145,7 +152,7 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
     return casters == 1 ? leave_out(s, last, err) : 0;
 }
 
-static row blank(int of, const char *scene, const char *label, const char *settings)
+row blank(int of, const char *scene, const char *label, const char *settings)
 {
     const double none = (double)NAN;
     row r = { .scene = scene, .label = label, .method = "aof", .settings = settings, .fetches = none, .bytes = none, .relative = none, .ms = none, .share = none, .score = { none, none, none, none, 0 }, .of = of };
@@ -232,8 +239,9 @@ static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, k
     return 0;
 }
 
-static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
+int field_demo(FILE *html, const char *out, kit_error *err)
 {
+    row *rows = demo_rows;
     enum { TIMES = 3 };
     const double range = 0.2;
     for (int k = 0; k < FIELD_PARTS; ++k) {
@@ -284,6 +292,12 @@ static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
         stage_close(&s);
     }
     return 0;
+}
+
+void field_demo_text(FILE *f)
+{
+    fprintf(f, "\n%s\n", field_demo_title);
+    table_text(f, demo_rows, FIELD_DEMO_ROWS);
 }
 
 /* ---- >>chart ------------------------------------------------------------------------------------------------------- */
@@ -515,7 +529,9 @@ static int field_unit(FILE *html, const options *o, int k, row *rows, kit_error 
     return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err) : k == COST_SET ? costs_of(rows, o->quick, err) : k == BAKE_SET ? bakes_of(rows, o->quick, err) : pairs_of(rows, err);
 }
 
-static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_error *err)
+int field_units(const options *o) { return planned(field_unit, FIELD_SETS, o); }
+
+int field_chart(FILE *html, const options *o, kit_error *err)
 {
     row curve[FIELD_SCENES * COUNT(field_entries)];
     int points = 0, shown = 0;
@@ -534,7 +550,7 @@ static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_er
     return page_close(&csv, o->out, "chart-aof.csv", err);
 }
 
-static void field_chart_text(FILE *f, const field_row_set *sets)
+void field_chart_text(FILE *f)
 {
     for (int k = 0; k < FIELD_SETS; ++k) {
         if (!sets[k].count) continue;

@@ -1,5 +1,8 @@
-/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Included by report.c, which opens
-   stages and measures them. */
+/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
@@ -161,6 +164,7 @@ static const lit_table band_tables[] = {
 };
 enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables), BAND_TABLES = COUNT(band_tables), LIT_SETS = LIT_TABLES + BAND_TABLES, PHASES = 8 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
+static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
 /* ---- >>pages ------------------------------------------------------------------------------------------------------- */
 
@@ -179,7 +183,7 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     return 0;
 }
 
-static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
+static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
 {
     enum { TIMES = 3 };
     const double range = 0.2;
@@ -234,6 +238,20 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     kit_image_free(&luminance);
     stage_close(&s);
     return 0;
+}
+
+int lit_demo(FILE *html, const char *out, kit_error *err)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k) if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
+    return 0;
+}
+
+void lit_demo_text(FILE *f)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k) {
+        fprintf(f, "\n%s\n", lit_demos[k].title);
+        table_text(f, demo_sets[k].row, demo_sets[k].count);
+    }
 }
 
 /* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. A
@@ -307,7 +325,7 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
 }
 
 /* Of all that was measured. */
-static int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
+int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
 {
     for (int i = 0; i < count + s->givens; ++i) {
         kit_progress("noise", (double)i / (count + s->givens));
@@ -318,17 +336,17 @@ static int splits(row *rows, stage *s, const entry *entries, int count, int phas
 }
 
 /* A row a number of bands, two columns a light: irradiance's error and the time. */
-static void bands_table(FILE *f, const lit_row_set *sets, int html)
+static void bands_table(FILE *f, const lit_row_set *band, int html)
 {
     fputs(html ? "<div class=\"wide\"><table>\n<tr><th>bands<th>settings" : "bands  ", f);
     for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, html ? "<th>%s<th>time" : " %10s   time", band_tables[k].title);
-    for (int i = 0; i < sets->count; ++i) {
-        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", sets->row[i].label, sets->row[i].settings);
+    for (int i = 0; i < band->count; ++i) {
+        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", band->row[i].label, band->row[i].settings);
         for (int k = 0; k < BAND_TABLES; ++k) {
-            const row *r = &sets[k].row[i];
+            const row *r = &band[k].row[i];
             char error[32], time[32];
-            snprintf(error, sizeof error, i < sets[k].count ? "%.4f" : "-", r->error[1]);
-            snprintf(time, sizeof time, i < sets[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
+            snprintf(error, sizeof error, i < band[k].count ? "%.4f" : "-", r->error[1]);
+            snprintf(time, sizeof time, i < band[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
             fprintf(f, html ? "<td>%s<td>%s" : " %10s %6s", error, time);
         }
     }
@@ -356,7 +374,9 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     return count + s.givens;
 }
 
-static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error *err)
+int lit_units(const options *o) { return planned(lit_unit, LIT_SETS, o); }
+
+int lit_chart(FILE *html, const options *o, kit_error *err)
 {
     int shown = 0;
     page csv;
@@ -375,7 +395,7 @@ static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error 
     return page_close(&csv, o->out, "chart-lit.csv", err);
 }
 
-static void lit_chart_text(FILE *f, const lit_row_set *sets)
+void lit_chart_text(FILE *f)
 {
     for (int k = 0; k < LIT_TABLES; ++k) {
         if (!sets[k].count) continue;
