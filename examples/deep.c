@@ -32,8 +32,7 @@ static const float turn_eye[3] = { 0.35f, 0.9f, 2.8f }, turn_from = -8, turn_to 
 #define TURN_BOX { { -0.6f, 0.001f, -0.15f, 0, 1, 0.15f } }
 
 static const entry deep_two[]     = { { "hsao", "hsao", "", 1 }, { "dss", "dss", "", 1 } };
-static const entry deep_ssdo[]    = { { "ssdo", "ssdo", "", 1 } };
-static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "", 1 } };
+static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "size=0.03", 1 } };
 static const entry deep_mirror[]  = { { "dss-gloss", "dss-gloss", "exponent=8", 1 } };
 #define COARSE "size=0.03"
 #define MARBLE "material=marble,unit=0.05,levels=7,epsilon=0.02"
@@ -45,10 +44,7 @@ typedef struct deep_part { const char *title, *about; deep_view see; const entry
 static const deep_part deep_demos[] = {
     { "Deep screen space: ambient occlusion", "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.", BUNNY_AO,
       PART(deep_two, COUNT(deep_two)) },
-    { NULL, "Room.", OWN_VIEW("room"), PART(deep_two, COUNT(deep_two)) },
-    { "Deep screen space: light", "Bunny and four boxes under the sky and a sun, one bounce. In screen space, weighted by 1 - t/radius:", FADING,
-      PART(deep_ssdo, COUNT(deep_ssdo)) },
-    { NULL, "By surfels, all within the radius whole:", WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
+    { "Deep screen space: light", "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.", WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
     { "Deep screen space: one specular bounce", "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.", LOBE,
       PART(deep_mirror, COUNT(deep_mirror)) },
     { "Deep screen space: scattering under the surface",
@@ -230,7 +226,9 @@ int deep_demo(FILE *html, const char *out, kit_error *err)
         int count;
         if (part->title) { set = set ? set + 1 : demo_sets; set->title = part->title; set->count = 0; fprintf(html, "<h2>%s</h2>\n", part->title); }
         row *rows = set->row + set->count;
-        if (deep_open(&s, &part->see, err)) return -1;
+        if (deep_load(&s, &part->see, err)) return -1;
+        if (s.otherwise.kind == SCATTER) s.rays /= 2;
+        if (stage_show(&s, &part->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
         count = deep_measure(rows, &s, name, part->entries, part->count, 1, picture, err);
         if (count < 0) return -1;
         deep_about(html, &s, part->about);

@@ -62,7 +62,7 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 };
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
-enum { DEMO_ROUNDS = 5 };
+enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450 };
 _Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES, "more rows than MOST_ENTRIES");
 
 /* ---- >>demo -------------------------------------------------------------------------------------------------------- */
@@ -76,6 +76,19 @@ static int save_legend(const char *out, kit_error *err)
     kit_image_free(&ramp);
     kit_image_free(&zero);
     kit_image_free(&colour);
+    return 0;
+}
+
+/* Something to look at while the truth is traced. */
+static int first_picture(stage *s, const char *out, kit_error *err)
+{
+    kit_run run;
+    kit_image picture;
+    if (run_open(&run, s, "hsao", "", s->radius, err)) return -1;
+    kit_run_draw(&run, 0);
+    if (kit_run_read(&picture, &run, err) || save(&picture, "Y", 0, out, "hsao", ".png", err)) return -1;
+    kit_image_free(&picture);
+    kit_run_close(&run);
     return 0;
 }
 
@@ -93,7 +106,8 @@ static int demo(const options *o, kit_error *err)
     page p;
     char about[512], note[64], slug[64];
     if (o->mesh) { memset(&mesh, 0, sizeof mesh); mesh.name = mesh.path = o->mesh; mesh.ground = 1; }
-    if (stage_open(&s, &mesh, 1280, 720, err)) return -1;
+    if (stage_load(&s, &mesh, err) || stage_look(&s, &mesh, DEMO_WIDTH, DEMO_HEIGHT, err) || first_picture(&s, o->out, err) || stage_compare(&s, err)) return -1;
+    if (save(&s.truth, "Y", 0, o->out, "truth", ".png", err) || save(&s.truth, "Y", 0, o->out, "truth", ".exr", err)) return -1;
     if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err)) return -1;
     numbers.error = DEMO_ERROR;
     numbers.budget = 20;
@@ -102,7 +116,7 @@ static int demo(const options *o, kit_error *err)
     entries[ENTRIES - 1] = (entry){ "planned", kit_plan_text(planned_set, &plan, SSGI_PLAN_VISIBILITY), planned_set, 1 };
     const int count = plan.method == SSGI_PLAN_NOTHING ? ENTRIES - 1 : ENTRIES;
     if (measure(rows, &s, entries, count, DEMO_ROUNDS, picture, err)) return -1;
-    if (save(&s.truth, "Y", 0, o->out, "truth", ".png", err) || save(&s.truth, "Y", 0, o->out, "truth", ".exr", err) || save_legend(o->out, err)) return -1;
+    if (save_legend(o->out, err)) return -1;
 
     if (page_open(&p, err)) return -1;
     snprintf(about, sizeof about, "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed. Times: %s.",
@@ -110,7 +124,7 @@ static int demo(const options *o, kit_error *err)
     html_head(p.file, o->mesh ? "ssgi: ambient occlusion beside the truth" : "ssgi: ambient occlusion and light beside the truth", about);
     snprintf(note, sizeof note, "%d rays a pixel", RAYS);
     fputs("<h2>Ambient occlusion</h2>\n<div class=\"grid\">\n", p.file);
-    figure_html(p.file, "truth", "ray-traced truth", note, 1280, 720, 0);
+    figure_html(p.file, "truth", "ray-traced truth", note, DEMO_WIDTH, DEMO_HEIGHT, 0);
     key_html(p.file, 0.5);
     fputs("</figure>\n", p.file);
     for (int i = 0; i < count; ++i) {
@@ -121,7 +135,7 @@ static int demo(const options *o, kit_error *err)
         kit_image_free(&difference);
         kit_image_free(&picture[i]);
         snprintf(note, sizeof note, "time %.2f, error %.3f", rows[i].relative, rows[i].share);
-        figure_html(p.file, slug, entries[i].label, note, 1280, 720, 1);
+        figure_html(p.file, slug, entries[i].label, note, DEMO_WIDTH, DEMO_HEIGHT, 1);
         fputs("</figure>\n", p.file);
     }
     fprintf(p.file, "</div>\n<p>Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: ", (double)numbers.error);

@@ -65,10 +65,12 @@ uint64_t hashed(uint64_t h, const void *data, size_t size);
 /* The truth's rays; every stride-th pixel. */
 int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
 int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
-/* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen, without its truth. Open: all of it. */
+/* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen. Compare: its truth, and what else is shown beside it.
+   Show: both; open: all three. */
 int stage_lit(stage *s, kit_error *err);
 int stage_load(stage *s, const view *v, kit_error *err);
 int stage_look(stage *s, const view *v, int width, int height, kit_error *err);
+int stage_compare(stage *s, kit_error *err);
 int stage_show(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_open(stage *s, const view *v, int width, int height, kit_error *err);
 void stage_close(stage *s);

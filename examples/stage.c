@@ -204,10 +204,15 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) ? -1 : 0;
 }
 
+int stage_compare(stage *s, kit_error *err)
+{
+    if (truth_of(s, err)) return -1;
+    return s->lit ? stage_lit(s, err) : stage_ao(s, err);
+}
+
 int stage_show(stage *s, const view *v, int width, int height, kit_error *err)
 {
-    if (stage_look(s, v, width, height, err) || truth_of(s, err)) return -1;
-    return s->lit ? stage_lit(s, err) : stage_ao(s, err);
+    return stage_look(s, v, width, height, err) || stage_compare(s, err) ? -1 : 0;
 }
 
 int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
