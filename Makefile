@@ -48,14 +48,19 @@ build/sanitized/render.o: examples/render.c $(HEADERS) | deps
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-build/report: examples/report.c examples/peers.c examples/costs.c examples/choices.c examples/page.c examples/lit.c examples/fields.c examples/deep.c examples/plan.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+build/examples/%.o: examples/%.c $(HEADERS) examples/report.h examples/page.h examples/choices.h | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-build/stability: examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+REPORT = report stage parts page lit fields deep plan peers costs choices
+build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
+	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-build/glsl-text: examples/glsl.c examples/choices.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+build/stability: examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
+
+build/glsl-text: examples/glsl.c build/examples/choices.o $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/examples/choices.o $(KIT_O) $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
@@ -104,8 +109,8 @@ passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/PASSES.md
 
 TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
 
 # make test ONLY="math text" runs those groups.
 test: build/render build/render-sanitized build/glsl-text build/test

@@ -1,4 +1,7 @@
-/* choices.c - the passes, and the choices that change their text, one at a time: for glsl.c and costs.c, which include it. */
+/* choices.c - the passes, and the choices that change their text, one at a time. Declared in choices.h. */
+#include "choices.h"
+#include <stddef.h>
+#include <string.h>
 
 static const char custom[] =
     "uniform sampler2D my_gbuffer;\n"
@@ -7,9 +10,8 @@ static const char custom[] =
     "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n"
     "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n";
 
-typedef struct choice { const char *name; size_t offset; int value; } choice;
 #define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
-static const choice choices[] = {
+const choice choices[] = {
     { "", 0, 0 }, CHOICE("orthographic", orthographic, 1), CHOICE("linear", depth, SSGI_GL_DEPTH_LINEAR), CHOICE("customdepth", depth, SSGI_GL_DEPTH_CUSTOM),
     CHOICE("unsigned", normal, SSGI_GL_NORMAL_UNSIGNED), CHOICE("octahedral", normal, SSGI_GL_NORMAL_OCTAHEDRAL), CHOICE("fromdepth", normal, SSGI_GL_NORMAL_FROM_DEPTH),
     CHOICE("customnormal", normal, SSGI_GL_NORMAL_CUSTOM), CHOICE("world", world_normals, 1), CHOICE("jitter", noise, SSGI_GL_NOISE_TEXTURE),
@@ -31,10 +33,9 @@ static const choice choices[] = {
     CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]) };
+const int choices_count = (int)(sizeof choices / sizeof choices[0]);
 
-typedef struct variant { const char *title; ssgi_gl_desc desc; } variant;
-static const variant variants[] = {
+const variant variants[] = {
     { "`ssao`", { .pass = SSGI_GL_SSAO } }, { "`hsao`, slices", { .pass = SSGI_GL_HSAO } }, { "`hsao`, march", { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH } },
     { "`ssdo`, map", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP } }, { "`ssdo`, sh", { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH } },
     { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`s3ho`", { .pass = SSGI_GL_S3HO } },
@@ -47,10 +48,9 @@ static const variant variants[] = {
     { "`unshuffle`", { .pass = SSGI_GL_UNSHUFFLE } }, { "`smooth`", { .pass = SSGI_GL_SMOOTH } }, { "`sum`", { .pass = SSGI_GL_SUM } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
     { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS } }, { "`survey`", { .pass = SSGI_GL_SURVEY } }
 };
-enum { VARIANTS = (int)(sizeof variants / sizeof variants[0]) };
+const int variants_count = (int)(sizeof variants / sizeof variants[0]);
 
-/* With choice c too; 0 is none. */
-static ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
+ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
 {
     if (c) memcpy((char *)&d + choices[c].offset, &choices[c].value, sizeof(int));
     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM

@@ -1,8 +1,15 @@
-/* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of the texts. Included by report.c.
+/* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of the texts. Declared in report.h.
 
    Counts are static: of the text as it stands, loops counted once, before any optimiser. Beside them the most texels that a pixel fetches (kit_fetches). A choice that is off costs nothing:
    set while what it belongs to is off, it leaves the text as it is, byte for byte; which do so is listed. */
-#include "choices.c"
+#include "report.h"
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "choices.h"
 
 #define COSTS "build/costs"
 enum { MOST_COSTS = 2048 };
@@ -32,8 +39,8 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
 {
     int n = 0;
     *texts = 0;
-    for (int v = 0; v < VARIANTS; ++v)
-        for (int c = 0; c < CHOICES; ++c)
+    for (int v = 0; v < variants_count; ++v)
+        for (int c = 0; c < choices_count; ++c)
             for (int at = variants[v].desc.pass == SSGI_GL_SURFELS || variants[v].desc.pass == SSGI_GL_SPLAT ? 0 : 1; at < SSGI_GL_STAGES && n < MOST_COSTS; ++at) {
                 ssgi_gl_desc base = cost_desc(v, 0), d = cost_desc(v, c);
                 base.fetch = d.fetch;                      /* the caller's text is in every text, read or not */
@@ -111,10 +118,10 @@ static uint64_t cost_key(int v, int a, int b)
 /* "rays (march)": rays changes no byte until march is chosen. Returns how many wait. */
 static int costs_waiting(FILE *f, int v)
 {
-    uint64_t alone[CHOICES], both;
+    uint64_t alone[MOST_CHOICES], both;
     int n = 0;
-    for (int b = 0; b < CHOICES; ++b) alone[b] = cost_key(v, b, 0);
-    for (int c = 1; c < CHOICES; ++c) {
+    for (int b = 0; b < choices_count; ++b) alone[b] = cost_key(v, b, 0);
+    for (int c = 1; c < choices_count; ++c) {
         const ssgi_gl_desc base = cost_desc(v, 0), d = cost_desc(v, c);
         int same = alone[c] == alone[0], wakes = 0;
         for (int at = 0; at < SSGI_GL_STAGES && same; ++at) {
@@ -123,7 +130,7 @@ static int costs_waiting(FILE *f, int v)
             free(was);
             free(is);
         }
-        for (int b = 1; b < CHOICES && same; ++b) {
+        for (int b = 1; b < choices_count && same; ++b) {
             if (choices[b].offset == choices[c].offset || !alone[b] || !(both = cost_key(v, c, b)) || both == alone[b]) continue;
             fprintf(f, "%s%s", wakes ? ", " : n ? "; " : "", wakes ? "" : choices[c].name);
             fprintf(f, "%s%s", wakes ? "" : " (", choices[b].name);
@@ -155,7 +162,7 @@ static void cost_html(FILE *f, const tally *k, const tally *base)
 }
 
 /* A table of all passes at their defaults, one of every choice, and costs.csv. */
-static int costs_chart(FILE *html, const char *out, kit_error *err)
+int costs_chart(FILE *html, const char *out, kit_error *err)
 {
     static const char *const head = "<div class=\"wide\"><table>\n<tr><th>pass<th>choice<th title=\"in SPIR-V, loops once, not optimised\">instructions<th title=\"to the defaults\">more"
         "<th title=\"instructions that fetch or sample\">fetching<th title=\"the most that a pixel fetches, all loops\">texels a pixel<th>branches<th>loops\n";
@@ -187,7 +194,7 @@ static int costs_chart(FILE *html, const char *out, kit_error *err)
         cost_html(html, &costs[i], base);
     }
     fputs("</table></div>\n</details>\n<details><summary>What is off costs nothing</summary>\n<p>Each choice below was set alone, and the text stayed the same byte for byte, because it waits for one of those in brackets.</p>\n<dl>\n", html);
-    for (int v = 0; v < VARIANTS; ++v) {
+    for (int v = 0; v < variants_count; ++v) {
         cost_title(title, v);
         fprintf(html, "<dt>%s<dd>", title);
         if (!costs_waiting(html, v)) fputs("nothing waits", html);

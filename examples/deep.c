@@ -1,12 +1,15 @@
 /* deep.c - what report.c shows of deep screen space: its effects beside screen space and the truth; what size, epsilon, levels and the other choices buy; what
-   happens while the camera turns away or moves; where the time goes. Included by report.c, which opens stages and measures them. */
+   happens while the camera turns away or moves; where the time goes. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
 typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } deep_view;     /* boxes are added, where their upper y is above their lower one */
 
 #define DEEP_LIGHT "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0
-#define NO_CROPS   { { 0 } }
 #define PLAINLY    { 0, 0, 0, 0, NULL }
 #define WHOLLY     { 1, 0, 0, 0, NULL }
 static const lit deep_sky    = { DEEP_LIGHT, 128, 0.4f, NO_CROPS };
@@ -29,8 +32,7 @@ static const float turn_eye[3] = { 0.35f, 0.9f, 2.8f }, turn_from = -8, turn_to 
 #define TURN_BOX { { -0.6f, 0.001f, -0.15f, 0, 1, 0.15f } }
 
 static const entry deep_two[]     = { { "hsao", "hsao", "", 1 }, { "dss", "dss", "", 1 } };
-static const entry deep_ssdo[]    = { { "ssdo", "ssdo", "", 1 } };
-static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "", 1 } };
+static const entry deep_lit[]     = { { "dss-lit", "dss-lit", "size=0.03", 1 } };
 static const entry deep_mirror[]  = { { "dss-gloss", "dss-gloss", "exponent=8", 1 } };
 #define COARSE "size=0.03"
 #define MARBLE "material=marble,unit=0.05,levels=7,epsilon=0.02"
@@ -42,10 +44,7 @@ typedef struct deep_part { const char *title, *about; deep_view see; const entry
 static const deep_part deep_demos[] = {
     { "Deep screen space: ambient occlusion", "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.", BUNNY_AO,
       PART(deep_two, COUNT(deep_two)) },
-    { NULL, "Room.", OWN_VIEW("room"), PART(deep_two, COUNT(deep_two)) },
-    { "Deep screen space: light", "Bunny and four boxes under the sky and a sun, one bounce. In screen space, weighted by 1 - t/radius:", FADING,
-      PART(deep_ssdo, COUNT(deep_ssdo)) },
-    { NULL, "By surfels, all within the radius whole:", WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
+    { "Deep screen space: light", "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.", WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
     { "Deep screen space: one specular bounce", "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.", LOBE,
       PART(deep_mirror, COUNT(deep_mirror)) },
     { "Deep screen space: scattering under the surface",
@@ -136,6 +135,7 @@ static const deep_table deep_tables[] = {      /* one without title goes on with
 enum { DEEP_WIDTH = 320, DEEP_HEIGHT = 180, PAPER_SIDE = 512, DEEP_ROUNDS = 2, DEEP_RAYS = 128, DEEP_TABLES = COUNT(deep_tables), DEEP_DEMOS = COUNT(deep_demos), FULL_SET = DEEP_TABLES, TURN_SET,
     MOTION_SET, STAGE_SET, GROWTH_SET, DEEP_SETS, MOST_DEEP = TURNS * COUNT(deep_watched) };
 typedef struct deep_set { const char *title; row row[MOST_DEEP]; int count; } deep_set;
+static deep_set demo_sets[DEEP_DEMOS], sets[DEEP_SETS];
 
 /* ---- >>measuring --------------------------------------------------------------------------------------------------- */
 
@@ -214,9 +214,9 @@ static int deep_figure(FILE *html, const char *out, const stage *s, const char *
     return 0;
 }
 
-static int deep_demo(FILE *html, const char *out, deep_set *sets, kit_error *err)
+int deep_demo(FILE *html, const char *out, kit_error *err)
 {
-    deep_set *set = sets - 1;
+    deep_set *set = NULL;
     for (int k = 0; k < DEEP_DEMOS; ++k) {
         const deep_part *part = &deep_demos[k];
         const char *name = part->see.view.name;
@@ -224,9 +224,11 @@ static int deep_demo(FILE *html, const char *out, deep_set *sets, kit_error *err
         char note[64];
         stage s;
         int count;
-        if (part->title) { (++set)->title = part->title; set->count = 0; fprintf(html, "<h2>%s</h2>\n", part->title); }
+        if (part->title) { set = set ? set + 1 : demo_sets; set->title = part->title; set->count = 0; fprintf(html, "<h2>%s</h2>\n", part->title); }
         row *rows = set->row + set->count;
-        if (deep_open(&s, &part->see, err)) return -1;
+        if (deep_load(&s, &part->see, err)) return -1;
+        if (s.otherwise.kind == SCATTER) s.rays /= 2;
+        if (stage_show(&s, &part->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
         count = deep_measure(rows, &s, name, part->entries, part->count, 1, picture, err);
         if (count < 0) return -1;
         deep_about(html, &s, part->about);
@@ -504,7 +506,9 @@ static int deep_unit(FILE *html, const options *o, int k, row *rows, kit_error *
          : k == STAGE_SET ? deep_costs(rows, &lights, PAPER_SIDE, PAPER_SIDE, deep_effects, o->quick ? 1 : COUNT(deep_effects), OF_STAGES, 1, err) : growth_of(o->quick, rows, err);
 }
 
-static int deep_chart(FILE *html, const options *o, deep_set *sets, kit_error *err)
+int deep_units(const options *o) { return planned(deep_unit, DEEP_SETS, o); }
+
+int deep_chart(FILE *html, const options *o, kit_error *err)
 {
     int shown = 0;
     page csv;
@@ -523,11 +527,15 @@ static int deep_chart(FILE *html, const options *o, deep_set *sets, kit_error *e
     return page_close(&csv, o->out, "chart-deep.csv", err);
 }
 
-static void deep_text(FILE *f, const deep_set *sets, int count)
+static void text_of(FILE *f, const deep_set *set, int count)
 {
     for (int k = 0; k < count; ++k) {
-        if (!sets[k].count) continue;
-        fprintf(f, "\n%s\n", sets[k].title);
-        table_text(f, sets[k].row, sets[k].count);
+        if (!set[k].count) continue;
+        fprintf(f, "\n%s\n", set[k].title);
+        table_text(f, set[k].row, set[k].count);
     }
 }
+
+void deep_demo_text(FILE *f) { text_of(f, demo_sets, DEEP_DEMOS); }
+
+void deep_chart_text(FILE *f) { text_of(f, sets, DEEP_SETS); }

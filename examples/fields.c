@@ -1,5 +1,10 @@
 /* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits buy, what casters cost, what bakes
-   take, how two casters add up. Included by report.c, which opens stages and measures them. */
+   take, how two casters add up. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
@@ -20,7 +25,7 @@ typedef struct setup {
 #define NO_SPOTS            { { NULL, 0, { 0 } } }
 
 static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
-static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1), AOF("16 x 16", "resolution=16", 1), AOF("32 x 32", "resolution=32", 1) };
+static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1) };
 static const entry sunk_entries[]     = { AOF("A_0 as measured", "resolution=8", 1), AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1) };
 
 typedef struct field_part { const char *title, *about; setup setup; const entry *entries; int count, crop[MOST_CROPS][4]; } field_part;
@@ -28,17 +33,16 @@ typedef struct field_part { const char *title, *about; setup setup; const entry 
 static const field_part field_parts[] = {
     { "Fields: casters that move", "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,", MOVING("casters-0", 0) },
     { NULL, "a third of a period later,", MOVING("casters-1", 1 / 3.0) },
-    { NULL, "and two thirds.", MOVING("casters-2", 2 / 3.0) },
-    { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 to 32 x 32 texels a face.",
+    { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
       { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL }, NO_SPOTS,
-        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f }, { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 512 },
-      pedestal_entries, COUNT(pedestal_entries), { { 135, 142, 134, 67 }, { 87, 5, 134, 67 } } },
+        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f }, { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 256 },
+      pedestal_entries, COUNT(pedestal_entries), { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
     { "Fields: inside of the hull", "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside of the convex hull, where occlusion goes to A_0.",
       { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL }, { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } }, NO_BOXES, 0, 128 },
       sunk_entries, COUNT(sunk_entries), { { 0 } } }
 };
 static const char *const field_demo_title = "Ambient occlusion fields";
-enum { FIELD_PARTS = COUNT(field_parts), FIELD_DEMO_ROWS = 3 * COUNT(moving_entries) + COUNT(pedestal_entries) + COUNT(sunk_entries) };
+enum { FIELD_PARTS = COUNT(field_parts), FIELD_DEMO_ROWS = 2 * COUNT(moving_entries) + COUNT(pedestal_entries) + COUNT(sunk_entries) };
 
 #define ANGLE "measure=solid-angle,resolution="
 #define EIGHT "bits=8,resolution="
@@ -88,6 +92,8 @@ static const struct { const char *label[2]; setup setup; } pairs[] = {
 
 enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32, COST_WIDTH = 640, COST_HEIGHT = 360 };
 typedef struct field_row_set { const char *title; row row[MOST_FIELD_ROWS]; int count; } field_row_set;
+static row demo_rows[FIELD_DEMO_ROWS];
+static field_row_set sets[FIELD_SETS];
 
 /* ---- >>measuring --------------------------------------------------------------------------------------------------- */
 
@@ -145,7 +151,7 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
     return casters == 1 ? leave_out(s, last, err) : 0;
 }
 
-static row blank(int of, const char *scene, const char *label, const char *settings)
+row blank(int of, const char *scene, const char *label, const char *settings)
 {
     const double none = (double)NAN;
     row r = { .scene = scene, .label = label, .method = "aof", .settings = settings, .fetches = none, .bytes = none, .relative = none, .ms = none, .share = none, .score = { none, none, none, none, 0 }, .of = of };
@@ -232,8 +238,9 @@ static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, k
     return 0;
 }
 
-static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
+int field_demo(FILE *html, const char *out, kit_error *err)
 {
+    row *rows = demo_rows;
     enum { TIMES = 3 };
     const double range = 0.2;
     for (int k = 0; k < FIELD_PARTS; ++k) {
@@ -242,7 +249,7 @@ static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
         kit_image picture[MOST_ENTRIES], whole[1 + MOST_ENTRIES], crop, difference;
         char slug[1 + MOST_ENTRIES][128], name[160], note[64];
         stage s;
-        if (field_open(&s, &part->setup, 400, 225, err) || field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
+        if (field_open(&s, &part->setup, 320, 180, err) || field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
         if (part->title) fprintf(html, "<h2>%s</h2>\n", part->title);
         if (field_about(html, &s, part->about, err)) return -1;
         fputs("<div class=\"grid\">\n", html);
@@ -284,6 +291,12 @@ static int field_demo(FILE *html, const char *out, row *rows, kit_error *err)
         stage_close(&s);
     }
     return 0;
+}
+
+void field_demo_text(FILE *f)
+{
+    fprintf(f, "\n%s\n", field_demo_title);
+    table_text(f, demo_rows, FIELD_DEMO_ROWS);
 }
 
 /* ---- >>chart ------------------------------------------------------------------------------------------------------- */
@@ -515,7 +528,9 @@ static int field_unit(FILE *html, const options *o, int k, row *rows, kit_error 
     return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err) : k == COST_SET ? costs_of(rows, o->quick, err) : k == BAKE_SET ? bakes_of(rows, o->quick, err) : pairs_of(rows, err);
 }
 
-static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_error *err)
+int field_units(const options *o) { return planned(field_unit, FIELD_SETS, o); }
+
+int field_chart(FILE *html, const options *o, kit_error *err)
 {
     row curve[FIELD_SCENES * COUNT(field_entries)];
     int points = 0, shown = 0;
@@ -534,7 +549,7 @@ static int field_chart(FILE *html, const options *o, field_row_set *sets, kit_er
     return page_close(&csv, o->out, "chart-aof.csv", err);
 }
 
-static void field_chart_text(FILE *f, const field_row_set *sets)
+void field_chart_text(FILE *f)
 {
     for (int k = 0; k < FIELD_SETS; ++k) {
         if (!sets[k].count) continue;

@@ -17,7 +17,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "choices.c"
+#include "choices.h"
 
 enum { MOST = 1 << 14 };
 
@@ -128,7 +128,7 @@ static void print_passes(void)
     puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, slots, and offsets in `ssgi_gl_frame`; the\n"
          "declarations in the text are printed from them. Fetches: the most that a pixel (of `surfels`: a surfel) takes at default counts, as the text has it.\n");
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
-    for (int i = 0; i < VARIANTS; ++i) {
+    for (int i = 0; i < variants_count; ++i) {
         static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE }, { SSGI_GL_PARAM, SSGI_GL_PARAM }, { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         const int n = ssgi_gl_reflect(&variants[i].desc, io, SSGI_GL_MAX_IO);
@@ -174,7 +174,7 @@ static void print_golden(void)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
             uint64_t plain = 0, pairs = basis;
-            for (int a = 0; a < CHOICES; ++a) {
+            for (int a = 0; a < choices_count; ++a) {
                 uint64_t hash = basis;
                 for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);
@@ -189,7 +189,7 @@ static void print_golden(void)
             }
             if (pairs != basis) printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
         }
-    for (int a = 0; a < CHOICES; ++a) {
+    for (int a = 0; a < choices_count; ++a) {
         const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0), plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);
         const uint64_t hash = hash_of(basis, emit_field, &d, 0);
         if (!a || hash != hash_of(basis, emit_field, &plain, 0)) printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
@@ -227,7 +227,7 @@ int main(int argc, char **argv)
     if (mkdir(argv[1], 0777) && errno != EEXIST) { kit_fail(&err, "%s: %s", argv[1], strerror(errno)); return fail(&err); }
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
-            for (int a = 0; a < CHOICES; ++a)
+            for (int a = 0; a < choices_count; ++a)
                 for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
                     if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;

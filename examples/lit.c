@@ -1,5 +1,8 @@
-/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Included by report.c, which opens
-   stages and measures them. */
+/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
@@ -8,14 +11,14 @@
 #define LEFT_SUN(colour)  "sun:-1,0.8,0.35," colour
 #define RIGHT_SUN(colour) "sun:1,0.8,0.35," colour
 
-static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 384, 0.4f, { { 450, 194, 192, 108 } } };
+static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 256, 0.4f, { { 300, 129, 128, 72 } } };
 static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 512, 1, { { 0 } } };
 static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 512, 1, { { 0 } } };
-static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 172, 225, 192, 108 } } };
-#define BETWEEN_BOXES { { 180, 185, 192, 108 }, { 390, 185, 192, 108 } }
+static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 115, 150, 128, 72 } } };
+#define BETWEEN_BOXES { { 120, 123, 128, 72 }, { 260, 123, 128, 72 } }
 static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
 static const lit suns_changed = { NULL, { LEFT_SUN(TURQUOISE), RIGHT_SUN(PINK) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
-static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f, { { 262, 290, 192, 108 }, { 440, 230, 192, 108 } } };
+static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f, { { 175, 193, 128, 72 }, { 293, 153, 128, 72 } } };
 static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 2048, 1, { { 0 } } };
 static const lit band_lits[] = {
     { "white", { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
@@ -161,6 +164,7 @@ static const lit_table band_tables[] = {
 };
 enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables), BAND_TABLES = COUNT(band_tables), LIT_SETS = LIT_TABLES + BAND_TABLES, PHASES = 8 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
+static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
 /* ---- >>pages ------------------------------------------------------------------------------------------------------- */
 
@@ -179,16 +183,16 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     return 0;
 }
 
-static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
+static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
 {
-    enum { TIMES = 3 };
+    enum { TIMES = 4, WIDTH = 480, HEIGHT = 270, ROUNDS = 2 };
     const double range = 0.2;
     kit_image picture[MOST_ROWS], whole, part, luminance, difference;
     const kit_image *from[1 + MOST_ROWS];           /* the truth, what is given, methods */
     const char *label[1 + MOST_ROWS];
     stage s;
     char slug[1 + MOST_ROWS][128], name[160], note[64];
-    if (stage_open(&s, &t->view, 720, 405, err) || measure(rows, &s, t->entries, t->count, QUICK_ROUNDS, picture, err)) return -1;
+    if (stage_open(&s, &t->view, WIDTH, HEIGHT, err) || measure(rows, &s, t->entries, t->count, ROUNDS, picture, err)) return -1;
     fprintf(html, "<h2>%s</h2>\n", t->title);
     if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
@@ -234,6 +238,20 @@ static int lit_demo(FILE *html, const char *out, const lit_table *t, row *rows, 
     kit_image_free(&luminance);
     stage_close(&s);
     return 0;
+}
+
+int lit_demo(FILE *html, const char *out, kit_error *err)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k) if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
+    return 0;
+}
+
+void lit_demo_text(FILE *f)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k) {
+        fprintf(f, "\n%s\n", lit_demos[k].title);
+        table_text(f, demo_sets[k].row, demo_sets[k].count);
+    }
 }
 
 /* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. A
@@ -307,7 +325,7 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
 }
 
 /* Of all that was measured. */
-static int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
+int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
 {
     for (int i = 0; i < count + s->givens; ++i) {
         kit_progress("noise", (double)i / (count + s->givens));
@@ -318,17 +336,17 @@ static int splits(row *rows, stage *s, const entry *entries, int count, int phas
 }
 
 /* A row a number of bands, two columns a light: irradiance's error and the time. */
-static void bands_table(FILE *f, const lit_row_set *sets, int html)
+static void bands_table(FILE *f, const lit_row_set *band, int html)
 {
     fputs(html ? "<div class=\"wide\"><table>\n<tr><th>bands<th>settings" : "bands  ", f);
     for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, html ? "<th>%s<th>time" : " %10s   time", band_tables[k].title);
-    for (int i = 0; i < sets->count; ++i) {
-        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", sets->row[i].label, sets->row[i].settings);
+    for (int i = 0; i < band->count; ++i) {
+        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", band->row[i].label, band->row[i].settings);
         for (int k = 0; k < BAND_TABLES; ++k) {
-            const row *r = &sets[k].row[i];
+            const row *r = &band[k].row[i];
             char error[32], time[32];
-            snprintf(error, sizeof error, i < sets[k].count ? "%.4f" : "-", r->error[1]);
-            snprintf(time, sizeof time, i < sets[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
+            snprintf(error, sizeof error, i < band[k].count ? "%.4f" : "-", r->error[1]);
+            snprintf(time, sizeof time, i < band[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
             fprintf(f, html ? "<td>%s<td>%s" : " %10s %6s", error, time);
         }
     }
@@ -356,7 +374,9 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     return count + s.givens;
 }
 
-static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error *err)
+int lit_units(const options *o) { return planned(lit_unit, LIT_SETS, o); }
+
+int lit_chart(FILE *html, const options *o, kit_error *err)
 {
     int shown = 0;
     page csv;
@@ -375,7 +395,7 @@ static int lit_chart(FILE *html, const options *o, lit_row_set *sets, kit_error 
     return page_close(&csv, o->out, "chart-lit.csv", err);
 }
 
-static void lit_chart_text(FILE *f, const lit_row_set *sets)
+void lit_chart_text(FILE *f)
 {
     for (int k = 0; k < LIT_TABLES; ++k) {
         if (!sets[k].count) continue;

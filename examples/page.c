@@ -1,37 +1,20 @@
-/* page.c - what report.c writes: text tables, CSV, SVG charts, HTML. Included by report.c, which fills the rows. */
-
-enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE = 32, OF_PAIR = 64, OF_FIELDS = OF_FIELD | OF_COST | OF_BAKE | OF_PAIR,
-       OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_PHASES = 8192, OF_PEER = 16384,
-       OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };
-
-/* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. Of deep screen space:
-   what is splatted; its stages' shares of the time; how far the camera is turned; what a place's visibility varies by while the camera moves. */
-enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN,
-       SURFELS, SPLATS, PICTURE, STAGE, STAGES = 7, DEGREES = STAGE + STAGES, FLICKER, FLICKER_TRUE, FLICKER_ADDED, FITTED, FIGURES };
-
-/* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */
-typedef struct row {
-    const char *scene, *label, *method, *settings;   /* label: names the curve; rows of one curve follow each other */
-    double fetches, bytes, relative, ms, share;
-    kit_score score;                                 /* of ambient visibility, or of radiance */
-    int of;                                          /* the columns that it is shown with; not OF_AO: share is error[0], and these are known: */
-    double error[3], bias[3];                        /* RMSE and bias of radiance, irradiance, bounce, over the truth's means */
-    double split[SPLITS];                            /* OF_SPLIT, OF_PHASES: irradiance's or visibility's total error, what of it is the model's and noise; hue, of all and of what is in shade */
-    double figure[FIGURES];                          /* OF_FIELDS, OF_DEEPS */
-} row;
+/* page.c - what report.c and stability.c write: text tables, CSV, SVG charts, HTML. Declared in page.h. */
+#include "page.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "kit/kit_gl.h"
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
 
-typedef struct page { FILE *file; char *text; size_t size; } page;
-
-static int page_open(page *p, kit_error *err)
+int page_open(page *p, kit_error *err)
 {
     p->text = NULL;
     p->file = open_memstream(&p->text, &p->size);
     return p->file ? 0 : kit_fail(err, "out of memory");
 }
 
-static int page_close(page *p, const char *folder, const char *name, kit_error *err)
+int page_close(page *p, const char *folder, const char *name, kit_error *err)
 {
     char path[4096];
     int status = ferror(p->file);
@@ -42,15 +25,14 @@ static int page_close(page *p, const char *folder, const char *name, kit_error *
     return status;
 }
 
-/* What a page holds becomes part of another file. */
-static void page_into(page *p, FILE *f)
+void page_into(page *p, FILE *f)
 {
     fclose(p->file);
     fwrite(p->text, 1, p->size, f);
     free(p->text);
 }
 
-static void escaped(FILE *f, const char *s)
+void escaped(FILE *f, const char *s)
 {
     for (; *s; ++s) {
         const char *entity = *s == '&' ? "&amp;" : *s == '<' ? "&lt;" : *s == '>' ? "&gt;" : *s == '"' ? "&quot;" : NULL;
@@ -58,7 +40,7 @@ static void escaped(FILE *f, const char *s)
     }
 }
 
-static const char *settings_of(const row *r) { return *r->settings ? r->settings : isnan(r->fetches) ? "" : "defaults"; }
+const char *settings_of(const row *r) { return *r->settings ? r->settings : isnan(r->fetches) ? "" : "defaults"; }
 
 /* ---- >>tables: one list of columns for text, HTML and CSV --------------------------------------------------------- */
 
@@ -143,7 +125,7 @@ static const char *cell(char out[32], const row *r, int c, const char *none)
     return out;
 }
 
-static void table_text(FILE *f, const row *rows, int count)
+void table_text(FILE *f, const row *rows, int count)
 {
     int label = 6, settings = 8;
     char text[32];
@@ -162,7 +144,7 @@ static void table_text(FILE *f, const row *rows, int count)
     }
 }
 
-static void table_html(FILE *f, const row *rows, int count)
+void table_html(FILE *f, const row *rows, int count)
 {
     char text[32];
     fputs("<div class=\"wide\"><table>\n<tr><th>method<th>settings", f);
@@ -187,7 +169,7 @@ static void csv_field(FILE *f, const char *s)
     fputc('"', f);
 }
 
-static void table_csv(FILE *f, const row *rows, int count, int head)
+void table_csv(FILE *f, const row *rows, int count, int head)
 {
     const int of = rows->of & OF_AO ? OF_PHASES | (rows->of & (OF_AO | OF_PEER)) : rows->of & OF_FIELDS ? OF_FIELDS : rows->of & OF_DEEPS ? OF_DEEPS : OF_LIT | OF_SPLIT;   /* all that is lit makes one table, all of fields another, all of deep screen space a third */
     if (head) {
@@ -196,9 +178,8 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
         fputs(",pixels\n", f);
     }
     for (int i = 0; i < count; ++i) {
-        const char *words[4];
-        words[0] = rows[i].scene; words[1] = rows[i].label; words[2] = rows[i].method; words[3] = rows[i].settings;
-        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, words[k]); }
+        const char *const names[] = { rows[i].scene, rows[i].label, rows[i].method, rows[i].settings };
+        for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, names[k]); }
         for (int c = -1; (c = next_column(c, of)) >= 0;) {
             double v = figure_of(&rows[i], c);
             if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
@@ -209,21 +190,22 @@ static void table_csv(FILE *f, const row *rows, int count, int head)
 
 /* ---- >>chart: relative time (or memory) across, share of the error (or the error) up; one curve a label -------------- */
 
-enum { WIDE = 900, HIGH = 566, LEFT = 74, RIGHT = 876, TOP = 138, BOTTOM = 498, MOST_BOXES = 512 };
 typedef struct box { double x, y, w, h; } box;
-typedef struct scale { double x0, x1, y0, y1; int even; } scale;   /* what lies at the frame's sides; x as logarithms unless even */
 
+enum { MOST_BOXES = 512 };
 /* Okabe and Ito's palette, told apart by colour-blind eyes too; orange and sky are left for curves five and six. */
 static const char *const colours[] = { "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", "#3A9BD9" };
-#define COLOUR(series) ((series) < others ? colours[(series) % (int)(sizeof colours / sizeof colours[0])] : "#77777f")
-static int others;                                   /* curves from this one on are other people's, fitted */
+enum { NOBODY = 1 << 30 };
+static int others = NOBODY;                          /* curves from this one on are other people's, fitted: grey */
 
-static double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * ((s->even ? v : log(v)) - s->x0) / (s->x1 - s->x0); }
-static double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
+const char *colour_of(int series) { return series < others ? colours[series % (int)(sizeof colours / sizeof colours[0])] : "#77777f"; }
 
-static void marker(FILE *f, int series, double x, double y)
+double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * ((s->even ? v : log(v)) - s->x0) / (s->x1 - s->x0); }
+double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
+
+void marker(FILE *f, int series, double x, double y)
 {
-    fprintf(f, "fill=\"%s\" stroke=\"#fff\" stroke-width=\"1.5\"", COLOUR(series));
+    fprintf(f, "fill=\"%s\" stroke=\"#fff\" stroke-width=\"1.5\"", colour_of(series));
     if (series % 4 == 0) fprintf(f, " d=\"M%.1f %.1fa5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0 -11 0z\"", x - 5.5, y);
     if (series % 4 == 1) fprintf(f, " d=\"M%.1f %.1fh10v10h-10z\"", x - 5, y - 5);
     if (series % 4 == 2) fprintf(f, " d=\"M%.1f %.1fl6.5 11.5h-13z\"", x, y - 7);
@@ -262,21 +244,19 @@ static int by_relative(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double step_of(double least, double span)     /* 1, 2 or 5 times a power of ten: at most six lines in span */
+double step_of(double least, double span)     /* 1, 2 or 5 times a power of ten: at most six lines in span */
 {
     double s = least;
     for (int i = 0; span / s > 5; ++i) s *= i % 3 == 1 ? 2.5 : 2;
     return s;
 }
 
-typedef struct words { const char *about, *across, *up, *relative, *fetches; int even; } words;    /* what stands at a chart's top and sides; in tooltips (fetches NULL: no numbers beside the points); even: no log scale */
-static const words ao_words    = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches", 0 };
-static const words lit_words   = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches", 0 };
-static const words turn_words  = { "down is closer to the truth; 1 is as far off as no ambient occlusion at all", "degrees that the camera has turned away from what occludes", "error (RMSE) on the same ground, share of having no AO at all", "degrees", NULL, 1 };
-static const words field_words = { "left is smaller, down is closer to the truth; numbers: texels along a side of the cube map; grey band: nothing beats these", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side", 0 };
+const words ao_words = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of having no AO at all", "time", "fetches", 0 };
+const words lit_words = { "left is faster, down is closer to the truth; numbers: texel fetches per pixel; grey band: nothing beats these", "GL time relative to one unblurred 16-sample SSAO (log scale)", "error (RMSE), share of the truth's mean radiance", "time", "fetches", 0 };
+const words turn_words = { "down is closer to the truth; 1 is as far off as no ambient occlusion at all", "degrees that the camera has turned away from what occludes", "error (RMSE) on the same ground, share of having no AO at all", "degrees", NULL, 1 };
+const words field_words = { "left is smaller, down is closer to the truth; numbers: texels along a side of the cube map; grey band: nothing beats these", "bytes of the field, thousands (log scale)", "RMSE of occlusion, hundredths", "kB", "texels a side", 0 };
 
-/* rows: points with a relative time; others (floor, no AO) are skipped. floor_: share, NAN = no line. */
-static void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int count, double floor_)
+void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int count, double floor_)
 {
     static const double ticks[] = { 1, 1.5, 2, 3, 5, 7 };
     const row *sorted[256];
@@ -340,7 +320,7 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
         for (at = i; at < points && !strcmp(sorted[at]->label, sorted[i]->label);) ++at;
         qsort(sorted + i, (size_t)(at - i), sizeof *sorted, by_relative);
         if (!series || !(sorted[i]->of & OF_PEER) || isnan(sorted[i]->figure[FITTED])) others = series + 1;
-        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\"%s d=\"", COLOUR(series), series < others ? "" : " stroke-dasharray=\"6 4\"");
+        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\"%s d=\"", colour_of(series), series < others ? "" : " stroke-dasharray=\"6 4\"");
         for (int k = i; k < at; ++k) {
             double x = across(&s, sorted[k]->relative), y = up(&s, sorted[k]->share);
             fprintf(f, "%c%.1f %.1f", k > i ? 'L' : 'M', x, y);
@@ -390,16 +370,17 @@ static void chart_svg(FILE *f, const char *title, const words *w, const row *row
             } else if (w->fetches) {
                 int n = snprintf(text, sizeof text, r->fetches < 100 ? "%.3g" : "%.0f", r->fetches);
                 box b = place(x, y, 7.2 * n, taken, boxes);
-                fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, COLOUR(group), text);
+                fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s</text>\n", b.x + b.w / 2, b.y + 10.5, colour_of(group), text);
                 if (boxes < MOST_BOXES) taken[boxes++] = b;
             }
         }
+    others = NOBODY;
     fputs("</svg>\n", f);
 }
 
 /* ---- >>html ------------------------------------------------------------------------------------------------------- */
 
-static void html_head(FILE *f, const char *title, const char *about)
+void html_head(FILE *f, const char *title, const char *about)
 {
     fputs("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light dark\">\n<title>", f);
     escaped(f, title);
@@ -427,8 +408,7 @@ static void html_head(FILE *f, const char *title, const char *about)
     fputs("</p>\n", f);
 }
 
-/* A picture and, under it, its difference to the truth; the caller ends the figure. */
-static void figure_html(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference)
+void figure_html(FILE *f, const char *slug, const char *label, const char *note, int width, int height, int difference)
 {
     fprintf(f, "<figure><figcaption><b>%s</b><span>%s</span></figcaption>", label, note);
     for (int k = 0; k <= difference; ++k)
@@ -436,13 +416,13 @@ static void figure_html(FILE *f, const char *slug, const char *label, const char
                 k ? "difference of " : "", label);
 }
 
-static void key_html(FILE *f, double range)
+void key_html(FILE *f, double range)
 {
     fprintf(f, "<div class=\"key\"><img src=\"difference-legend.png\" alt=\"blue over white to red\"><div><span>&minus;%g too dark</span><span>0</span><span>too bright +%g</span></div>"
             "<p class=\"faint\">Under each picture: its difference to the truth, in these colours.</p></div>", range, range);
 }
 
-static void html_terms(FILE *f)
+void html_terms(FILE *f)
 {
     fputs("<h2>What the figures mean</h2>\n<dl>\n"
         "<dt>fetches<dd>Texel fetches per pixel, summed over all passes of the method.\n"
@@ -458,7 +438,7 @@ static void html_terms(FILE *f)
         "more layers or cameras buy it. A method above the floor can win by more samples; one below it does so by assuming how thick things are.\n</dl>\n", f);
 }
 
-static void lit_terms(FILE *f)
+void lit_terms(FILE *f)
 {
     fputs("<dl>\n<dt>radiance, irradiance, bounce<dd>Root mean square difference to the ray-traced truth, over the truth's mean, red, green and blue together, over the pixels that show something: of the light that "
         "leaves the surface; of the light that arrives, over pi, from the environment and from lights with their shadows; and of light that was reflected once before. The bias after each is the mean difference, over "
@@ -471,14 +451,14 @@ static void lit_terms(FILE *f)
         "its mean over the pixels weighted by the truth's luminance; and over those that blockers keep 5 % or more of their light from.\n</dl>\n", f);
 }
 
-static void field_terms(FILE *f)
+void field_terms(FILE *f)
 {
     fputs("<dl>\n<dt>occlusion between objects<dd>What rigid casters take from the ambient light of other things, at any distance; casters do not shade themselves. Its truth: rays that are blocked by all casters but the one "
         "that the pixel shows, at any distance; the fields end at eight radii of a caster's bounding sphere. Errors are of occlusion, over the pixels that show something else than the only caster.\n"
         "<dt>vector, solid angle<dd>What a field keeps of the caster: its vector irradiance and how full its cap is, or its solid angle as published.\n</dl>\n", f);
 }
 
-static void deep_terms(FILE *f)
+void deep_terms(FILE *f)
 {
     fputs("<dl>\n<dt>surfels, splats<dd>Deep screen space makes discs of all triangles, seen or not, of a size in picture heights, and draws each over the pixels that it reaches. Splats: the texels so drawn, all levels, over the "
         "picture's pixels; a graphics card and a software rasteriser spend nearly all of the time there.\n"

@@ -1,11 +1,17 @@
-/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Included by report.c.
+/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Declared in report.h.
 
    peers.mjs (make peers puts it, and the packages that it drives, under build/peers) writes what each effect draws for a view, as GLSL and numbers; here it is drawn on the stage's own depth and
    normals, timed and scored as the library's methods are, and scored again after the best fit of two numbers a picture: what no gain, power or intensity of theirs could better.
    Timed is all that makes the ambient visibility, their denoisers too; not what only multiplies the picture by it. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #define PEERS "build/peers/"
-enum { MOST_PEERS = 24, PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEERS_QUICK = 6, PEER_TEXTURES = 160, PEER_BINS = 1024 };
+enum { PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEER_TEXTURES = 160, PEER_BINS = 1024 };
 
 typedef struct peer_pass {
     GLuint program, counter, framebuffer, sampler[PEER_SAMPLERS];   /* counter: the same, but writes how many texels it fetched */
@@ -19,7 +25,7 @@ typedef struct peer_set { peer peer[MOST_PEERS]; peer_texture texture[PEER_TEXTU
 /* One line: how they stand on the chart, or why there are none. */
 static const char *const peers_here = "three.js and n8ao: the radius matched to ours, after the best fit of two numbers to each picture, which ours does without.";
 static const char *peers_missing = "";
-static const char *peers_note(void) { return *peers_missing ? peers_missing : peers_here; }
+const char *peers_note(void) { return *peers_missing ? peers_missing : peers_here; }
 
 /* ---- >>reading: the view for the script, and what it made of it ---------------------------------------------------------- */
 
@@ -332,7 +338,7 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 
 /* Rows of ambient visibility: each peer by default and with the radius matched to the stage's, at each of its qualities; with room for fewer than MOST_PEERS rows, PEERS_QUICK of them.
    figure[FITTED] is the share after the best fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the next call. */
-static int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
+int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
 {
     static peer_set set;
     char what[128];
@@ -368,7 +374,7 @@ static int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *e
 }
 
 /* What the chart draws: the first methods of rows as they are, and the peers from there to count with the radius matched, their error the fitted one. How many. */
-static int peers_points(row *points, const row *rows, int methods, int count)
+int peers_points(row *points, const row *rows, int methods, int count)
 {
     int n = 0;
     for (int i = 0; i < count; ++i) {
@@ -381,7 +387,7 @@ static int peers_points(row *points, const row *rows, int methods, int count)
 }
 
 /* For each peer whose radius is matched: does the library, raw, in no more than its time err no more than the peer after its fit? Against how many it does, and each that it does not. */
-static void peers_verdict(FILE *f, const row *rows, int methods, int count)
+void peers_verdict(FILE *f, const row *rows, int methods, int count)
 {
     int all = 0, met = 0;
     for (int i = methods; i < count; ++i) {
@@ -395,7 +401,7 @@ static void peers_verdict(FILE *f, const row *rows, int methods, int count)
     if (all) fprintf(f, "%s: the library errs no more, raw, than %d of %d settings of three.js and n8ao in their time after their fit\n", rows->scene, met, all);
 }
 
-static void peers_terms(FILE *f)
+void peers_terms(FILE *f)
 {
     fputs("<dl>\n<dt>three.js, n8ao<dd>Other people's ambient occlusion, as their own code draws it, denoisers included, on the same depth and normals, timed in the same rounds; what only multiplies the picture by it is not timed. "
         "Defaults: as they come, whatever the scene's units. Else with the radius R of ours, and with what of theirs shapes the effect chosen for the least error in these scenes.\n"

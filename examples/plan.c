@@ -1,5 +1,9 @@
 /* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose well; and the fit itself, whose numbers stand in
-   ssgi.h's room >>plan. Included by report.c. */
+   ssgi.h's room >>plan. Declared in report.h. */
+#include "report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* ---- >>tables ------------------------------------------------------------------------------------------------------ */
 
@@ -30,7 +34,7 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
 {
     static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } }, { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
-    for (int i = 0; i < COUNT(views); ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
+    for (int i = 0; i < views_count; ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
     if (stage_load(s, &v, err)) return -1;
     if (suns) {
         kit_image_free(&s->lighting.env);
@@ -223,7 +227,7 @@ static int planned_all(planned_row *rows, int *count, verdict *needs, int which,
 }
 
 /* Everything that the fit reads: examples/fit.c. */
-static int plan_fit(const char *out, kit_error *err)
+int plan_fit(const char *out, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
     int count;
@@ -233,12 +237,14 @@ static int plan_fit(const char *out, kit_error *err)
     return page_close(&csv, out, "plan-fit.csv", err);
 }
 
-static int plan_chart(FILE *html, const options *o, verdict verdicts[2], kit_error *err)
+static verdict verdicts[2];
+
+int plan_chart(FILE *html, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
     int count;
     page csv, numbers;
-    memset(verdicts, 0, 2 * sizeof *verdicts);
+    memset(verdicts, 0, sizeof verdicts);
     if (planned_all(rows, &count, &verdicts[0], 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err)) return -1;
     fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
           "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are left out. Names: scene, radius, light.</p>\n"
@@ -255,8 +261,9 @@ static int plan_chart(FILE *html, const options *o, verdict verdicts[2], kit_err
     return page_close(&csv, o->out, "plan.csv", err) || page_close(&numbers, o->out, "plan-numbers.csv", err) ? -1 : 0;
 }
 
-static void plan_text(FILE *f, const verdict v[2])
+void plan_text(FILE *f)
 {
+    const verdict *v = verdicts;
     fprintf(f, "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a trial %d of %d; asks needlessly %d times of %d\n", v[0].good, v[0].pairs, v[0].good_needed,
             v[0].needed, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
 }

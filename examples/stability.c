@@ -11,9 +11,8 @@
 #include <string.h>
 #include <sys/stat.h>
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"       /* page.c has more than is used here */
 #pragma GCC diagnostic ignored "-Wunused-const-variable"
-#include "page.c"
+#include "page.h"
 #pragma GCC diagnostic pop
 #include "sweeps.c"
 
@@ -594,7 +593,7 @@ static void line_svg(FILE *f, const result *r)
         if (legend > LEFT && legend + wide > RIGHT) { legend = LEFT; line += 18; }
         const double x = legend;
         legend += wide;
-        const char *style = v->method < -1 ? "#333\" stroke-dasharray=\"6 4" : COLOUR(colour);
+        const char *style = v->method < -1 ? "#333\" stroke-dasharray=\"6 4" : colour_of(colour);
         fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" fill=\"#222\">%s</text>\n<path stroke-width=\"2\" stroke=\"%s\" d=\"M%.1f %.1fh16\"/>\n"
                 "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke=\"%s\" d=\"",
                 x + 22, line + 4.5, v->label, style, x, line, style);
