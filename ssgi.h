@@ -3767,68 +3767,77 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
     return SSGI_OK;
 }
 
-/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with (examples/plan.c): squares of the trial's errors; the former times
-   a surfel's size over the radius, once and twice, times the light's unevenness, times what bands leave out of it, times the albedo; and what there is always. */
-enum { SSGI_PLAN__OPEN, SSGI_PLAN__PICTURE, SSGI_PLAN__COARSE, SSGI_PLAN__COARSER, SSGI_PLAN__UNEVEN, SSGI_PLAN__LEFT_OUT, SSGI_PLAN__BOUNCED, SSGI_PLAN__ALWAYS, SSGI_PLAN__TERMS };
+/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with (examples/fit.c): squares of the
+   trial's errors; of them open times a surfel's size over the radius, once and twice, times the light's unevenness, times what bands leave out
+   of it, times the albedo; and a constant. */
+enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED,
+       SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
+enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
-#define SSGI_PLAN__V 1
-#define SSGI_PLAN__L 2
-#define SSGI_PLAN__B 4
-#define SSGI_PLAN__O 8
-typedef struct ssgi_plan__row { int wanted; ssgi_plan plan; float term[SSGI_PLAN__TERMS]; } ssgi_plan__row;
-static const ssgi_plan__row ssgi_plan__rows[SSGI_PLAN_CHOICES] = {
-    { SSGI_PLAN__V, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 2, 0, 0, 0, 0, 1, 0, 0.0f, 0.59f, 0.0f, 0, "" }, { 0.1246f, 1.1802f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.62f, 0.0f, 0, "" }, { 0.0390f, 1.2336f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 0.72f, 0.0f, 0, "" }, { 0.0036f, 1.0796f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 4, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 1.69f, 0.0f, 0, "" }, { 0.0000f, 0.8908f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0073f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.62f, 0.0f, 0, "" }, { 0.0057f, 0.8941f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0065f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 2.63f, 0.0f, 0, "" }, { 0.0047f, 0.8351f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0104f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0000f, 0.7792f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0151f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 8, 0, 12, 0, 0, 0, 0, 1, 0, 0.0f, 12.66f, 0.0f, 0, "" }, { 0.0000f, 0.6931f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0216f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_MARCH, 0, 4, 0, 6, 0, 1, 4, 0, 1, 0, 0.0f, 16.69f, 0.0f, 0, "" }, { 0.1086f, 0.1302f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0971f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.80f, 0.0f, 0, "" }, { 0.0012f, 0.0000f, 1.1184f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 57.85f, 0.0f, 0, "" }, { 0.0000f, 0.0012f, 1.5042f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.68f, 0.0f, 0, "" }, { 0.1139f, 0.7735f, 0.0000f, 0.0000f, 0.0113f, 0.0000f, 0.0000f, 0.0025f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0197f, 0.8815f, 0.0000f, 0.0000f, 0.0025f, 0.0000f, 0.0000f, 0.0023f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 0.94f, 0.0f, 0, "" }, { 0.0000f, 0.8822f, 0.0000f, 0.0000f, 0.0140f, 0.0000f, 0.0000f, 0.7195f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 0.95f, 0.0f, 0, "" }, { 0.0364f, 0.6709f, 0.0000f, 0.0000f, 0.0152f, 0.0000f, 0.0000f, 0.6662f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 2.30f, 0.0f, 0, "" }, { 0.0225f, 0.7125f, 0.0000f, 0.0000f, 0.0138f, 0.0000f, 0.0000f, 0.6153f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 2.40f, 0.0f, 0, "" }, { 0.0853f, 0.4310f, 0.0000f, 0.0000f, 0.0161f, 0.0000f, 0.0000f, 0.5612f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 2.57f, 0.0f, 0, "" }, { 0.1119f, 0.3198f, 0.0000f, 0.0000f, 0.0149f, 0.0000f, 0.0000f, 0.5365f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 2.37f, 0.0f, 0, "" }, { 0.0711f, 0.4960f, 0.0000f, 0.0000f, 0.0063f, 0.0000f, 0.0000f, 0.5775f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 6.12f, 0.0f, 0, "" }, { 0.0836f, 0.3525f, 0.0000f, 0.0000f, 0.0070f, 0.0000f, 0.0000f, 0.5191f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 2.91f, 0.0f, 0, "" }, { 0.0000f, 0.5747f, 0.0000f, 0.0000f, 0.0017f, 0.0000f, 0.0000f, 0.5713f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 16.04f, 0.0f, 0, "" }, { 0.0087f, 0.5391f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.5948f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.66f, 0.0f, 0, "" }, { 0.1467f, 0.8102f, 0.0000f, 0.0000f, 0.0003f, 0.0000f, 0.0000f, 0.0114f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.03f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 1.37f, 0.0f, 0, "" }, { 0.3824f, 0.0000f, 0.0000f, 0.0000f, 0.0255f, 0.0000f, 0.0000f, 2.6180f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 3.21f, 0.0f, 0, "" }, { 0.3195f, 0.0000f, 0.0000f, 0.0000f, 0.0196f, 0.0000f, 0.0000f, 2.3450f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 4.88f, 0.0f, 0, "" }, { 0.3021f, 0.0000f, 0.0000f, 0.0000f, 0.0227f, 0.0000f, 0.0000f, 2.2590f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 12.33f, 0.0f, 0, "" }, { 0.2781f, 0.0000f, 0.0000f, 0.0000f, 0.0119f, 0.0000f, 0.0000f, 2.1406f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 9.27f, 0.0f, 0, "" }, { 0.2162f, 0.0000f, 0.0000f, 0.0000f, 0.0346f, 0.0000f, 0.0000f, 1.6316f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 44.56f, 0.0f, 0, "" }, { 0.1656f, 0.0000f, 0.0000f, 0.0000f, 0.0379f, 0.0000f, 0.0000f, 2.3169f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0144f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0121f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0117f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } }
+/* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms' numbers. */
+typedef struct ssgi__plan_row {
+    signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
+    float size, cost, term[SSGI__PLAN_TERMS];
+} ssgi__plan_row;
+
+#define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, size, cost, \
+                   open, picture, coarse, coarser, uneven, left_out, bounced, constant) \
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, layers, cameras, filter, \
+      resolution, size, cost, { open, picture, coarse, coarser, uneven, left_out, bounced, constant } }
+
+static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
+    SSGI__ROW(VISIBILITY, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 2, 0, 0, 0, 1, 0, 0, 0.59f, 0.1246f, 1.1802f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.62f, 0.0390f, 1.2336f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 6, 0, 0, 0, 1, 0, 0, 0.72f, 0.0036f, 1.0796f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.01f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 4, 0, 8, 0, 0, 0, 1, 0, 0, 1.69f, 0, 0.8908f, 0, 0, 0, 0, 0, 0.0073f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 1, 0, 6, 0, 0, 0, 1, 0, 0, 1.62f, 0.0057f, 0.8941f, 0, 0, 0, 0, 0, 0.0065f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 2, 0, 6, 0, 0, 0, 1, 0, 0, 2.63f, 0.0047f, 0.8351f, 0, 0, 0, 0, 0, 0.0104f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0, 4.01f, 0, 0.7792f, 0, 0, 0, 0, 0, 0.0151f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 8, 0, 12, 0, 0, 0, 1, 0, 0, 12.66f, 0, 0.6931f, 0, 0, 0, 0, 0, 0.0216f),
+    SSGI__ROW(VISIBILITY, MARCH, NONE, 0, 4, 0, 6, 0, 1, 4, 1, 0, 0, 16.69f, 0.1086f, 0.1302f, 0, 0, 0, 0, 0, 0.0971f),
+    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.80f, 0.0012f, 0, 1.1184f, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 57.85f, 0, 0.0012f, 1.5042f, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.68f, 0.1139f, 0.7735f, 0, 0, 0.0113f, 0, 0, 0.0025f),
+    SSGI__ROW(LIGHT, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.01f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, NONE, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0, 4.01f, 0.0197f, 0.8815f, 0, 0, 0.0025f, 0, 0, 0.0023f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 2, 1, 0, 1, 0, 0, 0.94f, 0, 0.8822f, 0, 0, 0.0140f, 0, 0, 0.7195f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 3, 1, 0, 1, 0, 0, 0.95f, 0.0364f, 0.6709f, 0, 0, 0.0152f, 0, 0, 0.6662f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 2, 1, 0, 1, 0, 0, 2.30f, 0.0225f, 0.7125f, 0, 0, 0.0138f, 0, 0, 0.6153f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 3, 1, 0, 1, 0, 0, 2.40f, 0.0853f, 0.4310f, 0, 0, 0.0161f, 0, 0, 0.5612f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 2.57f, 0.1119f, 0.3198f, 0, 0, 0.0149f, 0, 0, 0.5365f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 2.37f, 0.0711f, 0.4960f, 0, 0, 0.0063f, 0, 0, 0.5775f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 6.12f, 0.0836f, 0.3525f, 0, 0, 0.0070f, 0, 0, 0.5191f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 2.91f, 0, 0.5747f, 0, 0, 0.0017f, 0, 0, 0.5713f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 16.04f, 0.0087f, 0.5391f, 0, 0, 0, 0, 0, 0.5948f),
+    SSGI__ROW(BOUNCE, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.66f, 0.1467f, 0.8102f, 0, 0, 0.0003f, 0, 0, 0.0114f),
+    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.03f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, NONE, 1, 0, 4, 4, 4, 1, 0, 1, 0, 0, 1.37f, 0.3824f, 0, 0, 0, 0.0255f, 0, 0, 2.6180f),
+    SSGI__ROW(BOUNCE, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 3.21f, 0.3195f, 0, 0, 0, 0.0196f, 0, 0, 2.3450f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 4.88f, 0.3021f, 0, 0, 0, 0.0227f, 0, 0, 2.2590f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 12.33f, 0.2781f, 0, 0, 0, 0.0119f, 0, 0, 2.1406f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 9.27f, 0.2162f, 0, 0, 0, 0.0346f, 0, 0, 1.6316f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 44.56f, 0.1656f, 0, 0, 0, 0.0379f, 0, 0, 2.3169f),
+    SSGI__ROW(OBJECTS, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.0144f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.0121f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0.05f, 0.0117f, 0, 0, 0, 0, 0, 0, 0)
 };
 
-static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* the built-in sky */
+static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-static double ssgi_plan__reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+static double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
 
-static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row *row, const ssgi_plan_scene *s)
+static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    const double size = row->plan.size > 0.0f ? (double)row->plan.size / ssgi_plan__reach(s) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
     int l;
-    if (s->survey.seen > 0.0f) {                     /* no more than a guess: what is behind what is seen nobody knows */
+    if (s->survey.seen > 0.0f) {                    /* no more than a guess: the survey cannot see what is hidden */
         const float *square = s->survey.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
         picture = 1e-5 + 0.38 * (double)square[1];
@@ -3840,83 +3849,118 @@ static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row
     for (l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
-        if (l >= row->plan.bands) left += ratio;
+        if (l >= row->bands) left += ratio;
     }
-    term[SSGI_PLAN__OPEN] = open;
-    term[SSGI_PLAN__PICTURE] = picture;
-    term[SSGI_PLAN__COARSE] = open * size;
-    term[SSGI_PLAN__COARSER] = open * size * size;
-    term[SSGI_PLAN__UNEVEN] = open * uneven;
-    term[SSGI_PLAN__LEFT_OUT] = open * left;
-    term[SSGI_PLAN__BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
-    term[SSGI_PLAN__ALWAYS] = 1e-4;
+    term[SSGI__PLAN_OPEN] = open;
+    term[SSGI__PLAN_PICTURE] = picture;
+    term[SSGI__PLAN_COARSE] = open * size;
+    term[SSGI__PLAN_COARSER] = open * size * size;
+    term[SSGI__PLAN_UNEVEN] = open * uneven;
+    term[SSGI__PLAN_LEFT_OUT] = open * left;
+    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
+    term[SSGI__PLAN_CONSTANT] = 1e-4;
+}
+
+/* Whether a scene has what a choice needs, and enough of it to be worth that. */
+static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
+{
+    const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
+                    | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
+    const float *square = s->survey.square;
+    if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1) || row->cameras > s->cameras) return 0;
+    if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {      /* layers and cameras want something hidden */
+        const double hidden = sqrt((double)square[1] + (double)square[2]) + (row->cameras ? sqrt((double)square[3]) : 0.0);
+        if (hidden < 0.1 * (double)s->error) return 0;
+    }
+    /* directional methods want light that is not the same all around */
+    return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
+        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
-    const ssgi_plan__row *row = &ssgi_plan__rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    double term[SSGI_PLAN__TERMS], square = 0.0, hidden;
+    const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
+    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    double term[SSGI__PLAN_TERMS], square = 0.0;
     int k;
-    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || s->wanted < 0 || s->wanted > SSGI_PLAN_OBJECTS || !(row->wanted & 1 << s->wanted)) return 0;
-    if (row->plan.layers > (s->layers > 1 ? s->layers : 1) || row->plan.cameras > s->cameras || (row->plan.method == SSGI_PLAN_SURFELS && !(s->triangles > 0.0)) || (row->plan.method == SSGI_PLAN_FIELD && s->casters < 1) || (row->plan.method == SSGI_PLAN_SSDO && !s->map)) return 0;
-    if (s->survey.seen > 0.0f && (row->plan.layers > 1 || row->plan.cameras)) {       /* what no more than one layer holds has nothing to peel */
-        hidden = sqrt((double)s->survey.square[1] + (double)s->survey.square[2]) + (row->plan.cameras ? sqrt((double)s->survey.square[3]) : 0.0);
-        if (hidden < 0.1 * (double)s->error) return 0;
-    }
-    ssgi_plan__terms(term, row, s);
-    if (s->wanted == SSGI_PLAN_LIGHT && (row->plan.method == SSGI_PLAN_S3HO || row->plan.method == SSGI_PLAN_SSDO) && sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error)
-        return 0;                                                       /* light from everywhere, or nearly so, has no direction */
-    for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
-    *plan = row->plan;
+    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
+    ssgi__plan_terms(term, row, s);
+    if (!ssgi__plan_fits(row, s, term)) return 0;
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->samples = row->samples;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->layers = row->layers;
+    plan->cameras = row->cameras;
+    plan->filter = row->filter;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
+    plan->cost = row->cost;
+    for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
-    while (plan->bands > 1 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;     /* nor have bands that hold nothing */
-    if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
-    if (row->plan.method == SSGI_PLAN_SURFELS) {
+    while (plan->bands > 1      /* bands whose energy is negligible */
+           && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;
+    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
+    if (row->method == SSGI_PLAN_SURFELS) {         /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
-        for (k = 1; k < 7 && (double)row->plan.size * 1.5 * (1 << (k - 1)) < ssgi_plan__reach(s); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+        for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_reach(s); ++k) {}
         plan->levels = k;
     }
     return 1;
+}
+
+/* Whether all are finite and 0 or more. */
+static int ssgi__positive(const float *v, int count)
+{
+    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
+    return count == 0;
 }
 
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
     static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
     ssgi_plan best, p;
-    float fields[9], cheaper = 0.0f, goal = 0.0f;
+    float cheaper = 0.0f, goal = 0.0f;
     int i, tried = 0, found = 0;
-    if (!plan || !s) return ssgi__bad(why, !plan ? "plan: must not be NULL" : "scene: must not be NULL");
-    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS) return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0) return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
-    fields[0] = s->error; fields[1] = s->budget; fields[2] = s->reach; fields[3] = s->albedo; fields[4] = s->splats; fields[5] = s->cover;
-    for (i = 0; i < 6; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
-    for (i = 0; i < 4; ++i) if (!ssgi__finite(s->energy[i]) || !(s->energy[i] >= 0.0f)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
+    if (!plan) return ssgi__bad(why, "plan: must not be NULL");
+    if (!s) return ssgi__bad(why, "scene: must not be NULL");
+    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS)
+        return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
+    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
+        return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
+    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1) || !ssgi__positive(&s->albedo, 1)
+        || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
+        return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
+    if (!ssgi__positive(s->energy, 4)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
     if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture)) return ssgi__bad(why, "scene.trial: must be finite");
-    memcpy(fields, &s->survey, sizeof s->survey);
-    for (i = 0; i < 9; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
+    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3) || !ssgi__positive(&s->survey.off, 1)
+        || !ssgi__positive(s->survey.square, 4)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {                /* the cheapest that is within a tenth of what can be had */
-        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget) || p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
+        if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         best = p;
         found = 1;
     }
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)                 /* the best of those that cost less */
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
         if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper)) cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
         snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g", (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
-                 (double)cheaper);
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more",
+                 method[best.method], tried, (double)s->error, (double)best.error, (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
-                 (double)s->error, (double)best.error);
+        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g",
+                 method[best.method], tried, s->budget > 0.0f ? " within the budget" : "", (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;
 }
