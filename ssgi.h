@@ -1,4 +1,4 @@
-/* ssgi.h - v0.1 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT, as you like: end of file.
+/* ssgi.h - v0.1 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #include "ssgi.h"
@@ -6,49 +6,60 @@
 
    QUICK USE  (compiled and run by tests/test_build.c)
 
-      float      projection[16] = { 1.3f,0,0,0,  0,2.4f,0,0,  0,0,-1.002f,-1,  0,0,-0.2002f,0 };   // yours; GL, column-major
+      float      projection[16] = { 1.3f,0,0,0,  0,2.4f,0,0,  0,0,-1.002f,-1,  0,0,-0.2002f,0 };   // yours, as GL's
       ssgi_view  view;
       const char *why = "";
       if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1280, 720, &why) != SSGI_OK) puts(why);
       float p[3];
-      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);                 // a depth texel as a view-space point
+      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel as a view-space
+                                                                                     point
       printf("%g %g %g, a pixel is %g wide there\n", p[0], p[1], p[2], ssgi_pixel_footprint(&view, -p[2]));
 
    CONVENTIONS  (one place; every comment relies on it)
       matrices     float[16], element (row r, column c) at m[c*4 + r]; vectors are columns
       view space   right-handed, +x right, +y up, the camera looks along -z; VIEW DEPTH is the positive distance -z
-      pixels       (0,0) is the corner of the first texel, centres at (x+0.5, y+0.5), y as in GL textures (upward when the projection is GL's)
+      pixels       (0,0) is the corner of the first texel, centres at (x+0.5, y+0.5), y as in GL textures (upward when
+                   the projection is GL's)
       window depth what the depth texture holds, [0,1]
       units        lengths in your view units, angles in radians, radiance linear
-      visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O, cosine-weighted
-      environments latitude-longitude pictures as OpenEXR's, rgb interleaved, linear radiance: rgb[3 * (y * width + x) + c], row 0 at +y, the image centre
-                   looks to +z, +x is left of the centre; solid angles of texels are exact; values above 1e24 count as that
-      errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a static sentence that begins
-                   with the argument's name; outputs are then untouched. Nothing prints, exits, allocates or keeps state: all is reentrant.
+      visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O,
+                   cosine-weighted
+      environments latitude-longitude pictures as OpenEXR's, rgb interleaved, linear radiance: rgb[3 * (y * width + x) +
+      c],
+                   row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
+                   exact; values above 1e24 count as that
+      errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
+                   static sentence that begins with the argument's name; outputs are then untouched. Nothing prints,
+                   exits, allocates or keeps state: all is reentrant.
 
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
    ROOMS        search for ">>"
       >>types      results
-      >>view       projection decode: perspective, orthographic, reversed and infinite depth, off-centre; additional cameras
+      >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
       >>kernel     low-discrepancy points, sample sets, jitter tile
       >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
-      >>environment  latitude-longitude pictures as octahedral maps over lobes and cones, and as directional lights
+      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>cap        spherical caps under the cosine: closed form, table
       >>bias       pixel footprint, normal offset, radius guess, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
-      >>surfels    triangles as discs about as large on the screen, what splatting them reaches and costs
+      >>surfels    triangles as discs about as large on the screen, what splatting them costs
       >>dipole     multiple scattering under surfaces, and materials
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
 
-   SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion   [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating
-                dynamic global illumination in image space   [SA07] Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion
-                [RAM01] Ramamoorthi, Hanrahan 2001, An efficient representation for irradiance environment maps   [DEB05] Debevec 2005, A median cut
-                algorithm for light probe sampling   [KEL97] Keller 1997, Instant radiosity   [SLO08] Sloan 2008, Stupid spherical harmonics tricks
+   SOURCES      [HSAO08] Dimitrov, Bavoil, Sainz 2008, Horizon-split ambient occlusion
+                [SSDO09] Ritschel, Grosch, Seidel 2009, Approximating dynamic global illumination in image space
+                [DSS14]  Nalbach, Ritschel, Seidel 2014, Deep screen space
                 [S3HO12] Herholz, Schairer, Schilling, Strasser 2012, Screen space spherical harmonic occlusion
                 [SSBN11] Klehm, Ritschel, Eisemann, Seidel 2011, Bent normals and cones in screen-space
-                [AOF05] Kontkanen, Laine 2005, Ambient occlusion fields   */
+                [AOF05]  Kontkanen, Laine 2005, Ambient occlusion fields
+                [RAM01]  Ramamoorthi, Hanrahan 2001, An efficient representation for irradiance environment maps
+                [DEB05]  Debevec 2005, A median cut algorithm for light probe sampling
+                [KEL97]  Keller 1997, Instant radiosity
+                [SLO08]  Sloan 2008, Stupid spherical harmonics tricks
+                [JMLH01] Jensen, Marschner, Levoy, Hanrahan 2001, A practical model for subsurface light transport
+                [JB02]   Jensen, Buhler 2002, A rapid hierarchical rendering technique for translucent materials   */
 #ifndef SSGI_H
 #define SSGI_H
 
@@ -80,7 +91,7 @@ typedef enum ssgi_result {
 
 /* How a projection's clip z becomes window depth. */
 enum { SSGI_CLIP_GL = 0,    /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: glClipControl(.., GL_ZERO_TO_ONE); reversed depth wants this */
+       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; reversed depth wants this */
 
 /* Everything that the passes know of a camera; made by ssgi_view_from_projection, read-only for you. */
 typedef struct ssgi_view {
@@ -92,161 +103,187 @@ typedef struct ssgi_view {
     int   width, height;    /* pixels of the picture */
 } ssgi_view;
 
-/* Decodes a projection matrix: perspective or orthographic, any window depth (normal, reversed, infinite far plane), off-centre (sub-pixel jitter,
-   stereo), y up or down.
+/* Decodes a projection matrix: perspective or orthographic, any window depth (normal, reversed, infinite far plane),
+   off-centre (sub-pixel jitter, stereo), y up or down.
      projection     [limit: w row (0,0,-1,0) or (0,0,0,1) up to a common factor; no skew] right-handed, camera along -z
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the picture that the projection fills
    Computed in double; exact to float rounding. */
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width, int height, const char **why);
 
-/* View depth of a window depth; anything that is not a surface (the clear value, NaN, beyond [0,1], zero or infinite view depth) gives SSGI_FAR.
-   GLSL twin: ssgi_decode. */
+/* View depth [units: view] of a window depth. What is not a surface (the clear value, NaN, beyond [0,1], a view depth
+   of 0 or infinity) gives SSGI_FAR. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 #define SSGI_FAR 1e18f      /* the view depth of nothing: far beyond any scene, its square still a float */
 
-/* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a view-space point, with its depth
-   [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
+/* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
+   view-space point, with its depth [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
 /* Depth of the near plane that the projection implies [units: view]. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side planes and the near plane;
-   0 inside. The far plane does not count. */
+/* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side
+   planes and the near plane; 0 inside. The far plane does not count. */
 SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
 
-/* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius * displacement and looks at centre.
+/* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
+   displacement and looks at centre.
      main_world_to_view  rigid: rotation and translation
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre itself it looks as the main camera does.
-     projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide (near or inside the sphere);
-                         near plane radius / 50: matter that a near plane cuts open would count as seen through; far plane distance + radius
+     world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre
+                         itself it looks as the main camera does.
+     projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide
+                         (near or inside the sphere); near plane radius / 50: matter that a near plane cuts open would
+                         count as seen through; far plane distance + radius
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from two radii away (the sphere then is
-   60 degrees wide) they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
+/* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
+   two radii away (the sphere then is 60 degrees wide) they keep that distance and turn about the centre: by 60 degrees
+   to either side and 20 up, 75 up, and to the far side, 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
 
-/* i mirrored about the point in a base [limit: base >= 2], [0,1): van der Corput. Base 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
+/* Radical inverse (van der Corput): the digits of i in a base, reflected about the radix point, in [0,1); 0 for a base
+   below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; good for any count, no need to know it beforehand. */
+/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; good for any count, no need
+   to know it beforehand. */
 SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets (interleave them over pixels)
      samples    [limit: 1..4096] of each
-     xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n; low-discrepancy in each set, the
-                sets rotated against each other
-     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length * radius. Uniform lengths
-                make point sampling converge to linear attenuation, 1 - t/radius; sqrt and cbrt of it to 1 - (t/r)^2 and 1 - (t/r)^3.
+     xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
+                low-discrepancy in each set, the sets rotated against each other
+     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
+                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius; sqrt and cbrt
+                of it to 1 - (t/r)^2 and 1 - (t/r)^3.
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see README, differences from the papers] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
-/* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for the steps, c in [0,1) for
-   whatever else wants a turn, each stratified over the size x size texels and decorrelated. [HSAO08 4.1.2, with the range that it means]
+/* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for
+   the steps, c in [0,1) for whatever else wants a turn, each stratified over the size x size texels and decorrelated.
+   [HSAO08 4.1.2, with the range that it means]
      size       [limit: 1..64]     directions [limit: 1..1024]
    Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TEXTURE. */
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
 
-/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1 is +y, +z, +x times 0.4886.
-   GLSL twins of basis, zonal, rotate and product: ssgi_gl_sh in ssgi_gl.h. */
+/* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1
+   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal, rotate and product: ssgi_gl_sh in ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* What band l of radiance is multiplied by to become irradiance: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 for any other l. [RAM01] */
+/* What band l of radiance is multiplied by to become irradiance: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 for any other l.
+   [RAM01] */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      width, height  [limit: 1..65536]
-     faces          six of GL's cube map, in its order and orientation (+x -x +y -y +z -z), rgb interleaved, size * size each [limit: 1..65536] */
+     faces          six of GL's cube map, in its order and orientation (+x -x +y -y +z -z), rgb interleaved, size * size
+                    each [limit: 1..65536] */
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why);
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why);
 
-/* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional light in 4 bands that gives a facing surface
-   irradiance 1: the series' peak, the least irradiance of an open surface, and the most that its negative part can take from a surface that sees nothing else. */
-enum { SSGI_SH_WINDOW_NONE = 0,     /* 1: sharpest, rings most                                         1.20, -0.037, 0.20 */
-       SSGI_SH_WINDOW_HANN,         /* (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12]                     0.68, -0.027, 0.035 */
-       SSGI_SH_WINDOW_POSITIVE };   /* the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest   0.52,  0.020, 0 */
+/* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional
+   light in 4 bands that gives a facing surface irradiance 1: the series' peak, the least irradiance of an open surface,
+   and the most that its negative part can take from a surface that sees nothing else. */
+enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
+       SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
+       /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
+       SSGI_SH_WINDOW_POSITIVE };
 
-/* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a window that there is not is none]. */
+/* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a
+   window that there is not is none]. */
 SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
-/* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] = sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction),
-   bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) gives the clamped cosine about a normal, which is the
-   transfer of an open point: its dot product with radiance is irradiance. */
+/* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
+   sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
+   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) gives the clamped cosine about a normal, which is the transfer of an open
+   point: its dot product with radiance is irradiance. */
 SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
-/* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w it becomes along R w.
-     coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients     bands as ssgi_sh_basis     channels [limit: any; below 1 nothing]
+/* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w
+   it becomes along R w.
+     coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
+     bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]
    About 10 us for 4 bands. */
 SSGI_DEF void  ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *world_to_view);
 
-/* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a product has up to 2 * bands - 1 bands and those
-   above are lost. One channel, bands^2 floats each; out may be a or b. [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
+/* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a
+   product has up to 2 * bands - 1 bands and those above are lost. One channel, bands^2 floats each; out may be a or b.
+   [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
 SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
 
-/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels; bands floats
-   [limit: bands as ssgi_sh_basis; channels below 1 give zeros]. A pure sum: what is not finite makes its band so. */
+/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels; bands
+   floats [limit: bands as ssgi_sh_basis; channels below 1 give zeros]. A pure sum: what is not finite makes its band
+   so. */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
-/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k such that an unoccluded surface that faces
-   the light receives exactly `irradiance`, whatever bands and window. [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
+/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
+   such that an unoccluded surface that faces the light receives exactly `irradiance`, whatever bands and window.
+   [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
      direction   to the light [limit: finite, not 0]; any length
-     sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius / distance of its centre: f_l, the mean of the
-                 Legendre polynomial l over the cap that it fills
+     sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
+                 distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
      irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine, const float irradiance[3], int window, const char **why);
 
-/* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its irradiance is exactly the engines' hemisphere light,
-   pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands those that the cosine sees are empty.
+/* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its
+   irradiance is exactly the engines' hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands
+   those that the cosine sees are empty.
      bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
 SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3], const float below[3], const char **why);
 
-/* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves no channel below 0 in any direction, but for
-   1e-3 of its mean. Finds the lowest by descent from 200 fixed directions. Band 0 stays as it is, and so does all that is nowhere below 0: s = 0.
+/* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
+   no channel below 0 in any direction, but for 1e-3 of its mean. Finds the lowest by descent from 200 fixed directions.
+   Band 0 stays as it is, and so does all that is nowhere below 0: s = 0.
      bands         [limit: 1..SSGI_SH_MAX_BANDS]
-     coefficients  [limit: finite] a channel whose mean (band 0) is not above 0 has no s: it does not count, but is weakened as the others
+     coefficients  [limit: finite] a channel whose mean (band 0) is not above 0 has no s: it does not count, but is
+                   weakened as the others
      strength      receives s, at most 1e30; may be NULL
    A few milliseconds. */
 SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions on the square [-1,1]^2 about +z. Any length but 0 (which becomes +z); decoding gives a unit vector.
-   GLSL twin of decode: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
+/* Octahedral map: directions on the square [-1,1]^2 about +z. Any length but 0 (which becomes +z); decoding gives a
+   unit vector. GLSL twin of decode: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t;
+   normalize(n). */
 SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
 SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
 
-/* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x + 0.5, y + 0.5) / size * 2 - 1.
+/* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x +
+   0.5, y + 0.5) / size * 2 - 1.
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
-     solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over a von Mises-Fisher lobe with
-                    kappa = 4 pi / solid_angle, as wide as 1 / integral p^2 says (nearly: exactly it is tanh(kappa) of that). What lies below 0.05 is taken as 0.05.
-   A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider by up to 0.005 sr.
-   (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048 x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes
-   with size^2 from there. Takes 60 KB of stack. */
+     solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
+                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, as wide as 1 / integral p^2 says (nearly:
+                    exactly it is tanh(kappa) of that). What lies below 0.05 is taken as 0.05.
+   A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider
+   by up to 0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
+   x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why);
 
-/* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A bent cone's light [SSBN11] is one look-up here:
-   slice k of n of a texture array, one an aperture, holds cosine k/n.
-     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi, the same as ssgi_environment_map with solid angle 0
-   A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90 degrees), so that cells do not show.
-   Otherwise, and in its cost, as ssgi_environment_map. */
+/* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
+   bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
+     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi, the same as ssgi_environment_map with
+              solid angle 0
+   A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90
+   degrees), so that cells do not show. Otherwise, and in its cost, as ssgi_environment_map. */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why);
 
 typedef struct ssgi_sun {
@@ -254,16 +291,18 @@ typedef struct ssgi_sun {
     float irradiance[3];    /* on a surface that faces it */
 } ssgi_sun;
 
-/* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is halved, along its wider side, until there are count.
-   A sun stands at its region's centre of luminance and sends all of its light: irradiances sum to the integral of radiance over the sphere.
+/* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
+   halved, along its wider side, until there are count. A sun stands at its region's centre of luminance and sends all
+   of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why);
 
-/* What spherical harmonics lack: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros without an environment), that of the
-   suns, and takes away what the coefficients, [3*i + c], which stand for all of it, give an open surface. Added to their light, dimmed by occlusion, it makes open surfaces exact.
-     size   [limit: 8..256]     bands   [limit: 1..SSGI_SH_MAX_BANDS]     suns   [limit: count 0 or more; may be NULL when 0] */
+/* Residual map: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros
+   without an environment), the irradiance over pi of the suns less that of the coefficients, [3*i + c], which stand for
+   all of it. Added to their light, dimmed by occlusion, it makes open surfaces exact.
+     size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns, int count, const char **why);
 
 /* ==== >>vpl ==================================================================================================== */
@@ -273,11 +312,13 @@ typedef struct ssgi_vpl {
     float intensity[3];     /* radiant intensity along the normal; intensity * cos theta beside it */
 } ssgi_vpl;
 
-/* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their flux, stratified along the map.
+/* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
+   flux, stratified along the map.
      count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
-     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all; where it is negative or not finite it counts as 0
-   Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's. Same input, same output.
-   A map without flux is SSGI_BAD_ARGUMENT. */
+     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all;
+                              where it is negative or not finite it counts as 0
+   Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's.
+   Same input, same output. A map without flux is SSGI_BAD_ARGUMENT. */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why);
 
 /* ==== >>cap ==================================================================================================== */
@@ -288,44 +329,51 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024]. Upload it size x size, R16F, R32F or R16, LINEAR,
-   CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
+/* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024].
+   Upload it size x size, R16F, R32F or R16, LINEAR, CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest
+   error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
 /* ==== >>bias =================================================================================================== */
 
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two axes. */
+/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two
+   axes. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* How far HSAO lifts the receiver along its normal so that nearest depth fetches of its own plane stay below it: half a pixel's footprint
-   [HSAO08 eq. 13, with positive view depth]; corners of a pixel need sqrt(2) times as much. GLSL twin: ssgi_lift (times u_ssgi_offset). */
+/* How far HSAO lifts the receiver along its normal so that nearest depth fetches of its own plane stay below it: half a
+   pixel's footprint [HSAO08 eq. 13, with positive view depth]; corners of a pixel need sqrt(2) times as much. GLSL
+   twin: ssgi_lift (times u_ssgi_offset). */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
-/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most what covers a quarter of the
-   picture's height at view_depth. Bounds that are empty or not finite give the second alone. Always > 0. */
+/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
+   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
+   alone. Always > 0. */
 SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
      depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
-     full_angle  [units: rad] [limit: 0..pi, exclusive] from edge to edge     resolution  [units: texels] [limit: >= 1] */
+     full_angle  [units: rad] [limit: 0..pi, exclusive] from edge to edge
+     resolution  [units: texels] [limit: >= 1] */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light. The paper's patch / 2 holds only for
-   slopes along a texel's side; a slope along its diagonal needs sqrt(2) times that. At most `most`, which is also what cos_alpha <= 0 gets; never below 0;
-   finite for all finite input. [limit: patch, most >= 0] */
+/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light. The
+   paper's patch / 2 holds only for slopes along a texel's side; a slope along its diagonal needs sqrt(2) times that. At
+   most `most`, which is also what cos_alpha <= 0 gets; never below 0; finite for all finite input. [limit: patch, most
+   >= 0] */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
 
 /* ==== >>trace ================================================================================================== */
 
-/* Rays against triangles: the nearest hit, or whether there is one. For baking fields and for ray-traced reference pictures.
-   Build once, trace from any number of threads. Triangles are two-sided; rays do not slip through shared edges.
+/* Rays against triangles: the nearest hit, or whether there is one. For baking fields and for ray-traced reference
+   pictures. Build once, trace from any number of threads. Triangles are two-sided; rays do not slip through shared
+   edges.
 
       size_t      size = ssgi_trace_size(triangles);
       void       *memory = malloc(size);
       ssgi_trace  trace;
       const char *why;
-      if (ssgi_trace_build(&trace, memory, size, position, 3 * sizeof(float), NULL, triangles, &why) != SSGI_OK) puts(why);
-      if (ssgi_trace_any(&trace, origin, direction, 0.0f, 1.0f)) puts("something is in between");                         */
+      if (ssgi_trace_build(&trace, memory, size, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
+      if (ssgi_trace_any(&trace, origin, direction, 0.0f, 1.0f)) puts("something is in between");      */
 
 typedef struct ssgi_trace {
     const void *nodes, *blocks;       /* in the memory given to ssgi_trace_build */
@@ -336,30 +384,32 @@ typedef struct ssgi_trace {
 
 typedef struct ssgi_hit {
     float    t;                       /* origin + t * direction is the point hit */
-    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1]; the first has 1 - u - v */
+    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1]; the first has 1 -
+                                         u - v */
     uint32_t triangle;
 } ssgi_hit;
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 when triangles is 0 or above SSGI_TRACE_MAX_TRIANGLES, or when
-   size_t cannot hold the answer. */
+/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 when triangles is 0 or above SSGI_TRACE_MAX_TRIANGLES, or
+   when size_t cannot hold the answer. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
    position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are
-   memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it, do not move it.
+   memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it where it is.
                position and index are not needed afterwards.
-   Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller than
-   about 1e-18 may be missed.
-   SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside 1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below
-   12 or no multiple of 4. Then *why names the argument, and trace and memory are untouched. Indices are not checked.
-   O(n log n) but for contrived input; no allocation; recursion at most 62 deep, whatever the input. */
+   Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
+   than about 1e-18 may be missed. SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside
+   1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below 12 or no multiple of 4. Then *why names the argument, and trace
+   and memory are untouched. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion at
+   most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position, size_t stride_bytes,
                                       const uint32_t *index, size_t triangles, const char **why);
 
-/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be unit: t counts
-   in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
+/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be
+   unit: t counts in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without
+   direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax,
                                 ssgi_hit *hit);
 
@@ -368,34 +418,46 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels ================================================================================================ */
 
-/* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing angles, beside the picture and behind the eye, too.
-   What here makes surfels on the CPU, passes of ssgi_gl.h make on the GPU (SSGI_GL_SURFELS); both give the same, and SSGI_GL_SPLAT takes either. */
+/* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing
+   angles, beside the picture and behind the eye, too. Passes of ssgi_gl.h make the same surfels on the GPU
+   (SSGI_GL_SURFELS), with the shrink INCENTRE alone; SSGI_GL_SPLAT takes either. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
     float position[3], radius;      /* view space */
     float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* what it sends: nothing for occlusion, outgoing radiance for a bounce, irradiance for scattering; the source's own until someone shades it */
+    float colour[3], unused;        /* what it sends: nothing for occlusion, outgoing radiance for a bounce, irradiance
+                                       for scattering; the source's own until someone shades it */
 } ssgi_surfel;
 
-/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
+   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
 SSGI_DEF int ssgi_tess_count(int level);
-/* The level at which that many discs of this radius have the triangle's area, 1..64; small triangles get 1, for level 0 would drop them. More than 3169 discs need triangles split (ssgi_surfel_desc.splits). */
+/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0].
+   Clamped to 1 at least: level 0 makes the tessellator cull the patch. More than 3169 discs need triangles split
+   (ssgi_surfel_desc.splits). */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
-/* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them */
-enum { SSGI_SHRINK_INCENTRE = 0,    /* scaled about the centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider than the triangle */
-       SSGI_SHRINK_CENTROID };      /* the paper's: corners move by r toward the centroid, by 0.9 of the way at most: it leaves half of what protrudes */
-
+/* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them. INCENTRE: scaled about the
+   centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider
+   than the triangle. CENTROID: as published, corners move by r toward the centroid, by 0.9 of the way at most: it
+   leaves half of what protrudes. */
+enum { SSGI_SHRINK_INCENTRE = 0, SSGI_SHRINK_CENTROID };
 
 typedef struct ssgi_surfel_desc {
-    float size;                     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the viewer: the paper's s */
-    float jitter;                   /* [limit: 0..1]  1: surfels are moved by up to their radius, which hides the tessellator's pattern [DSS14 3.1]; 0: they stay */
-    int   splits;                   /* [limit: 0..32] [default: 8]  into how many parts an edge is split at most, where a part would be finer than level 64 or its near end much nearer than its far one */
-    int   shrink;                   /* SSGI_SHRINK_INCENTRE .. */
-    float aside;                    /* [units: radii per distance] [limit: 0..1] [default: 0.1]  how much surfels grow with their distance from what the camera sees: nothing near them is shaded; below 1e-3: not, as published */
-    int   every;                    /* [limit: 0..1]  0: triangles smaller than 3 surfels give a share of them, as large as wanted: cost and reach no longer follow how fine a mesh is; 1: all three, as published */
-    float most;                     /* [units: view] [limit: >= 0] [default: no end]  triangles farther than this from what the camera sees give no surfels: a radius of occlusion */
+    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the
+                       viewer: the paper's s */
+    float jitter;   /* [units: radii] [limit: 0..1]  surfels are moved by up to so much, which hides the tessellator's
+                       pattern [DSS14 3.1: 1] */
+    int   splits;   /* [limit: 0..32] [default: 8]  most parts of an edge: for parts finer than level 64, or of a near
+                       and a far end */
+    int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
+    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1]  radius added per distance outside the frustum: no visible
+                       pixel is close to such surfels, so they may be coarser; below 1e-3: none, as published */
+    int   every;    /* [limit: 0..1]  0: triangles smaller than three surfels keep each of theirs with the probability area / (3 pi r^2),
+                       as large as wanted: cost and reach do not follow how fine a mesh is; 1: all three, as published */
+    float most;     /* [units: view] [limit: >= 0] [default: no end]  triangles farther outside the frustum give no
+                       surfels: a radius of occlusion */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -406,47 +468,68 @@ typedef struct ssgi_surfel_source {
     size_t position_stride, normal_stride, colour_stride;
     const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
-    float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's transpose */
+    float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's
+                                       transpose */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter, splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
+   splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
 
-/* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the horizon, into four and again, ten times at most; drops what is farther aside than desc->most. Others stay
-   as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most
-   capacity triangles, and to *count how many there are. */
+/* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
+   horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->most. Others
+   stay as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
+   (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most capacity
+   triangles, and to *count how many there are. */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there are: ask with out = NULL first. Triangles without area, with corners
-   that are not finite or beyond SSGI_FAR, or too small for a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's vertices and the place in it alone. Outputs are untouched when something is wrong. */
+/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
+   are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
+   a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
+   vertices and the place in it alone. Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
-    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
-    float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts: a radius of occlusion */
+    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or
+                                       out */
+    float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts:
+                                       a radius of occlusion */
     float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
-    int   levels;                   /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
+    float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything
+                                       nearer */
+    int   levels;                   /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same
+                                       cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout; all levels lie below each other in one texture: width x (levels * height). */
+/* Texels along x and y of one level in the shuffled layout: width and height rounded up to 2^(levels - 1); all levels
+   lie below each other in one texture: size[0] x (levels * size[1]).
+     width, height  [units: pixels] [limit: 1..65536] of the picture
+     levels         [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
-/* What a picture will cost: before anything is drawn. pixels: texels that level l's splats cover, each splat's. Of surfels: as they would be drawn; of triangles: from a surfel at each part's centre, counts exact.
-   splits: what the triangles ask for (ssgi_surfel_desc.splits lets them have). */
+/* What a picture will cost, before anything is drawn. surfels: how many. splits: what the triangles ask for
+   (ssgi_surfel_desc.splits lets them have); 1 for surfels. pixels[l]: texels that level l's splats cover in all,
+   overlapping ones counted each. */
 typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
+/* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
+   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. SSGI_BAD_ARGUMENT
+   names what is wrong, and cost is untouched. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
-/* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that ssgi_dipole_set was given. */
-typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;     /* z_r, z_v, sigma_tr, alpha' */
-/* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: sigma_s > 0, sigma_a >= 0]     eta [limit: 1..3] */
+/* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
+   ssgi_dipole_set was given. */
+/* z_r, z_v, sigma_tr, alpha' */
+typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;
+/* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: > 0; >= 0]; eta: refraction [limit:
+   1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0 for a channel outside 0..2. */
+/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0
+   for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 /* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
@@ -455,120 +538,158 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: what a rigid caster takes from the ambient light of things around it, baked once, looked up at any point outside of it for a cost that
-   knows nothing of its triangles. Space is seen from the caster's centre: for each direction of a cube map, how the cap that the caster fills changes along the ray from
-   its convex hull to the field's reach.
+/* Ambient occlusion fields [AOF05]: what a rigid caster takes from the ambient light of things around it, baked once,
+   looked up at any point outside of it for a cost that knows nothing of its triangles. Space is seen from the caster's
+   centre: for each direction of a cube map, how the cap that the caster fills changes along the ray from its convex
+   hull to the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
       uint32_t *texels = malloc(ssgi_field_size(16, 16));          16 x 16 texels a face, 16 bits a component
       size_t    size = ssgi_field_bake_size(&d, triangles);
       void     *work = malloc(size);
-      if (ssgi_field_bake(&field, texels, work, size, &d, position, 3 * sizeof(float), NULL, triangles, &why) != SSGI_OK) puts(why);
+      if (ssgi_field_bake(&field, texels, work, size, &d, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
       free(work);                                                  field needs its texels only
-      occlusion = ssgi_field_occlusion(&field, NULL, point, normal);                                                             */
+      occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the caster, besides where it is. */
-enum { SSGI_FIELD_VECTOR = 0,       /* the length of its vector irradiance, and how densely the caster fills its cap (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's
-                                       horizon, and 1/length of a ball is exactly quadratic */
-       SSGI_FIELD_SOLID_ANGLE };    /* its solid angle, as published: the cap is as large as the caster */
+/* What a field keeps of the caster, besides where it is. VECTOR: the length of its vector irradiance, and how densely
+   it fills its cap (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon,
+   and 1/length of a ball is exactly quadratic. SOLID_ANGLE: its solid angle, as published: the cap is as large as the
+   caster. */
+enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
-    int   resolution;       /* [limit: 0, 2..128] [default: 16; with error 64]  texels along a side of the cube map's faces; with error the most that may be taken */
-    int   radii;            /* [limit: 0, 4..64] [default: 12; with error 24]  distances sampled along each direction; likewise */
+    int   resolution;       /* [limit: 0, 2..128] [default: 16; with error 64]  texels along a side of the cube map's
+                               faces; with error the most that may be taken */
+    int   radii;            /* [limit: 0, 4..64] [default: 12; with error 24]  distances sampled along each direction;
+                               likewise */
     int   rays;             /* [limit: 0, 16..65536] [default: 128]  a sample */
     int   measure;          /* SSGI_FIELD_VECTOR .. */
     int   bits;             /* [limit: 0, 8, 16] [default: 16]  a component */
-    float reach;            /* [units: radii of the caster's bounding sphere] [limit: 0, 1.5..64] [default: 8]  how far the field goes from the centre */
-    float error;            /* [units: occlusion] [limit: 0..1]  above 0: the smallest resolution of 4, 8, 16 .. and the fewest radii of 6, 12, 24 .. are taken with which 95 % of receivers that took no part in the bake are within it */
-    int  (*hit)(void *user, const float origin[3], const float direction[3]);   /* your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the convex hull in any case */
-    void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);   /* your threads: calls job(context, i) for every i in [0, count), in any order, and returns when all are done; NULL: one after the other */
-    int  (*progress)(void *user, float done);   /* called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED */
+    float reach;            /* [units: radii of the caster's bounding sphere] [limit: 0, 1.5..64] [default: 8]  how far
+                               the field goes from the centre */
+    float error;            /* [units: occlusion] [limit: 0..1]  above 0: the smallest resolution of 4, 8, 16 .. and the
+                               fewest radii of 6, 12, 24 .. are taken with which 95 % of receivers that took no part in
+                               the bake are within it */
+    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the convex hull in any
+       case. */
+    int  (*hit)(void *user, const float origin[3], const float direction[3]);
+    /* Your threads: calls job(context, i) for every i in [0, count), in any order, and returns when all are done; NULL:
+       one by one. */
+    void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
+    /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
+    int  (*progress)(void *user, float done);
     void *user;             /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
-    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest bits
-                               first: three logarithms of the distance function, the hull's distance, the characteristic centre's x y z, the share of the cap that is covered. Upload as RGBA32UI or RG32UI */
-    int   resolution, bits, measure, radii;
+    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a border of one texel from
+                               its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest bits first: three logarithms of the distance
+                               function, the hull's distance, the characteristic centre's x y z, the share of the cap that is covered.
+                               Upload as RGBA32UI or RG32UI */
+    int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
+    int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
     float reach;            /* [units: the mesh's] the field's end, from the centre */
-    float inside;           /* A_0: the occlusion that points inside of the hull go to; measured: the mean at those that are not walled in */
+    float inside;           /* A_0: the occlusion that points inside of the hull go to; measured: the mean at those that
+                               are not walled in */
     float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
-    float median, p95, most;/* error of occlusion, as stored, of receivers that took no part in the bake: directions between texels, radii between those sampled, any normal; without ramp */
+    float median, p95, most;/* error of occlusion, as stored, of receivers that took no part in the bake: directions
+                               between texels, radii between those sampled, any normal; without ramp */
 } ssgi_field;
 
 /* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion goes down to 0 from ramp to reach, from the centre */
-    float inside, power;    /* [limit: 0..1; > 0] in the hull occlusion is mix(inside, that at the hull, (r/hull)^power) */
+    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion goes down to 0
+                               from ramp to reach, from the centre */
+    float inside, power;    /* [limit: 0..1; > 0] in the hull occlusion is mix(inside, that at the hull,
+                               (r/hull)^power) */
 } ssgi_field_limits;
 
-/* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960 resolution^2 of the largest resolution. 0 for bad arguments. */
+/* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
+   resolution^2 of the largest resolution. 0 for bad arguments. */
 SSGI_DEF size_t ssgi_field_size(int resolution, int bits);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position, stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles
-   are left out. Directions are sampled at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any number of threads and at any
-   optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions -ffp-contract=off).
-   SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells.
-   resolution 16 with 128 rays is 9.4 million rays. */
+/* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position,
+   stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles are left out. Directions are sampled
+   at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
+   number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
+   -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
+   work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells. resolution 16 with 128 rays
+   is 9.4 million rays. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
                                      const float *position, size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
 /* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion at a point by the caster, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the caster's coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several casters 1 - (1 - a)(1 - b) ..
-   Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
+/* Occlusion at a point by the caster, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the caster's
+   coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several casters 1 - (1 - a)(1 -
+   b) .. Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3]);
 
-/* The cap itself: its solid angle, its axis, unit, and the share of it that is covered (1 with SOLID_ANGLE); at the hull for points in it. Occlusion is fill * ssgi_cap_occlusionf. Returns how far the point is from the centre, in hulls. */
+/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
+   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Occlusion is
+   fill * ssgi_cap_occlusionf(solid_angle, cosine of axis and normal). Returns the point's distance from the centre over
+   the hull's. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill);
 
-/* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or RGBA8
-   cube maps, LINEAR, seamless. Either may be NULL. */
+/* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the
+   logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or
+   RGBA8 cube maps, LINEAR, seamless. Either may be NULL. */
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
 
-/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size in bytes, writes only when out is not NULL and
-   capacity suffices. 0: field is NULL, or no field. */
+/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size in bytes, writes only
+   when out is not NULL and capacity suffices. 0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
-/* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
+/* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
+   version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why);
 
 /* ==== >>plan =================================================================================================== */
 
-/* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least error for what you can spend. Fitted on ray-traced truth of
-   eight scenes, judged on others: README. Nothing is exact: the table of choices is short, and a picture does not know what it hides. What helps most is a trial.
+/* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least
+   error for what you can spend. Fitted on ray-traced truth of eight scenes, judged on others: README. Nothing is exact:
+   the table of choices is short, and a picture does not know what it hides. What helps most is a trial.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.reach = 0.2f;
       ssgi_survey_of(&s.survey, texels, width, height, 0, NULL);       of the pass "survey" (ssgi_gl.h), read back once
-      ssgi_plan_try(&s.trial, &trace, position, normal, visibility, 3000, 64, radius, NULL);    pixels of hsao at its preset BALANCED
+      ssgi_plan_try(&s.trial, &trace, position, normal, visibility, 3000, 64, radius, NULL);    of hsao, preset BALANCED
       ssgi_plan plan;
-      if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);  ssgi_gl_plan(&desc, &plan, NULL) in ssgi_gl.h sets a desc                         */
+      if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
+      ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
 
 enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-       SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights that are in its harmonics. Errors: RMSE over the picture's mean */
-       SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius: RMSE of both together over their mean */
+       SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
+       SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius. RMSE of both together over their mean */
        SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
-enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };    /* plan.method; HSAO and MARCH dim irradiance of harmonics when light is wanted */
+/* plan.method; HSAO and MARCH dim irradiance of harmonics when light is wanted. */
+enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
+       SSGI_PLAN_FIELD };
 
-/* How points around surfaces stand to what is seen: from the picture of the pass "survey". blocked: shares of them behind it by less than a quarter of the radius, by less than the radius,
-   by more: within that, things may end or not. off: beside the picture. square: means of the squares of all four over the pixels, less what chance adds. seen: share of the picture; 0 = no survey. */
+/* How points around surfaces stand to what is seen: from the picture of the pass "survey". blocked: shares of them
+   behind it by less than a quarter of the radius, by less than the radius, by more: what lies there between is unknown.
+   off: beside the picture. square: second moments of all four over the pixels, with the sampling variance removed.
+   seen: share of the picture; 0 = no survey. */
 typedef struct ssgi_survey { float seen, blocked[3], off, square[4]; } ssgi_survey;
 
-/* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the pass [limit: 0, 2..64] [default: 32]. */
+/* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
+   pass [limit: 0, 2..64] [default: 32]. */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points, const char **why);
 
-/* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices at the preset BALANCED, which dim the light where light is wanted. known: 0 = no trial. */
+/* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices
+   at the preset BALANCED, which dim the light where light is wanted. known: 0 = no trial. */
 typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
 
-/* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's part). What rays add by chance is not in it: their halves are
-   compared crosswise, so 64 suffice. 3000 places spread over the picture come within 3 to 6 % of all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
-     position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by tracing the pixels' rays: those from depth are too coarse far away
+/* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's
+   part). What rays add by chance is not in it: their halves are compared crosswise, so 64 suffice. 3000 places spread
+   over the picture come within 3 to 6 % of all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
+     position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
+                        tracing the pixels' rays: those from depth are too coarse far away
      visibility         what the picture holds there
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why);
@@ -577,40 +698,51 @@ typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
     float error;            /* [limit: >= 0] 0: the least that the budget buys */
     float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float reach;            /* the radius over the picture's height: radius * project / (depth * height), mean over what is seen [limit: >= 0] [default: 0.15] */
+    float reach;            /* the radius over the picture's height: radius * project / (depth * height), mean over what
+                               is seen [limit: >= 0] [default: 0.15] */
     ssgi_survey survey;
     ssgi_trial  trial;      /* OBJECTS: only open is read */
-    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the environment's (and lights') first four bands; all 0: one as the built-in sky */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up; 0: harmonics and lights alone */
+    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the environment's (and lights') first four bands; all 0:
+                               one as the built-in sky */
+    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up; 0:
+                               harmonics and lights alone */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   layers, cameras;  /* as many as may be used: depth layers [limit: 0..4], extra cameras [limit: 0..4]; both want closed solids. 0: none beside the picture's own */
+    int   layers, cameras;  /* as many as may be used: depth layers [limit: 0..4], extra cameras [limit: 0..4]; both
+                               want closed solids. 0: none beside the picture's own */
     double triangles;       /* that may become surfels; 0: none may */
-    float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict) [default: 170] */
+    float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
+                               [default: 170] */
     int   casters;          /* OBJECTS: with fields */
-    float cover;            /* OBJECTS: pixels within a caster's reach over all, its mean [limit: >= 0] [default: 0.1] */
+    float cover;            /* OBJECTS: pixels within a caster's reach over all, its mean [limit: >= 0] [default:
+                               0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
     int   method;           /* SSGI_PLAN_NOTHING .. */
-    int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;   /* as in ssgi_gl_desc; resolution: of fields. 0 where the method has none */
+    /* as in ssgi_gl_desc; resolution: of fields. 0 where the method has none */
+    int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;
     float size;             /* ssgi_surfel_desc.size */
-    float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes layers, cameras' pictures and fields */
+    float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes
+                               layers, cameras' pictures and fields */
     float error;            /* predicted */
-    int   meets;            /* 1: that is within a tenth of the error asked for, which predictions are no better than; and cost within the budget */
+    int   meets;            /* 1: error <= 1.1 x the error asked for (predictions are accurate to about 10 %), and cost
+                               within the budget */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
 /* Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, its predicted error and cost for a scene; 0 past the last, or where the choice is not for what is wanted, or needs what the scene does not give. */
+/* Choice number i of the table, with its predicted error and cost for a scene, why empty: 1 and *plan filled; 0 and
+   *plan untouched past the last, for NULL, or where the choice is not for what is wanted or needs what the scene does
+   not give. The scene's numbers are not checked. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 enum { SSGI_PLAN_CHOICES = 39 };
 
 #ifdef __cplusplus
 }
 #endif
-#endif /* SSGI_H: END OF HEADER ---------------------------------------------------------------------------------------- */
+#endif /* SSGI_H: END OF HEADER ------------------------------------------------------------------------------- */
 
 #if defined(SSGI_IMPLEMENTATION) && !defined(SSGI_IMPLEMENTED)
 #define SSGI_IMPLEMENTED
@@ -638,6 +770,15 @@ static int ssgi__finite(float x)
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
     return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+static int ssgi__finite3(const float *v) { return v && ssgi__finite(v[0]) && ssgi__finite(v[1]) && ssgi__finite(v[2]); }
+
+/* Whether all are finite and 0 or more. */
+static int ssgi__positive(const float *v, int count)
+{
+    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
+    return count == 0;
 }
 
 /* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
@@ -758,7 +899,8 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
     int axis, side;
     for (axis = 0; axis < 2; ++axis)
         for (side = 0; side < 2; ++side) {
-            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];    /* per depth */
+            /* per depth */
+            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
             const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
             d = view->orthographic ? sign * (point[axis] - edge) : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
             if (d > most) most = d;
@@ -770,7 +912,8 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double cos40 = 0.76604444311897803520, r = (double)radius;    /* half of 100 degrees: sine and cosine change places */
+    /* half of 100 degrees: sine and cosine change places */
+    const double cos40 = 0.76604444311897803520, r = (double)radius;
     double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
@@ -787,10 +930,10 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     for (i = 0; i < 4; ++i)
         if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f)) return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
     if (!centre) return ssgi__bad(why, "centre: must not be NULL");
-    if (!ssgi__finite(centre[0]) || !ssgi__finite(centre[1]) || !ssgi__finite(centre[2])) return ssgi__bad(why, "centre: must be finite");
+    if (!ssgi__finite3(centre)) return ssgi__bad(why, "centre: must be finite");
     if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
     if (!displacement) return ssgi__bad(why, "displacement: must not be NULL");
-    if (!ssgi__finite(displacement[0]) || !ssgi__finite(displacement[1]) || !ssgi__finite(displacement[2])) return ssgi__bad(why, "displacement: must be finite");
+    if (!ssgi__finite3(displacement)) return ssgi__bad(why, "displacement: must be finite");
 
     for (k = 0; k < 3; ++k) {                       /* the main eye stands at minus the translation, in its own axes */
         for (i = 0; i < 3; ++i) eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -871,7 +1014,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (sets < 1 || sets > 4096) return ssgi__bad(why, "sets: must be 1..4096");
     if (samples < 1 || samples > 4096) return ssgi__bad(why, "samples: must be 1..4096");
-    /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow neither u nor the azimuth. */
+    /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow
+       neither u nor the azimuth. */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set), slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
@@ -896,7 +1040,8 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
     if (size < 1 || size > 64) return ssgi__bad(why, "size: must be 1..64");
     if (directions < 1 || directions > 1024) return ssgi__bad(why, "directions: must be 1..1024");
     n = size * size;
-    /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours far apart when m is not 0. */
+    /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours
+       far apart when m is not 0. */
     for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
     if (m >= size) m = 0;
     for (i = 0; i < n; ++i) {
@@ -955,7 +1100,8 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is there. */
+/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is
+   there. */
 static double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     const double pi = 3.14159265358979323846;
@@ -1026,7 +1172,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 /* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
 static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
-static void ssgi__cube_direction(double out[3], int face, double s, double t)      /* GL table 8.19, s and t in [-1,1] */
+/* GL table 8.19, s and t in [-1,1] */
+static void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
     static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
@@ -1089,7 +1236,8 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
         for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt(12.56637061435917295 / (2 * l + 1));
 }
 
-/* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to that degree; returns its solid angle. */
+/* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
+   that degree; returns its solid angle. */
 static double ssgi__sphere_node(double d[3], int degree, int i)
 {
     const double pi = 3.14159265358979323846;
@@ -1117,7 +1265,8 @@ static double ssgi__sphere_node(double d[3], int degree, int i)
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *m)
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-    double matrix[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];     /* bands do not mix: of a row, its own */
+    /* bands do not mix: of a row, its own */
+    double matrix[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];
     int l, i, j, c, node;
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
@@ -1188,7 +1337,8 @@ SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float
     for (i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
 }
 
-/* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at cosine 1, as differences of polynomials would. */
+/* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
+   cosine 1, as differences of polynomials would. */
 static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     int l;
@@ -1207,8 +1357,6 @@ static void ssgi__sh_add_zonal(float *coefficients, int bands, const double fact
         for (; i < (l + 1) * (l + 1); ++i)
             for (c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
 }
-
-static int ssgi__finite3(const float *v) { return v && ssgi__finite(v[0]) && ssgi__finite(v[1]) && ssgi__finite(v[2]); }
 
 /* 0 if it is not a direction */
 static int ssgi__direction(double d[3], const float *v)
@@ -1256,7 +1404,8 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
     if (!ssgi__finite3(above)) return ssgi__bad(why, "above: must be there and finite");
     if (!ssgi__finite3(below)) return ssgi__bad(why, "below: must be there and finite");
     ssgi__sh_cap(factor, 0.0);
-    for (c = 0; c < 3; ++c) {                       /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
+    /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
+    for (c = 0; c < 3; ++c) {
         const double a = 6.283185307179586477 * ssgi__light(above[c], -1e24f), b = 6.283185307179586477 * ssgi__light(below[c], -1e24f);
         colour[0][c] = a + b;
         colour[1][c] = a - b;
@@ -1265,7 +1414,8 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
     return SSGI_OK;
 }
 
-/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below 0. */
+/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below
+   0. */
 static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
 {
     double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
@@ -1273,7 +1423,8 @@ static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const f
     for (node = 0; node < 10 * 20; ++node) {
         ssgi__sphere_node(d, 19, node);
         value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
-        if (value > lowest + 0.5 * found[0]) continue;      /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
+        /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
+        if (value > lowest + 0.5 * found[0]) continue;
         for (step = 0.1; step > 0.005; step *= moved ? 1.0 : 0.5)
             for (moved = j = 0; j < 6; ++j) {
                 memcpy(next, d, sizeof next);
@@ -1300,12 +1451,14 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
     if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
     for (i = 0; i < 3 * bands * bands; ++i)
         if (!ssgi__finite(coefficients[i])) return ssgi__bad(why, "coefficients: must be finite");
-    do                                              /* s rises until the direction that is lowest is not below 0, until none is */
+    /* s rises until the direction that is lowest is not below 0, until none is */
+    do
         for (raised = c = 0; c < 3; ++c) {
             double least = s, most = -1.0;
             if (!(coefficients[c] > 0.0f) || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c]) continue;
             for (l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
-            for (most = 0.25 * most, i = 0; i < 100; ++i) {     /* at most, the higher bands do not reach band 0 even if all are against it */
+            /* at most, the higher bands do not reach band 0 even if all are against it */
+            for (most = 0.25 * most, i = 0; i < 100; ++i) {
                 s = 0.5 * (least + most);
                 if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
             }
@@ -1344,12 +1497,23 @@ SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
     for (i = 0; i < 3; ++i) out[i] = (float)n[i];
 }
 
-/* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller than a texel. */
+/* The direction of texel number `texel` of a map. */
+static void ssgi__octahedral_texel(float out[3], int texel, int size)
+{
+    float e[2];
+    e[0] = (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f;
+    e[1] = (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f;
+    ssgi_octahedral_decode(e, out);
+}
+
+/* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
+   than a texel. */
 static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width, int height)
 {
     const double pi = 3.14159265358979323846;
     int i, j, x, y, c;
-    for (i = 0; i < SSGI__CELLS_Y; ++i) {           /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
+    /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
+    for (i = 0; i < SSGI__CELLS_Y; ++i) {
         double sum[SSGI__CELLS_X][3] = { { 0.0 } }, area = 0.0;
         for (y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
             const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
@@ -1369,7 +1533,8 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
     }
 }
 
-/* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to least. */
+/* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to
+   least. */
 static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa, float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
@@ -1392,10 +1557,9 @@ static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rg
         around[j][1] = (float)d[2];
     }
     for (texel = 0; texel < size * size; ++texel) {
-        const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f, (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
         float d[3], flat[SSGI__CELLS_X], most = -1.0f;
         double sum[3] = { 0, 0, 0 }, all = 0.0;
-        ssgi_octahedral_decode(e, d);
+        ssgi__octahedral_texel(d, texel, size);
         for (j = 0; j < SSGI__CELLS_X; ++j) {
             flat[j] = d[0] * around[j][0] + d[2] * around[j][1];
             most = flat[j] > most ? flat[j] : most;
@@ -1421,15 +1585,17 @@ static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rg
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
-    if (!ssgi__finite(solid_angle) || !(solid_angle >= 0.0f)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
-    return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f, SSGI__STEEP, why);      /* below, less than 1e-7 */
+    if (!ssgi__positive(&solid_angle, 1)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
+    /* below, less than 1e-7 */
+    return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f, SSGI__STEEP, why);
 }
 
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why)
 {
     float half;
     if (!ssgi__finite(cosine) || !(cosine >= 0.0f && cosine <= 0.95f)) return ssgi__bad(why, "cosine: must be 0..0.95");
-    half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);       /* a cell's width, as a difference of cosines at the rim */
+    /* a cell's width, as a difference of cosines at the rim */
+    half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);
     if (half > cosine) half = cosine;
     return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half, half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
@@ -1543,10 +1709,9 @@ SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coeffici
     if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
     if (count < 0 || (count && !suns)) return ssgi__bad(why, "suns: must not be NULL when count is not 0");
     for (texel = 0; texel < size * size; ++texel, map += 3) {
-        const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f, (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
         float n[3], basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
         double sum[3] = { 0, 0, 0 };
-        ssgi_octahedral_decode(e, n);
+        ssgi__octahedral_texel(n, texel, size);
         ssgi_sh_basis(basis, bands, n);
         for (l = 0, i = 0; l < bands; ++l)
             for (; i < (l + 1) * (l + 1); ++i)
@@ -1588,7 +1753,8 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     if (!(total > 0.0)) return ssgi__bad(why, "flux: must be above 0 somewhere");
     k = 0;
     sum = here = ssgi__vpl_flux(rgb, flux);
-    for (i = 0; i < count; ++i) {                   /* last holds the end against rounding, and against sums in another order */
+    /* last holds the end against rounding, and against sums in another order */
+    for (i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
         while (k < last && sum <= at) sum += here = ssgi__vpl_flux(rgb, flux + 3 * ++k);
         for (c = 0; c < 3; ++c) {
@@ -1602,7 +1768,8 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 
 /* ==== >>cap (implementation) =================================================================================== */
 
-/* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it lies above the horizon. One text for both precisions. */
+/* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it
+   lies above the horizon. One text for both precisions. */
 #define SSGI__CAP(name, real, root, arc) \
     real name(real solid_angle, real cosine) \
     { \
@@ -1676,8 +1843,8 @@ SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most)
 
 /* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
    operation. It comes from binary splits by surface area [Wald 2007], whose left side always gets a multiple of four
-   triangles: every leaf is then full, which bounds the memory exactly: with L leaves there are at most 2 L / 3 + 1 nodes,
-   as a node with fewer than four children has only leaves. */
+   triangles: every leaf is then full, which bounds the memory exactly: with L leaves there are at most 2 L / 3 + 1
+   nodes, as a node with fewer than four children has only leaves. */
 
 #define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF   0x80000000u
@@ -1813,46 +1980,58 @@ static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t 
     }
 }
 
+static void ssgi__trace_empty(float lower[3], float upper[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        lower[i] = 2.0f * SSGI__TRACE_LIMIT;
+        upper[i] = -2.0f * SSGI__TRACE_LIMIT;
+    }
+}
+
+static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        lower[i] = ssgi__trace_min(lower[i], l[i]);
+        upper[i] = ssgi__trace_max(upper[i], u[i]);
+    }
+}
+
 /* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
 static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3], int *axis, int *cut)
 {
     float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
     uint32_t count[3][SSGI__TRACE_BINS], k;
-    int a, b, i, found = 0;
+    int a, b, found = 0;
     for (a = 0; a < 3; a++)
         for (b = 0; b < SSGI__TRACE_BINS; b++) {
             count[a][b] = 0;
-            for (i = 0; i < 3; i++) {
-                lower[a][b][i] = 2.0f * SSGI__TRACE_LIMIT;
-                upper[a][b][i] = -2.0f * SSGI__TRACE_LIMIT;
-            }
+            ssgi__trace_empty(lower[a][b], upper[a][b]);
         }
     for (k = 0; k < range->count; k++)
         for (a = 0; a < 3; a++) {
             b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
             b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
             count[a][b]++;
-            for (i = 0; i < 3; i++) {
-                lower[a][b][i] = ssgi__trace_min(lower[a][b][i], item[k].lower[i]);
-                upper[a][b][i] = ssgi__trace_max(upper[a][b][i], item[k].upper[i]);
-            }
+            ssgi__trace_grow(lower[a][b], upper[a][b], item[k].lower, item[k].upper);
         }
     for (a = 0; a < 3; a++) {
         float    right[SSGI__TRACE_BINS], l[3], u[3];
         uint32_t n = 0;
         if (!(scale[a] > 0.0f)) continue;
-        for (i = 0; i < 3; i++) { l[i] = 2.0f * SSGI__TRACE_LIMIT; u[i] = -2.0f * SSGI__TRACE_LIMIT; }
+        ssgi__trace_empty(l, u);
         for (b = SSGI__TRACE_BINS - 1; b > 0; b--) {
             n += count[a][b];
-            for (i = 0; i < 3; i++) { l[i] = ssgi__trace_min(l[i], lower[a][b][i]); u[i] = ssgi__trace_max(u[i], upper[a][b][i]); }
+            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
             right[b] = n ? ssgi__trace_area(l, u) * (float)((n + 3) / 4) : 0.0f;
         }
         n = 0;
-        for (i = 0; i < 3; i++) { l[i] = 2.0f * SSGI__TRACE_LIMIT; u[i] = -2.0f * SSGI__TRACE_LIMIT; }
+        ssgi__trace_empty(l, u);
         for (b = 0; b + 1 < SSGI__TRACE_BINS; b++) {
             float cost;
             n += count[a][b];
-            for (i = 0; i < 3; i++) { l[i] = ssgi__trace_min(l[i], lower[a][b][i]); u[i] = ssgi__trace_max(u[i], upper[a][b][i]); }
+            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
             if (n == 0 || n == range->count) continue;
             cost = ssgi__trace_area(l, u) * (float)((n + 3) / 4) + right[b + 1];
             if (!found || cost < best) { best = cost; *axis = a; *cut = b; found = 1; }
@@ -1974,8 +2153,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
         ssgi__trace_layout(triangles, &blocks, &nodes);
         job.blocks = (ssgi__trace_block *)(void *)base;
         job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
-        /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a block,
-           no item is overwritten before it is spent */
+        /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller
+           than a block, no item is overwritten before it is spent */
         job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
         job.node_count = 0;
         job.position = (const char *)position;
@@ -2003,9 +2182,9 @@ typedef struct ssgi__trace_ray {
     int   axis[3];
 } ssgi__trace_ray;
 
-/* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses it. The corners are
-   sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners, which triangles share: neither edges nor
-   corners leave gaps [Woop, Benthin, Wald 2013]. */
+/* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
+   it. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners,
+   which triangles share: neither edges nor corners leave gaps [Woop, Benthin, Wald 2013]. */
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4], float outside[4])
 {
     const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
@@ -2026,7 +2205,8 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in the plane; in double, or a ball on a wide floor would sink in */
+/* where the ray meets the plane of triangle k, -1 if it lies in the plane; in double, or a ball on a wide floor would
+   sink in */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -2156,8 +2336,8 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
     return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s tan(alpha/2)
-   [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
+/* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
+   tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
 static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
 {
     out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
@@ -2219,7 +2399,8 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
             for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex)) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
-    p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;      /* of vertices: numbers of primitives are not to be relied on */
+    /* of vertices: numbers of primitives are not to be relied on */
+    p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
     for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
     ssgi__cross(n, a, b);
     p->area = 0.5 * ssgi__normalise(n);
@@ -2229,7 +2410,8 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-static double ssgi__nearest(const ssgi__patch *p)       /* |depth| where it is nearest to the near plane, were it a segment */
+/* |depth| where it is nearest to the near plane, were it a segment */
+static double ssgi__nearest(const ssgi__patch *p)
 {
     double low = 1e300, high = -1e300;
     int k;
@@ -2240,7 +2422,8 @@ static double ssgi__nearest(const ssgi__patch *p)       /* |depth| where it is n
     return low > 0.0 ? low : high < 0.0 ? high : 0.0;
 }
 
-static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)        /* the least radius in it */
+/* the least radius in it */
+static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
     double depth = ssgi__nearest(whole);
     if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
@@ -2268,24 +2451,26 @@ static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_make
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
-/* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it. Twin of the tessellation control shader. */
+static void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
+{
+    int i;
+    for (i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
+}
+
+/* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
+   Twin of the tessellation control shader. */
 static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
-    int row = (int)sqrt((double)part), place, c, i, k;
+    int row = (int)sqrt((double)part), place, c, i;
     double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
     place = part - row * row;
     for (c = 0; c < 3; ++c) {
         const int down = row + (place % 2 ? c != 2 && c != 0 : c > 0), across = place / 2 + (place % 2 ? c > 0 : c > 1);
         const double w[3] = { 1.0 - (double)down / n, (double)(down - across) / n, (double)across / n };
-        for (i = 0; i < 3; ++i) {
-            p->at[c][i] = p->normal[c][i] = p->colour[c][i] = 0.0;
-            for (k = 0; k < 3; ++k) {
-                p->at[c][i] += w[k] * whole->at[k][i];
-                p->normal[c][i] += w[k] * whole->normal[k][i];
-                p->colour[c][i] += w[k] * whole->colour[k][i];
-            }
-        }
+        ssgi__surfel_mix(p->at[c], whole->at, w);
+        ssgi__surfel_mix(p->normal[c], whole->normal, w);
+        ssgi__surfel_mix(p->colour[c], whole->colour, w);
     }
     memcpy(p->face, whole->face, sizeof p->face);
     p->area = whole->area / ((double)n * n);
@@ -2296,7 +2481,8 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
-    for (c = 0, p->alive = 0; c < 3; ++c)            /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    for (c = 0, p->alive = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
@@ -2329,15 +2515,10 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     double u[3], v[3], at[3], normal[3], colour[3], w[3];
     int i, k;
     for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
-    for (i = 0; i < 3; ++i) {
-        at[i] = normal[i] = colour[i] = 0.0;
-        for (k = 0; k < 3; ++k) {
-            at[i] += w[k] * p->at[k][i];
-            normal[i] += w[k] * p->normal[k][i];
-            colour[i] += w[k] * p->colour[k][i];
-        }
-        u[i] = p->at[1][i] - p->at[0][i];
-    }
+    ssgi__surfel_mix(at, p->at, w);
+    ssgi__surfel_mix(normal, p->normal, w);
+    ssgi__surfel_mix(colour, p->colour, w);
+    for (i = 0; i < 3; ++i) u[i] = p->at[1][i] - p->at[0][i];
     ssgi__normalise(u);
     ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
@@ -2362,7 +2543,7 @@ static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_de
     if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
     if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
     if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
-    if (!(desc->most >= 0.0f && ssgi__finite(desc->most))) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
+    if (!ssgi__positive(&desc->most, 1)) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
     *out = *desc;
     if (!(out->aside > 0.0f)) out->aside = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.015f;
@@ -2507,13 +2688,15 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends [DSS14 3.2, 4]. */
+/* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends
+   [DSS14 3.2, 4]. */
 static double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level l; no farther than `most`. */
+/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
+   l; no farther than `most`. */
 static void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
@@ -2522,8 +2705,9 @@ static void ssgi__surfel_shell(double shell[2], double reach, int level, double 
     if (shell[1] > most) shell[1] = most;
 }
 
-/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture, exact in each axis
-   [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin: ssgi_sphere. */
+/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture,
+   exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin:
+   ssgi_sphere. */
 static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
 {
     const double z = -(double)centre[2], r = (double)radius, begin = (double)front, chord = r * r - (begin - z) * (begin - z);
@@ -2536,7 +2720,8 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
         double end[2];
         for (side = 0; side < 2; ++side) {
             const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
-            const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);    /* where it meets the front */
+            /* where it meets the front */
+            const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
             if (!view->orthographic) slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
@@ -2556,9 +2741,9 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
     if (!splat) return ssgi__bad(why, "splat: must not be NULL");
     if (!view) return ssgi__bad(why, "view: must not be NULL");
     if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f))) return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
-    if (!(splat->most >= 0.0f && ssgi__finite(splat->most))) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
-    if (!(splat->brightest >= 0.0f && ssgi__finite(splat->brightest))) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
-    if (!(splat->front >= 0.0f && ssgi__finite(splat->front))) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
+    if (!ssgi__positive(&splat->most, 1)) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
+    if (!ssgi__positive(&splat->brightest, 1)) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
+    if (!ssgi__positive(&splat->front, 1)) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
     if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
@@ -2643,13 +2828,14 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
 
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why)
 {
-    const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n, a = (1.0 + inside) / (1.0 - inside);   /* F_dr [JMLH01 2.3] */
+    /* F_dr [JMLH01 2.3] */
+    const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n, a = (1.0 + inside) / (1.0 - inside);
     int c;
     if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
     if (!(eta >= 1.0f && eta <= 3.0f)) return ssgi__bad(why, "eta: must be 1..3");
     for (c = 0; c < 3; ++c) {
         if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]))) return ssgi__bad(why, "sigma_s: must be above 0 and finite");
-        if (!(sigma_a[c] >= 0.0f && ssgi__finite(sigma_a[c]))) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
+        if (!ssgi__positive(&sigma_a[c], 1)) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
     }
     for (c = 0; c < 3; ++c) {
         const double t = (double)sigma_s[c] + (double)sigma_a[c];
@@ -2730,8 +2916,9 @@ static void ssgi__field_axes(float axes[3][3], const double axis[3])
     }
 }
 
-/* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL: trace) meets from
-   a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four receivers there with these normals. */
+/* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
+   trace) meets from a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four
+   receivers there with these normals. */
 static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace, int (*hit)(void *, const float *, const float *), void *user,
                                const float point[3], const double axis[3], float cosine, int rays, uint32_t seed)
 {
@@ -2780,8 +2967,18 @@ static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
     return 1;
 }
 
-/* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal equations: a += J J^T, b -= J residual); an error that is not below
-   the last one, NaN included, is a step too far. */
+/* One equation d . x = r, into the normal equations a x = b. */
+static void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
+{
+    int i, k;
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k) a[i][k] += d[i] * d[k];
+        b[i] += d[i] * r;
+    }
+}
+
+/* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
+   equations: a += J J^T, b -= J residual); an error that is not below the last one, NaN included, is a step too far. */
 typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
@@ -2814,7 +3011,8 @@ static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssg
     return error;
 }
 
-/* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all of [0,1], for any u. */
+/* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all
+   of [0,1], for any u. */
 static void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
@@ -2826,7 +3024,7 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
-    int i, k, j;
+    int i;
     for (i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
     for (i = 0; i < data->count; ++i) {
@@ -2836,23 +3034,21 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
         if (a) {
             const double half = -0.5 * exp(0.5 * (u[0] + u[2]));
             const double d[3] = { slope * (c0 * exp(u[0]) + c1 * half), slope * c1 * exp(u[1]), slope * (c2 * exp(u[2]) + c1 * half) };
-            for (k = 0; k < 3; ++k) {
-                for (j = 0; j < 3; ++j) a[k][j] += d[k] * d[j];
-                b[k] -= d[k] * residual;
-            }
+            ssgi__field_equation(a, b, d, -residual);
         }
     }
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at the first radius to 1 at the
-   last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them. Returns the sum of squared errors. */
+/* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at
+   the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
+   Returns the sum of squared errors. */
 static double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, least = 1e-9 * m;
     ssgi__field_data data;
     double best = 1e300, u[3];
-    int start, i, k, j;
+    int start, i;
     data.radii = radii;
     data.values = values;
     data.w = NULL;
@@ -2863,14 +3059,12 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
         double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
         memset(a, 0, sizeof a);
         memset(b, 0, sizeof b);
-        if (start == 0) {                       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
+        /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
+        if (start == 0) {
             for (i = 0; i < count; ++i) {
                 const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]), y = values[i] > 0.0 ? values[i] : 0.0;
                 const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
-                for (k = 0; k < 3; ++k) {
-                    for (j = 0; j < 3; ++j) a[k][j] += c[k] * c[j];
-                    b[k] += c[k] * y;
-                }
+                ssgi__field_equation(a, b, c, y);
             }
             if (!ssgi__field_solve(p, a, b)) continue;
         } else {                                /* through the ends */
@@ -2894,11 +3088,12 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
     return best;
 }
 
-/* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at the first radius, where directions would flip, too far. */
+/* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
+   the first radius, where directions would flip, too far. */
 static double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
-    int i, k, j, n;
+    int i, k, n;
     if (!(ssgi__dot(c, data->w) < 0.999999 * data->radii[0])) return 1e300;
     for (i = 0; i < data->count; ++i) {
         const double *y = data->values + 3 * i;
@@ -2912,18 +3107,15 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
         for (n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
             for (k = 0; k < 3; ++k) d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
-            for (k = 0; k < 3; ++k) {
-                for (j = 0; j < 3; ++j) a[k][j] += d[k] * d[j];
-                b[k] -= d[k] * r;
-            }
+            ssgi__field_equation(a, b, d, -r);
         }
     }
     return sum;
 }
 
-/* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0 0 when nothing tells.
-   Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its least: the chord leads there, the error polishes.
-   flat: an error that tells nothing. */
+/* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
+   0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
+   least: the chord leads there, the error polishes. flat: an error that tells nothing. */
 static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions, int count, double flat)
 {
     ssgi__field_data data;
@@ -2956,10 +3148,12 @@ static double ssgi__field_centre(double c[3], const double w[3], const double *r
 typedef struct ssgi__field_caster {
     ssgi_trace trace;
     double centre[3], radius;
-    double few[SSGI__FIELD_FEW][3], loose;      /* corners of the hull about the centre, and how far it may lie beyond them */
+    /* corners of the hull about the centre, and how far it may lie beyond them */
+    double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_caster;
 
-/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not entered. */
+/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not
+   entered. */
 static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -2999,7 +3193,8 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
     return best;
 }
 
-/* A triangle of hull corners through which the ray from the centre along w goes: it leaves the hull on the plane normal . x = distance. */
+/* A triangle of hull corners through which the ray from the centre along w goes: it leaves the hull on the plane normal
+   . x = distance. */
 typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
 
 static void ssgi__field_portal_plane(ssgi__field_portal *p)
@@ -3018,8 +3213,9 @@ static void ssgi__field_portal_plane(ssgi__field_portal *p)
 /* How far beyond the hull samples begin, so that none begins in the matter. */
 static double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
 
-/* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that even flat casters have one: the farthest corner along the portal's normal
-   splits it, until there is none beyond its plane. */
+/* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
+   even flat casters have one: the farthest corner along the portal's normal splits it, until there is none beyond its
+   plane. */
 static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
 {
     int step, i, k;
@@ -3060,7 +3256,8 @@ static void ssgi__field_spiral(double w[3], int i, int n)       /* even over the
     w[2] = z;
 }
 
-/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is no extent. */
+/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is
+   no extent. */
 static int ssgi__field_measure(ssgi__field_caster *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -3074,7 +3271,8 @@ static int ssgi__field_measure(ssgi__field_caster *m)
         for (k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
     for (k = 0; k < 3; ++k) {
-        volatile float rounded = (float)centre[k];      /* not (double)(float): gcc 12's vectoriser drops that, against the language */
+        /* not (double)(float): gcc 12's vectoriser drops that, against the language */
+        volatile float rounded = (float)centre[k];
         m->centre[k] = (double)rounded;
     }
     for (n = 0; n < SSGI__FIELD_FEW; ++n)
@@ -3102,7 +3300,8 @@ static int ssgi__field_measure(ssgi__field_caster *m)
     return 1;
 }
 
-/* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners, wider by what they lack; or the half space below the hull's plane. */
+/* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners,
+   wider by what they lack; or the half space below the hull's plane. */
 static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3], const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
@@ -3185,7 +3384,8 @@ static void ssgi__field_texel(void *context, int job)
         length = ssgi__normalise(sum + 1);
         values[i] = vector ? length : sum[0];
         if (values[i] > most) values[i] = most;
-        if (sum[0] > 0.0) {                     /* the cap of this vector irradiance whose covered share brings this solid angle */
+        /* the cap of this vector irradiance whose covered share brings this solid angle */
+        if (sum[0] > 0.0) {
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0, share = length / (SSGI__FIELD_PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
             seen += sum[0];
@@ -3193,10 +3393,12 @@ static void ssgi__field_texel(void *context, int job)
         for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
     }
     ssgi__field_fit(q, radii, values, b->radii, most);
-    ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));     /* within the rays' noise, which a centre near the hull would follow */
+    /* within the rays' noise, which a centre near the hull would follow */
+    ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
     length = sqrt(ssgi__dot(c, c));
     out[0] = ssgi__log2(q[0]);
-    out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));      /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));
     out[2] = ssgi__log2(q[2]);
     out[3] = (float)hull;
     for (k = 0; k < 3; ++k) out[4 + k] = (float)(length > b->caster.radius ? c[k] * b->caster.radius / length : c[k]);
@@ -3247,7 +3449,8 @@ static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             for (x = -1; x <= size; ++x) {
                 uint32_t *out = texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
                 const int xi = x < 0 ? 0 : x < size ? x : size - 1, yi = y < 0 ? 0 : y < size ? y : size - 1;
-                const int corner = x != xi && y != yi;          /* three texels meet there, the border holds their mean [GL 8.14] */
+                /* three texels meet there, the border holds their mean [GL 8.14] */
+                const int corner = x != xi && y != yi;
                 memset(out, 0, (size_t)words * sizeof *out);
                 for (n = 0; n < 8; ++n) {
                     float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
@@ -3441,7 +3644,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     f.reach = d.reach * f.radius;
     for (k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
     f.inside = ssgi__field_inside(&b);
-    if (d.error > 0.0f) {                   /* from small to large; when twice the resolution brings nothing, what is left is the model's */
+    /* from small to large; when twice the resolution brings nothing, what is left is the model's */
+    if (d.error > 0.0f) {
         for (f.resolution = d.resolution < 4 ? d.resolution : 4; f.resolution <= d.resolution; f.resolution *= 2)
             for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) total += (double)(f.resolution * f.resolution * f.radii);
         for (f.resolution = d.resolution < 4 ? d.resolution : 4; ; f.resolution *= 2) {
@@ -3767,68 +3971,78 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
     return SSGI_OK;
 }
 
-/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with (examples/plan.c): squares of the trial's errors; the former times
-   a surfel's size over the radius, once and twice, times the light's unevenness, times what bands leave out of it, times the albedo; and what there is always. */
-enum { SSGI_PLAN__OPEN, SSGI_PLAN__PICTURE, SSGI_PLAN__COARSE, SSGI_PLAN__COARSER, SSGI_PLAN__UNEVEN, SSGI_PLAN__LEFT_OUT, SSGI_PLAN__BOUNCED, SSGI_PLAN__ALWAYS, SSGI_PLAN__TERMS };
+/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
+   (examples/fit.c): squares of the trial's errors; of them open times a surfel's size over the radius, once and twice,
+   times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
+enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED,
+       SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
+enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
-#define SSGI_PLAN__V 1
-#define SSGI_PLAN__L 2
-#define SSGI_PLAN__B 4
-#define SSGI_PLAN__O 8
-typedef struct ssgi_plan__row { int wanted; ssgi_plan plan; float term[SSGI_PLAN__TERMS]; } ssgi_plan__row;
-static const ssgi_plan__row ssgi_plan__rows[SSGI_PLAN_CHOICES] = {
-    { SSGI_PLAN__V, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 2, 0, 0, 0, 0, 1, 0, 0.0f, 0.59f, 0.0f, 0, "" }, { 0.1246f, 1.1802f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.62f, 0.0f, 0, "" }, { 0.0390f, 1.2336f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 0.72f, 0.0f, 0, "" }, { 0.0036f, 1.0796f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 1, 4, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 1.69f, 0.0f, 0, "" }, { 0.0000f, 0.8908f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0073f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 1, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.62f, 0.0f, 0, "" }, { 0.0057f, 0.8941f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0065f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 2.63f, 0.0f, 0, "" }, { 0.0047f, 0.8351f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0104f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0000f, 0.7792f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0151f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_HSAO, 0, 8, 0, 12, 0, 0, 0, 0, 1, 0, 0.0f, 12.66f, 0.0f, 0, "" }, { 0.0000f, 0.6931f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0216f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_MARCH, 0, 4, 0, 6, 0, 1, 4, 0, 1, 0, 0.0f, 16.69f, 0.0f, 0, "" }, { 0.1086f, 0.1302f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0971f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.80f, 0.0f, 0, "" }, { 0.0012f, 0.0000f, 1.1184f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__V, { SSGI_PLAN_SURFELS, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 57.85f, 0.0f, 0, "" }, { 0.0000f, 0.0012f, 1.5042f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.68f, 0.0f, 0, "" }, { 0.1139f, 0.7735f, 0.0000f, 0.0000f, 0.0113f, 0.0000f, 0.0000f, 0.0025f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.01f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_HSAO, 0, 3, 0, 8, 0, 0, 0, 0, 1, 0, 0.0f, 4.01f, 0.0f, 0, "" }, { 0.0197f, 0.8815f, 0.0000f, 0.0000f, 0.0025f, 0.0000f, 0.0000f, 0.0023f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 0.94f, 0.0f, 0, "" }, { 0.0000f, 0.8822f, 0.0000f, 0.0000f, 0.0140f, 0.0000f, 0.0000f, 0.7195f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 0.95f, 0.0f, 0, "" }, { 0.0364f, 0.6709f, 0.0000f, 0.0000f, 0.0152f, 0.0000f, 0.0000f, 0.6662f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 2, 1, 0, 0, 1, 0, 0.0f, 2.30f, 0.0f, 0, "" }, { 0.0225f, 0.7125f, 0.0000f, 0.0000f, 0.0138f, 0.0000f, 0.0000f, 0.6153f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 3, 1, 0, 0, 1, 0, 0.0f, 2.40f, 0.0f, 0, "" }, { 0.0853f, 0.4310f, 0.0000f, 0.0000f, 0.0161f, 0.0000f, 0.0000f, 0.5612f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 2.57f, 0.0f, 0, "" }, { 0.1119f, 0.3198f, 0.0000f, 0.0000f, 0.0149f, 0.0000f, 0.0000f, 0.5365f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 2.37f, 0.0f, 0, "" }, { 0.0711f, 0.4960f, 0.0000f, 0.0000f, 0.0063f, 0.0000f, 0.0000f, 0.5775f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 6.12f, 0.0f, 0, "" }, { 0.0836f, 0.3525f, 0.0000f, 0.0000f, 0.0070f, 0.0000f, 0.0000f, 0.5191f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 2.91f, 0.0f, 0, "" }, { 0.0000f, 0.5747f, 0.0000f, 0.0000f, 0.0017f, 0.0000f, 0.0000f, 0.5713f } },
-    { SSGI_PLAN__L, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 16.04f, 0.0f, 0, "" }, { 0.0087f, 0.5391f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.5948f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 1, 0, 3, 0, 0, 0, 0, 1, 0, 0.0f, 0.66f, 0.0f, 0, "" }, { 0.1467f, 0.8102f, 0.0000f, 0.0000f, 0.0003f, 0.0000f, 0.0000f, 0.0114f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_HSAO, 1, 2, 0, 6, 0, 0, 0, 0, 1, 0, 0.0f, 1.03f, 0.0f, 0, "" }, { 0.0000f, 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 1, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 1.37f, 0.0f, 0, "" }, { 0.3824f, 0.0000f, 0.0000f, 0.0000f, 0.0255f, 0.0000f, 0.0000f, 2.6180f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_S3HO, 0, 0, 4, 4, 4, 1, 0, 0, 1, 0, 0.0f, 3.21f, 0.0f, 0, "" }, { 0.3195f, 0.0000f, 0.0000f, 0.0000f, 0.0196f, 0.0000f, 0.0000f, 2.3450f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 0, 0, 1, 0, 0.0f, 4.88f, 0.0f, 0, "" }, { 0.3021f, 0.0000f, 0.0000f, 0.0000f, 0.0227f, 0.0000f, 0.0000f, 2.2590f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 16, 4, 0, 1, 0, 0, 1, 0, 0.0f, 12.33f, 0.0f, 0, "" }, { 0.2781f, 0.0000f, 0.0000f, 0.0000f, 0.0119f, 0.0000f, 0.0000f, 2.1406f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 2, 0, 0, 1, 0, 0.0f, 9.27f, 0.0f, 0, "" }, { 0.2162f, 0.0000f, 0.0000f, 0.0000f, 0.0346f, 0.0000f, 0.0000f, 1.6316f } },
-    { SSGI_PLAN__B, { SSGI_PLAN_SSDO, 0, 0, 4, 4, 0, 1, 4, 0, 1, 0, 0.0f, 44.56f, 0.0f, 0, "" }, { 0.1656f, 0.0000f, 0.0000f, 0.0000f, 0.0379f, 0.0000f, 0.0000f, 2.3169f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_NOTHING, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.0f, 0.00f, 0.0f, 0, "" }, { 1.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0144f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0121f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } },
-    { SSGI_PLAN__O, { SSGI_PLAN_FIELD, 0, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0.0f, 0.05f, 0.0f, 0, "" }, { 0.0117f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f, 0.0000f } }
+/* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms'
+   numbers. */
+typedef struct ssgi__plan_row {
+    signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
+    float size, cost, term[SSGI__PLAN_TERMS];
+} ssgi__plan_row;
+
+#define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, size, cost, \
+                   open, picture, coarse, coarser, uneven, left_out, bounced, constant) \
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, layers, cameras, filter, \
+      resolution, size, cost, { open, picture, coarse, coarser, uneven, left_out, bounced, constant } }
+
+static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
+    SSGI__ROW(VISIBILITY, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 2, 0, 0, 0, 1, 0, 0, 0.59f, 0.1246f, 1.1802f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.62f, 0.0390f, 1.2336f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 6, 0, 0, 0, 1, 0, 0, 0.72f, 0.0036f, 1.0796f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.01f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 4, 0, 8, 0, 0, 0, 1, 0, 0, 1.69f, 0, 0.8908f, 0, 0, 0, 0, 0, 0.0073f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 1, 0, 6, 0, 0, 0, 1, 0, 0, 1.62f, 0.0057f, 0.8941f, 0, 0, 0, 0, 0, 0.0065f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 2, 0, 6, 0, 0, 0, 1, 0, 0, 2.63f, 0.0047f, 0.8351f, 0, 0, 0, 0, 0, 0.0104f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0, 4.01f, 0, 0.7792f, 0, 0, 0, 0, 0, 0.0151f),
+    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 8, 0, 12, 0, 0, 0, 1, 0, 0, 12.66f, 0, 0.6931f, 0, 0, 0, 0, 0, 0.0216f),
+    SSGI__ROW(VISIBILITY, MARCH, NONE, 0, 4, 0, 6, 0, 1, 4, 1, 0, 0, 16.69f, 0.1086f, 0.1302f, 0, 0, 0, 0, 0, 0.0971f),
+    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.80f, 0.0012f, 0, 1.1184f, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 57.85f, 0, 0.0012f, 1.5042f, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.68f, 0.1139f, 0.7735f, 0, 0, 0.0113f, 0, 0, 0.0025f),
+    SSGI__ROW(LIGHT, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.01f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, NONE, 0, 3, 0, 8, 0, 0, 0, 1, 0, 0, 4.01f, 0.0197f, 0.8815f, 0, 0, 0.0025f, 0, 0, 0.0023f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 2, 1, 0, 1, 0, 0, 0.94f, 0, 0.8822f, 0, 0, 0.0140f, 0, 0, 0.7195f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 3, 1, 0, 1, 0, 0, 0.95f, 0.0364f, 0.6709f, 0, 0, 0.0152f, 0, 0, 0.6662f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 2, 1, 0, 1, 0, 0, 2.30f, 0.0225f, 0.7125f, 0, 0, 0.0138f, 0, 0, 0.6153f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 3, 1, 0, 1, 0, 0, 2.40f, 0.0853f, 0.4310f, 0, 0, 0.0161f, 0, 0, 0.5612f),
+    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 2.57f, 0.1119f, 0.3198f, 0, 0, 0.0149f, 0, 0, 0.5365f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 2.37f, 0.0711f, 0.4960f, 0, 0, 0.0063f, 0, 0, 0.5775f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 6.12f, 0.0836f, 0.3525f, 0, 0, 0.0070f, 0, 0, 0.5191f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 2.91f, 0, 0.5747f, 0, 0, 0.0017f, 0, 0, 0.5713f),
+    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 16.04f, 0.0087f, 0.5391f, 0, 0, 0, 0, 0, 0.5948f),
+    SSGI__ROW(BOUNCE, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 1, 0, 3, 0, 0, 0, 1, 0, 0, 0.66f, 0.1467f, 0.8102f, 0, 0, 0.0003f, 0, 0, 0.0114f),
+    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 2, 0, 6, 0, 0, 0, 1, 0, 0, 1.03f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, NONE, 1, 0, 4, 4, 4, 1, 0, 1, 0, 0, 1.37f, 0.3824f, 0, 0, 0, 0.0255f, 0, 0, 2.6180f),
+    SSGI__ROW(BOUNCE, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 3.21f, 0.3195f, 0, 0, 0, 0.0196f, 0, 0, 2.3450f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 4.88f, 0.3021f, 0, 0, 0, 0.0227f, 0, 0, 2.2590f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 12.33f, 0.2781f, 0, 0, 0, 0.0119f, 0, 0, 2.1406f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 9.27f, 0.2162f, 0, 0, 0, 0.0346f, 0, 0, 1.6316f),
+    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 44.56f, 0.1656f, 0, 0, 0, 0.0379f, 0, 0, 2.3169f),
+    SSGI__ROW(OBJECTS, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.0144f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.0121f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0.05f, 0.0117f, 0, 0, 0, 0, 0, 0, 0)
 };
 
-static const float ssgi_plan__sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* the built-in sky */
+static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-static double ssgi_plan__reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+static double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
 
-static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row *row, const ssgi_plan_scene *s)
+static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    const double size = row->plan.size > 0.0f ? (double)row->plan.size / ssgi_plan__reach(s) : 0.0, albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
     int l;
-    if (s->survey.seen > 0.0f) {                     /* no more than a guess: what is behind what is seen nobody knows */
+    if (s->survey.seen > 0.0f) {                    /* no more than a guess: the survey cannot see what is hidden */
         const float *square = s->survey.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
         picture = 1e-5 + 0.38 * (double)square[1];
@@ -3840,41 +4054,66 @@ static void ssgi_plan__terms(double term[SSGI_PLAN__TERMS], const ssgi_plan__row
     for (l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
-        if (l >= row->plan.bands) left += ratio;
+        if (l >= row->bands) left += ratio;
     }
-    term[SSGI_PLAN__OPEN] = open;
-    term[SSGI_PLAN__PICTURE] = picture;
-    term[SSGI_PLAN__COARSE] = open * size;
-    term[SSGI_PLAN__COARSER] = open * size * size;
-    term[SSGI_PLAN__UNEVEN] = open * uneven;
-    term[SSGI_PLAN__LEFT_OUT] = open * left;
-    term[SSGI_PLAN__BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
-    term[SSGI_PLAN__ALWAYS] = 1e-4;
+    term[SSGI__PLAN_OPEN] = open;
+    term[SSGI__PLAN_PICTURE] = picture;
+    term[SSGI__PLAN_COARSE] = open * size;
+    term[SSGI__PLAN_COARSER] = open * size * size;
+    term[SSGI__PLAN_UNEVEN] = open * uneven;
+    term[SSGI__PLAN_LEFT_OUT] = open * left;
+    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
+    term[SSGI__PLAN_CONSTANT] = 1e-4;
+}
+
+/* Whether a scene has what a choice needs, and enough of it to be worth that. */
+static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
+{
+    const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
+                    | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
+    const float *square = s->survey.square;
+    if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1) || row->cameras > s->cameras) return 0;
+    /* layers and cameras want something hidden */
+    if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {
+        const double hidden = sqrt((double)square[1] + (double)square[2]) + (row->cameras ? sqrt((double)square[3]) : 0.0);
+        if (hidden < 0.1 * (double)s->error) return 0;
+    }
+    /* directional methods want light that is not the same all around */
+    return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
+        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
-    const ssgi_plan__row *row = &ssgi_plan__rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi_plan__sky;
-    double term[SSGI_PLAN__TERMS], square = 0.0, hidden;
+    const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
+    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    double term[SSGI__PLAN_TERMS], square = 0.0;
     int k;
-    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES || s->wanted < 0 || s->wanted > SSGI_PLAN_OBJECTS || !(row->wanted & 1 << s->wanted)) return 0;
-    if (row->plan.layers > (s->layers > 1 ? s->layers : 1) || row->plan.cameras > s->cameras || (row->plan.method == SSGI_PLAN_SURFELS && !(s->triangles > 0.0)) || (row->plan.method == SSGI_PLAN_FIELD && s->casters < 1) || (row->plan.method == SSGI_PLAN_SSDO && !s->map)) return 0;
-    if (s->survey.seen > 0.0f && (row->plan.layers > 1 || row->plan.cameras)) {       /* what no more than one layer holds has nothing to peel */
-        hidden = sqrt((double)s->survey.square[1] + (double)s->survey.square[2]) + (row->plan.cameras ? sqrt((double)s->survey.square[3]) : 0.0);
-        if (hidden < 0.1 * (double)s->error) return 0;
-    }
-    ssgi_plan__terms(term, row, s);
-    if (s->wanted == SSGI_PLAN_LIGHT && (row->plan.method == SSGI_PLAN_S3HO || row->plan.method == SSGI_PLAN_SSDO) && sqrt(0.1 * term[SSGI_PLAN__UNEVEN]) < 0.1 * (double)s->error)
-        return 0;                                                       /* light from everywhere, or nearly so, has no direction */
-    for (k = 0; k < SSGI_PLAN__TERMS; ++k) square += term[k] * (double)row->term[k];
-    *plan = row->plan;
+    if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
+    ssgi__plan_terms(term, row, s);
+    if (!ssgi__plan_fits(row, s, term)) return 0;
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->samples = row->samples;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->layers = row->layers;
+    plan->cameras = row->cameras;
+    plan->filter = row->filter;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
+    plan->cost = row->cost;
+    for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
-    while (plan->bands > 1 && sqrt(0.02 * term[SSGI_PLAN__OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;     /* nor have bands that hold nothing */
-    if (row->plan.method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
-    if (row->plan.method == SSGI_PLAN_SURFELS) {
+    while (plan->bands > 1      /* bands whose energy is negligible */
+           && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;
+    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
+    /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+    if (row->method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
-        for (k = 1; k < 7 && (double)row->plan.size * 1.5 * (1 << (k - 1)) < ssgi_plan__reach(s); ++k) {}     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
+        for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_reach(s); ++k) {}
         plan->levels = k;
     }
     return 1;
@@ -3884,39 +4123,44 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 {
     static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
     ssgi_plan best, p;
-    float fields[9], cheaper = 0.0f, goal = 0.0f;
+    float cheaper = 0.0f, goal = 0.0f;
     int i, tried = 0, found = 0;
-    if (!plan || !s) return ssgi__bad(why, !plan ? "plan: must not be NULL" : "scene: must not be NULL");
-    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS) return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0) return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
-    fields[0] = s->error; fields[1] = s->budget; fields[2] = s->reach; fields[3] = s->albedo; fields[4] = s->splats; fields[5] = s->cover;
-    for (i = 0; i < 6; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
-    for (i = 0; i < 4; ++i) if (!ssgi__finite(s->energy[i]) || !(s->energy[i] >= 0.0f)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
+    if (!plan) return ssgi__bad(why, "plan: must not be NULL");
+    if (!s) return ssgi__bad(why, "scene: must not be NULL");
+    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS)
+        return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
+    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
+        return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
+    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1) || !ssgi__positive(&s->albedo, 1)
+        || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
+        return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
+    if (!ssgi__positive(s->energy, 4)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
     if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture)) return ssgi__bad(why, "scene.trial: must be finite");
-    memcpy(fields, &s->survey, sizeof s->survey);
-    for (i = 0; i < 9; ++i) if (!ssgi__finite(fields[i]) || !(fields[i] >= 0.0f)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
+    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3) || !ssgi__positive(&s->survey.off, 1)
+        || !ssgi__positive(s->survey.square, 4)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {                /* the cheapest that is within a tenth of what can be had */
-        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget) || p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+        if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
+        if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         best = p;
         found = 1;
     }
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)                 /* the best of those that cost less */
+    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
         if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper)) cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
         snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g", (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more", method[best.method], tried, (double)s->error, (double)best.error,
-                 (double)cheaper);
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more",
+                 method[best.method], tried, (double)s->error, (double)best.error, (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g", method[best.method], tried, s->budget > 0.0f ? " within the budget" : "",
-                 (double)s->error, (double)best.error);
+        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g",
+                 method[best.method], tried, s->budget > 0.0f ? " within the budget" : "", (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;
 }
@@ -3930,17 +4174,18 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    This software is available under two licences; choose the one you like.
 
    1. MIT. Copyright (c) 2026 the ssgi authors.
-   Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation files (the
-   "Software"), to deal in the Software without restriction, including without limitation the rights to use, copy, modify, merge, publish,
-   distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is furnished to do so, subject to
-   the following conditions: The above copyright notice and this permission notice shall be included in all copies or substantial portions
-   of the Software. THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
-   WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS
-   BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN
-   CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+   Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+   documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+   rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to
+   permit persons to whom the Software is furnished to do so, subject to the following conditions: The above copyright
+   notice and this permission notice shall be included in all copies or substantial portions of the Software. THE
+   SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+   WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+   COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+   OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
 
-   2. Public domain (www.unlicense.org). Anyone is free to copy, modify, publish, use, compile, sell, or distribute this software, in source
-   or binary form, for any purpose, commercial or non-commercial, and by any means. The authors dedicate any and all copyright interest in
-   the software to the public domain, and relinquish in perpetuity all present and future rights to it under copyright law. The disclaimer
-   of warranty above applies likewise.
+   2. Public domain (www.unlicense.org). Anyone is free to copy, modify, publish, use, compile, sell, or distribute this
+   software, in source or binary form, for any purpose, commercial or non-commercial, and by any means. The authors
+   dedicate any and all copyright interest in the software to the public domain, and relinquish in perpetuity all
+   present and future rights to it under copyright law. The disclaimer of warranty above applies likewise.
    --------------------------------------------------------------------------------------------------------------------------- */

@@ -8,7 +8,7 @@
 #include "../ssgi.h"
 #include <stdlib.h>
 
-enum { MOST_ROWS = 8192, MOST_TERMS = SSGI_PLAN__TERMS };
+enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
 typedef struct measured { char view[64]; ssgi_plan_scene scene; int choice; double error, cost; } measured;
 typedef struct equation { double term[MOST_TERMS], square; } equation;
 
@@ -52,7 +52,7 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
 
 int main(int argc, char **argv)
 {
-    static const char *const wanted[] = { "V", "L", "B", "O" }, *const method[] = { "NOTHING", "HSAO", "MARCH", "SSDO", "S3HO", "SURFELS", "FIELD" };
+    static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" }, *const needs[] = { "NONE", "MAP", "MESH", "", "CASTERS" }, *const method[] = { "NOTHING", "HSAO", "MARCH", "SSDO", "S3HO", "SURFELS", "FIELD" };
     static measured row[MOST_ROWS];
     static equation equations[MOST_ROWS];
     double x[MOST_TERMS], costs[MOST_ROWS];
@@ -74,28 +74,28 @@ int main(int argc, char **argv)
     fclose(f);
     for (int i = 0; i < count; ++i)                                  /* a trial of some places is noisy: of these views all is known */
         for (int k = 0; k < count; ++k) {
-            const ssgi_plan *r = &ssgi_plan__rows[row[i].choice].plan;
+            const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
             if (r->method == SSGI_PLAN_NOTHING) row[k].scene.trial.open = (float)row[i].error;
             if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 6) row[k].scene.trial.picture = (float)row[i].error;      /* the preset BALANCED */
         }
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
-        const ssgi_plan__row *of = &ssgi_plan__rows[c];
-        const ssgi_plan *r = &of->plan;
-        int n = 0, w = 0;
+        const ssgi__plan_row *r = &ssgi__plan_rows[c];
+        int n = 0;
         for (int i = 0; i < count; ++i) {
             if (row[i].choice != c) continue;
             costs[n] = row[i].cost;
             equations[n].square = row[i].error * row[i].error;
-            ssgi_plan__terms(equations[n++].term, of, &row[i].scene);
+            ssgi__plan_terms(equations[n++].term, r, &row[i].scene);
         }
-        while (!(of->wanted >> w & 1)) ++w;
         const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
-        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)of->term[k];
+        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
         qsort(costs, (size_t)n, sizeof *costs, by_value);
-        printf("    { SSGI_PLAN__%s, { SSGI_PLAN_%s, %d, %d, %d, %d, %d, %d, %d, 0, %d, %d, ", wanted[w], method[r->method], r->half, r->directions, r->samples, r->steps, r->bands, r->layers, r->cameras, r->filter, r->resolution);
-        printf(r->size > 0 ? "%gf, %.2ff, 0.0f, 0, \"\" }, {" : "%.1ff, %.2ff, 0.0f, 0, \"\" }, {", (double)r->size, n ? costs[n / 2] : (double)r->cost);
-        for (int k = 0; k < MOST_TERMS; ++k) printf(" %.4ff%s", x[k], k + 1 < MOST_TERMS ? "," : c + 1 < SSGI_PLAN_CHOICES ? " } }," : " } }");
+        printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method], needs[r->needs], r->half, r->directions, r->samples, r->steps, r->bands, r->layers, r->cameras,
+               r->filter, r->resolution);
+        printf(r->size > 0 ? "%gf, %.2ff" : "%g, %.2ff", (double)r->size, n ? costs[n / 2] : (double)r->cost);
+        for (int k = 0; k < MOST_TERMS; ++k) printf(x[k] < 0.5e-4 ? ", 0" : ", %.4ff", x[k]);
+        fputs(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")", stdout);
         fprintf(stderr, "%s choice %d: %d rows, spread %.3f", c ? "\n" : "", c, n, spread);
         putchar('\n');
     }

@@ -366,6 +366,7 @@ static ssgi_field baked(int at, const ssgi_field_desc *desc, const mesh *m)
 static size_t bytes_of(unsigned char **out, const ssgi_field *f)
 {
     const size_t size = ssgi_field_save(NULL, 0, f);
+    CHECK(!ssgi_field_save(NULL, 0, NULL), "no field has a size");
     *out = malloc(size);
     CHECK(size && *out && ssgi_field_save(*out, size, f) == size, "%zu bytes were not written", size);
     return size;

@@ -194,7 +194,9 @@ static void extra_cameras(void)
     }
     ssgi_extra_camera(view, clip, main_view, origin, 1, above, NULL);
     CHECK(fabsf(view[1]) < 1e-6f && fabsf(view[5]) < 1e-6f && fabsf(view[9] + 1) < 1e-6f, "straight above, up is %g %g %g, not forward", (double)view[1], (double)view[5], (double)view[9]);
+    const char *why = "";
     memcpy(view, main_view, sizeof view);
+    CHECK(ssgi_extra_camera(view, clip, main_view, origin, 1e-37f, onto, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:") && !memcmp(view, main_view, sizeof view), "radius 1e-37: \"%s\"", why);
     CHECK(ssgi_extra_camera(view, clip, view, origin, 1, onto, NULL) == SSGI_OK && fabsf(view[10] - 1) < 1e-6f && fabsf(view[14]) < 1e-6f, "at the centre, output over input: %g %g", (double)view[10], (double)view[14]);
 }
 
@@ -292,7 +294,7 @@ static void jitter(void)
         }
     const char *why = "";
     CHECK(ssgi_jitter_tile(NULL, 4, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "%s", why);
-    CHECK(ssgi_jitter_tile(tile, 65, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:") && ssgi_jitter_tile(tile, 0, 6, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
+    CHECK(ssgi_jitter_tile(tile, 65, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:") && ssgi_jitter_tile(tile, 0, 6, NULL) == SSGI_BAD_ARGUMENT && ssgi_jitter_tile(tile, 0x7fffffff, 6, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
     CHECK(ssgi_jitter_tile(tile, 4, 0, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "directions:") && ssgi_jitter_tile(tile, 4, 1025, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
 }
 

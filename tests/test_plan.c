@@ -79,6 +79,26 @@ static void follows(void)
     CHECK(choices[0] + choices[1] + choices[2] + choices[3] == SSGI_PLAN_CHOICES && choices[3] == 4, "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
 }
 
+/* Predicted errors of four choices, worked out by hand from the table's numbers: the square is open^2, picture^2, open^2 size / reach, open^2 unevenness and 1e-4, each times the row's. */
+static void by_hand(void)
+{
+    static const struct { ssgi_plan_scene scene; int method, directions, samples, bands; float size; double error; } row[] = {
+        { { .wanted = SSGI_PLAN_VISIBILITY, .trial = { 1, 0.02f, 0.001f } }, SSGI_PLAN_HSAO, 2, 0, 0, 0, 0.00193781 },            /* 0.0047, 0.8351, 0.0104 */
+        { { .wanted = SSGI_PLAN_VISIBILITY, .trial = { 1, 0.15f, 0.05f }, .triangles = 1, .reach = 0.15f }, SSGI_PLAN_SURFELS, 0, 0, 0, 0.03f, 0.0711323 },    /* 0.0012, 0, coarse 1.1184 */
+        { { .wanted = SSGI_PLAN_LIGHT, .trial = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f }, .map = 1 }, SSGI_PLAN_SSDO, 0, 4, 0, 0, 0.00882553 },   /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
+        { { .wanted = SSGI_PLAN_BOUNCE, .trial = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } }, SSGI_PLAN_S3HO, 0, 4, 4, 0, 0.0163832 } };           /* 0.3195, uneven 0.0196, 2.3450 */
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
+        int met = 0;
+        for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+            ssgi_plan p;
+            if (!ssgi_plan_choice(&p, i, &row[k].scene) || p.method != row[k].method || p.half || p.directions != row[k].directions || p.samples != row[k].samples || p.bands != row[k].bands || fabsf(p.size - row[k].size) > 1e-6f) continue;
+            CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4, "row %zu: %.8g predicted, %.8g by hand", k, (double)p.error, row[k].error);
+            ++met;
+        }
+        CHECK(met == 1, "row %zu: %d choices are meant", k, met);
+    }
+}
+
 static void refused(void)
 {
     const ssgi_plan_scene good = { .error = 0.05f };
@@ -185,6 +205,7 @@ static void measured(void)
 void test_plan(void)
 {
     RUN("plan: constant skies want no harmonics, one layer no peeling, two lights two or three bands; budgets are kept", follows);
+    RUN("plan: predicted errors are what the table's numbers come to by hand", by_hand);
     RUN("plan: bad numbers are named, and nothing is touched", refused);
     RUN("plan: every choice can be drawn", drawable);
     RUN("plan: survey and trial find what the truth says", measured);

@@ -616,6 +616,30 @@ static void dipoles(void)
 
 /* ---- what is refused ------------------------------------------------------------------------------------------------------------ */
 
+/* What underflows gives nothing; corners that shrink onto each other, and normals that are not finite, leave the triangle's own normal. */
+static void smallest(void)
+{
+    static const float tiny[9] = { 0, 0, -3, 1e-25f, 0, -3, 0, 1e-25f, -3 }, close[9] = { 1e-30f, 0, -3, 0, 1e-30f, -3, 2e-30f, 2e-30f, -3 }, far[9] = { 0, 0, -3, 1e19f, 0, -3, 0, 1e19f, -3 };
+    static const float plain[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, wrong[9] = { INFINITY, 0, 0, 0, NAN, 0, 0, 0, 0 };
+    const kit_camera c = looking_along_z(160, 90, 0);
+    const ssgi_surfel_desc d = { .size = 0.3f, .every = 1 };
+    ssgi_view view;
+    ssgi_surfel s[64];
+    if (!view_of(&view, &c, 0)) return;
+    for (int k = 0; k < 4; ++k) {
+        ssgi_surfel_source source = source_of(k == 0 ? tiny : k == 1 ? close : k == 2 ? far : plain, 1);
+        ssgi_surfel_cost cost = { 0 };
+        const ssgi_splat splat = { 0 };
+        size_t n = 9;
+        if (k == 0) for (int i = 0; i < 3; ++i) source.to_view[5 * i] = 1e-25f;
+        if (k == 3) source.normal = wrong;
+        CHECK(ssgi_surfels(s, 64, &n, &d, &view, &source, NULL) == SSGI_OK && n == (k == 0 || k == 2 ? 0 : n) && n <= 64, "row %d: %zu surfels", k, n);
+        CHECK(ssgi_surfels_predict(&cost, &d, &splat, &view, &source, NULL) == SSGI_OK && cost.surfels == n, "row %d: %zu surfels predicted", k, cost.surfels);
+        for (size_t i = 0; i < n; ++i) CHECK(s[i].radius > 0 && fabs(dot(s[i].normal, s[i].normal) - 1) < 1e-6, "row %d: radius %g, normal %g %g %g", k, (double)s[i].radius, (double)s[i].normal[0], (double)s[i].normal[1], (double)s[i].normal[2]);
+        CHECK(k != 3 || (n > 2 && fabsf(s[0].normal[2]) > 0.999f), "the triangle's own normal, %zu times", n);
+    }
+}
+
 static void refusals(void)
 {
     static const float p[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, s[3] = { 1, 1, 1 }, a[3] = { 0.1f, 0.1f, 0.1f }, bad_s[3] = { 1, 0, 1 }, bad_a[3] = { 0.1f, NAN, 0.1f };
@@ -677,6 +701,7 @@ static void refusals(void)
     REFUSED(ssgi_dipole_set(&o.dipole, bad_s, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, s, bad_a, 1.3f, &why), "sigma_a");
     REFUSED(ssgi_dipole_set(&o.dipole, s, a, 0.9f, &why), "eta");
+    CHECK(ssgi_dipole_reflectance(&fine, 3, 1) == 0 && ssgi_dipole_reflectance(&fine, -1, 1) == 0 && ssgi_dipole_total(&fine, 3) == 0 && ssgi_dipole_total(&fine, -1) == 0 && ssgi_dipole_total(&fine, 2) > 0, "a channel that there is not");
     REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, 4, NULL, &why), "frame");
     REFUSED(ssgi_gl_surfels_set(&o.frame, &view, &d, 8, NULL, &why), "levels");
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
@@ -1231,6 +1256,7 @@ void test_surfels(void)
     RUN("predicted surfels are exact, pixels near", predictions);
     RUN("huge triangles are divided, small ones stay", divided);
     RUN("dipoles as published; a plane of them sums to its total", dipoles);
+    RUN("surfels: what is too small, too far or not finite has no radius or normal of 0", smallest);
     RUN("bad arguments are named and nothing is written", refusals);
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
     RUN("the real tessellator places the same points, all 64 levels", real_tessellator);
