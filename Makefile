@@ -84,7 +84,7 @@ glsl: build/glsl-text
 golden: build/glsl-text
 	build/glsl-text --golden >tests/golden.txt
 
-TESTS = main t test_math test_trace test_files test_text test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
+TESTS = main t test_math test_trace test_files test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c examples/page.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(KIT_O) $(KIT_LIBS) -o $@
 
