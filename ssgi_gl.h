@@ -2241,8 +2241,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
-    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: slice 0 ssgi_environment_map, solid angle 0, "
-               "with exact less the harmonics (ssgi_sh_lacking); for cones k of n ssgi_environment_cone, cosine k/n"),
+    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with exact "
+               "less the harmonics (ssgi_sh_lacking); for cones slice k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
@@ -2655,11 +2655,7 @@ typedef struct ssgi_gl__reader {
 
 static ssgi_gl__reader ssgi_gl__read(const ssgi_gl__code *code, const ssgi_gl_desc *d)
 {
-    ssgi_gl__reader r;
-    memset(&r, 0, sizeof r);
-    r.at = code->text;
-    r.d = d;
-    r.line = code->line - 1;
+    const ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0, 0, 0, 0, 0, 0, 0, 0 } };
     return r;
 }
 
@@ -2766,7 +2762,8 @@ typedef struct ssgi_gl__program {
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-static void ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc)
+/* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
+static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
 {
     int i;
     p->d = ssgi_gl__resolve(desc);
@@ -2776,7 +2773,11 @@ static void ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc)
         const char *when = pass->when;
         if (pass->pass == p->d.pass && (!when || ssgi_gl__any(&when, &p->d))) p->pass = pass;
     }
-    for (i = 0; i < SSGI_GL_STAGES; ++i) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i] ? p->pass->mains[i] : "");
+    if (stage < SSGI_GL_STAGES && !p->pass->mains[stage]) return 0;
+    memset(p->stage, 0, sizeof p->stage);
+    for (i = 0; i < SSGI_GL_STAGES; ++i)
+        if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
+    return 1;
 }
 
 /* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
@@ -2824,7 +2825,11 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
         const char *s = format;
         char digits[16];
         int i = (int)sizeof digits, least;
-        if (*format != '%') { ssgi_gl__put(t, format, 1); continue; }
+        if (*format != '%') {
+            ssgi_gl__put(t, format, strcspn(format, "%"));
+            format += strcspn(format, "%") - 1;
+            continue;
+        }
         if (*++format == 's') { s = va_arg(args, const char *); ssgi_gl__put(t, s, strlen(s)); continue; }
         {
             const double x = real ? va_arg(args, double) * 1e7 : (double)va_arg(args, int);
@@ -2905,9 +2910,8 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
     const char *version = d->version ? d->version : dialect->version;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
-    const int n = p->pass->mains[stage] ? ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO) : 0;
+    const int n = ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO);
     int i;
-    if (!p->pass->mains[stage]) return;
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
     if (dialect->es)
         ssgi_gl__print(t, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
@@ -2931,10 +2935,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
 
 static ssgi_gl__text ssgi_gl__begin(char *out, size_t capacity)
 {
-    ssgi_gl__text t;
-    memset(&t, 0, sizeof t);
-    t.out = out;
-    t.capacity = capacity;
+    const ssgi_gl__text t = { out, capacity, 0, 0 };
     return t;
 }
 
@@ -2949,8 +2950,7 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     ssgi_gl__program p;
     ssgi_gl__text t = ssgi_gl__begin(out, capacity);
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
-    ssgi_gl__link_all(&p, desc);
-    ssgi_gl__write(&t, &p, stage);
+    if (ssgi_gl__link_all(&p, desc, stage)) ssgi_gl__write(&t, &p, stage);
     return ssgi_gl__end(&t);
 }
 
@@ -3015,7 +3015,7 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 {
     ssgi_gl__program p;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
-    ssgi_gl__link_all(&p, desc);
+    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
 
@@ -3025,9 +3025,9 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     ssgi_gl__text t = ssgi_gl__begin(NULL, 0);
     int stage;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
-    ssgi_gl__link_all(&p, desc);
+    ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     t.hash = 14695981039346656037u;         /* FNV-1a over the very texts */
-    for (stage = 0; stage < SSGI_GL_STAGES; ++stage) ssgi_gl__write(&t, &p, stage);
+    for (stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
 

@@ -46,7 +46,7 @@ int        lighten(kit_lighting *l, const char *env, const char *light);
 int        see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera, int width, int height);
 /* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without end, gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
-/* A method of light: 16 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its picture; both at once. */
+/* A method of light: 33 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its picture; both at once. */
 int        begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);
 int        drawn(kit_image *out, kit_run *run);
 int        lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);

@@ -9,7 +9,7 @@ int t_passed, t_failed;
 enum { SHOWN = 5 };                        /* messages of failed checks a test: the rest is counted */
 static char   said[8192];
 static size_t length;
-static int    bad;
+static int    bad, running;
 
 static void say(const char *format, va_list args)
 {
@@ -29,16 +29,25 @@ static void sayf(const char *format, ...)
     va_end(args);
 }
 
-int t_check(int ok, const char *file, int line, const char *format, ...)
+int t_check(const char *file, int line, const char *format, ...)
 {
-    if (ok || ++bad > SHOWN) return ok;
     va_list args;
+    if (!running) {
+        ++t_failed;
+        printf("FAILED  ");
+        va_start(args, format);
+        vprintf(format, args);
+        va_end(args);
+        printf("\n        %s:%d: outside any test\n", file, line);
+        return 0;
+    }
+    if (++bad > SHOWN) return 0;
     sayf("        %s:%d: ", file, line);
     va_start(args, format);
     say(format, args);
     va_end(args);
     sayf("\n");
-    return ok;
+    return 0;
 }
 
 void t_note(const char *format, ...)
@@ -51,14 +60,32 @@ void t_note(const char *format, ...)
     sayf("\n");
 }
 
+double t_seconds(const struct rusage *spent)
+{
+    return (double)(spent->ru_utime.tv_sec + spent->ru_stime.tv_sec) + 1e-6 * (double)(spent->ru_utime.tv_usec + spent->ru_stime.tv_usec);
+}
+
+double t_spent(int children)
+{
+    struct rusage spent;
+    getrusage(children ? RUSAGE_CHILDREN : RUSAGE_SELF, &spent);
+    return t_seconds(&spent);
+}
+
 void t_run(const char *sentence, void (*test)(void))
 {
+    char took[32] = "";
+    const double began = t_spent(0) + t_spent(1);
     length = 0;
     said[0] = 0;
     bad = 0;
+    running = 1;
     test();
+    running = 0;
     if (bad) ++t_failed; else ++t_passed;
-    printf("%-7s %s\n%s", bad ? "FAILED" : "ok", sentence, said);
+    const double seconds = t_spent(0) + t_spent(1) - began;
+    if (seconds >= 1) snprintf(took, sizeof took, " (%.1f s)", seconds);
+    printf("%-7s %s%s\n%s", bad ? "FAILED" : "ok", sentence, took, said);
     if (bad > SHOWN) printf("        and %d more\n", bad - SHOWN);
     fflush(stdout);
 }

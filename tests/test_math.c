@@ -1,5 +1,4 @@
-/* test_math.c - ssgi.h's rooms of view, kernel, sh, environment, vpl and bias against double precision and closed forms, and the horizon algebra of HSAO's
-   normal rays. */
+/* test_math.c - ssgi.h's rooms of view, kernel, sh, environment, vpl and bias against double precision and closed forms. */
 #include "t.h"
 #include "../ssgi.h"
 
@@ -1036,32 +1035,6 @@ static void shadow_bias(void)
     CHECK(ssgi_shadow_bias(-3e38f, 1e-45f, 3) == 0.0f && ssgi_shadow_patch(1, 1.5707964f, 0) == ssgi_shadow_patch(1, 1.5707964f, 1), "negative patch, no texels");
 }
 
-/* The loops of ssgi_horizon and ssgi_above, with what they find given: horizons that rise to H, rays above it. [ERRATA 5.1, 5.6] */
-static void horizons(void)
-{
-    static const double constant[] = { 0, 0.3, 0.5, 0.8, 1 };
-    for (int t = 0; t < 2000; ++t) {
-        const int directions = 1 + t % 8, rays = 1 + t / 8 % 8, steps = 12;
-        double below = 0, above = 0, want = 0;
-        for (int i = 0; i < directions; ++i) {
-            const double top = t < 5 ? constant[t] : (double)uniform(0, 1);
-            double H = 0, sum = 0;
-            for (int s = 0; s < steps; ++s) {                /* only rises count */
-                const double found = s == steps - 1 ? top : (double)uniform(-1, 1) * top;
-                if (found > H) { sum += found * found - H * H; H = found; }
-            }
-            for (int k = 0; k < rays; ++k) {
-                const double zz = H * H + (1 - H * H) * (k + (double)uniform(0, 1)) / rays;
-                CHECK(sqrt(zz) >= H - 1e-12 && zz <= 1, "a normal ray at z %.9g, below the horizon %.9g", sqrt(zz), H);
-                above += (1 - H * H) / rays / directions;
-            }
-            below += sum / directions;
-            want += top * top / directions;
-        }
-        CHECK(fabs(below - want) < 1e-12 && fabs(below + above - 1) < 1e-12, "O_T %.12g, H^2 %.12g, with all rays blocked %.12g", below, want, below + above);
-    }
-}
-
 void test_math(void)
 {
     RUN("views: every layout decodes its depth, and pixels come back, as by the matrix in double", views);
@@ -1088,5 +1061,4 @@ void test_math(void)
     RUN("virtual point lights: the map's flux in all, only where it is lit, by share", vpls);
     RUN("shadow bias: rows of the closed form, finite everywhere", shadow_bias);
     RUN("cameras and lights: bad arguments are named, outputs stay", bad_light);
-    RUN("horizons: increments sum to H^2, normal rays weigh what is left", horizons);
 }

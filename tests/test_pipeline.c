@@ -642,7 +642,7 @@ static void filter_keeps_its_word(void)
 
 void test_pipeline(void)
 {
-    if (kit_gl_open(NULL, &err)) { fprintf(stderr, "%s\n", err.text); return; }
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("planes stay bright, tilted and turned, by every method", planes_stay_bright);
     RUN("the corner agrees with its closed forms and with the paper's march", corner_converges);
     RUN("depth layout, units, shift, roll and place in the textures change nothing", same_picture);

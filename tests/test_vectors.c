@@ -903,7 +903,7 @@ static void near_the_truth(void)
 
 void test_vectors(void)
 {
-    if (kit_gl_open(NULL, &err)) { fprintf(stderr, "%s\n", err.text); return; }
+    if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("an open plane's vector is the cosine lobe, and its light what that makes of it", open_planes);
     RUN("a wall's vector is its expectation, whatever the samples, layers and fading", walls_block);
     RUN("a wall reflects its own lobe, times its albedo", walls_reflect);

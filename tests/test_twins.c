@@ -1,0 +1,578 @@
+/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to read: extra cameras, those of shadow maps,
+   the light of a frame. */
+#include "t.h"
+#include "../ssgi_gl.h"
+#include "../examples/kit/kit_gl.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { TEXT = 1 << 16 };
+#define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
+
+static uint64_t random_state;
+
+static float uniform(float lower, float upper)
+{
+    uint64_t z = random_state += 0x9e3779b97f4a7c15u;      /* SplitMix64 */
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
+}
+
+/* ---- >>cameras: extra ones and those of shadow maps ---------------------------------------------------------------- */
+
+/* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth, cos(angle/2) at another. */
+static void rotation(float m[16], double angle, double a, double b)
+{
+    const double x = sin(angle / 2) * cos(a), y = sin(angle / 2) * sin(a), z = cos(angle / 2) * sin(b), w = cos(angle / 2) * cos(b);
+    const double turn[16] = { 1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w), 0, 2 * (x * y - z * w), 1 - 2 * (z * z + x * x), 2 * (y * z + x * w), 0,
+                              2 * (z * x + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1 };
+    for (int i = 0; i < 16; ++i) m[i] = (float)turn[i];
+}
+
+/* Any rigid matrix. */
+static void rigid(float m[16])
+{
+    rotation(m, (double)uniform(0, 3.14f), (double)uniform(0, 6.28f), (double)uniform(0, 6.28f));
+    for (int k = 0; k < 3; ++k) m[12 + k] = uniform(-9, 9);
+}
+
+/* Row r of a matrix times a point; lost: what may be lost of it, as rigid matrices of floats are not quite. */
+static double row_of(const float m[16], int r, const double p[4], double *lost)
+{
+    double sum = 0;
+    *lost = 0;
+    for (int c = 0; c < 4; ++c) { sum += (double)m[4 * c + r] * p[c]; *lost += 4e-6 * fabs((double)m[4 * c + r] * p[c]); }
+    return sum;
+}
+
+/* An off-centre camera of 640 x 480; its projection may be anything that a view decodes. */
+static int any_view(ssgi_view *view, int ortho)
+{
+    const float x = uniform(-0.3f, 0.3f), y = uniform(-0.3f, 0.3f), wide = uniform(0.5f, 3), high = uniform(-3, -0.5f);
+    const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 }, { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
+    const char *why = "";
+    return CHECK(ssgi_view_from_projection(view, m[ortho], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK, "%s", why);
+}
+
+static void cameras(void)
+{
+    enum { TRIES = 4000 };
+    double worst[2] = { 0, 0 };
+    random_state = 5;
+    for (int i = 0; i < TRIES; ++i) {
+        const int ortho = i & 1, slot = i / 2 % 4;
+        float picture[16], other[16], seen[3];
+        ssgi_view view;
+        ssgi_gl_views v, was;
+        ssgi_gl_light light, bare;
+        const char *why = "";
+        double p[4] = { (double)uniform(-5, 5), (double)uniform(-5, 5), -(double)uniform(0.2f, 30), 1 }, q[4] = { 0, 0, 0, 1 }, lost, at[4];
+        const float spot[3] = { (float)p[0], (float)p[1], (float)p[2] };
+        if (!any_view(&view, ortho)) return;
+        rigid(picture);
+        rigid(other);
+        memset(&was, 0x5a, sizeof was);
+        memset(&bare, 0x5a, sizeof bare);
+        v = was;
+        light = bare;
+        if (!CHECK(ssgi_gl_views_set(&v, slot, &view, picture, other, &why) == SSGI_OK && ssgi_gl_light_map(&light, &view, 7, 9, picture, other, &why) == SSGI_OK, "%s", why)) return;
+        for (int k = 0; k < 3; ++k) {                      /* p is in the other camera's space: to the world, then to the picture's */
+            double world = 0;
+            for (int c = 0; c < 3; ++c) world += (double)other[4 * k + c] * (p[c] - (double)other[12 + c]);
+            at[k] = world;
+        }
+        at[3] = 1;
+        for (int k = 0; k < 3; ++k) q[k] = row_of(picture, k, at, &lost);
+        ssgi_view_project(&view, spot, seen);
+        for (int k = 0; k < 3; ++k) {
+            const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = row_of(v.to[slot], k, q, &lost);
+            CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g", ortho ? "orthographic" : "perspective", k, got, want);
+            worst[0] = fmax(worst[0], fabs(got - want) / (lost + 4e-7 * fabs(want)));
+            at[k] = want;
+            for (int c = 0; c < 4; ++c) CHECK(light.map[k][c] == v.to[slot][4 * c + k], "a light's map and an extra camera differ in row %d", k);
+        }
+        for (int k = 0; k < 3; ++k) {
+            const double got = row_of(v.from[slot], k, at, &lost);
+            CHECK(fabs(got - q[k]) <= lost + 4e-7 * fabs(q[k]), "from, %s, row %d: %.9g, the point is at %.9g", ortho ? "orthographic" : "perspective", k, got, q[k]);
+            worst[1] = fmax(worst[1], fabs(got - q[k]) / (lost + 4e-7 * fabs(q[k])));
+        }
+        const float decode[4] = { view.depth[0], view.depth[1], view.clear, (float)ortho }, tile[4] = { 7, 9, 640, 480 };
+        CHECK(!memcmp(decode, v.decode[slot], sizeof decode) && !memcmp(decode, light.decode, sizeof decode)
+              && !memcmp(tile, light.tile, sizeof tile) && v.size[slot][0] == 640 && v.size[slot][1] == 480,
+              "decode, size or tile of %s", ortho ? "orthographic" : "perspective");
+        CHECK(light.patch == ssgi_pixel_footprint(&view, 1) && !memcmp(&light, &bare, offsetof(ssgi_gl_light, patch)), "a light's patch, or what is not of its map");
+        memcpy(was.to[slot], v.to[slot], sizeof was.to[slot]);
+        memcpy(was.from[slot], v.from[slot], sizeof was.from[slot]);
+        memcpy(was.decode[slot], v.decode[slot], sizeof was.decode[slot]);
+        memcpy(was.size[slot], v.size[slot], sizeof was.size[slot]);
+        CHECK(!memcmp(&was, &v, sizeof v), "camera %d wrote to another's place", slot);
+    }
+    t_note("of what rounding may lose, at most: %.2f there, %.2f back", worst[0], worst[1]);
+}
+
+static void refused_cameras(void)
+{
+    static float right[16], odd[2][16];
+    ssgi_view view, none;
+    ssgi_gl_views v, v_was;
+    ssgi_gl_light light, light_was;
+    const char *why = "";
+    memset(&none, 0, sizeof none);
+    memset(&v_was, 0x5a, sizeof v_was);
+    memset(&light_was, 0x5a, sizeof light_was);
+    v = v_was;
+    light = light_was;
+    if (!any_view(&view, 0)) return;
+    rigid(right);
+    memcpy(odd[0], right, sizeof right);
+    memcpy(odd[1], right, sizeof right);
+    odd[0][5] = NAN;
+    odd[1][14] = INFINITY;
+    const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other; } cases[] = {
+        { { "i:", "x:" }, &view, -1, right, right }, { { "i:", NULL }, &view, 4, right, right },
+        { { "view:", "view:" }, NULL, 0, right, right }, { { "view:", "view:" }, &none, 0, right, right },
+        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, NULL, right }, { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
+        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, odd[0], right }, { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, right, odd[1] } };
+    CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:") && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT
+          && NAMES(why, "light:"), "NULL: %s", why);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        CHECK(ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, &why) == SSGI_BAD_ARGUMENT && NAMES(why, cases[i].start[0])
+              && ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, NULL) == SSGI_BAD_ARGUMENT, "views, case %zu: %s", i, why);
+        for (int y = 0; y < 2 && cases[i].start[1]; ++y)
+            CHECK(ssgi_gl_light_map(&light, cases[i].view, y ? 0 : cases[i].i, y ? cases[i].i : 0, cases[i].picture, cases[i].other, &why) == SSGI_BAD_ARGUMENT
+                  && NAMES(why, cases[i].start[1]),
+                  "light, case %zu: %s", i, why);
+    }
+    CHECK(!memcmp(&v, &v_was, sizeof v) && !memcmp(&light, &light_was, sizeof light), "what was refused was written to");
+}
+
+/* ---- >>twins: GLSL against C --------------------------------------------------------------------------------------- */
+
+enum { SIDE = 64, MANY = SIDE * SIDE };
+static float in[MANY][4], out[MANY][4];
+static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, flat */
+
+static ssgi_gl_views probed;               /* extra cameras that probes see */
+
+/* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input, a: its own; Y(k): the same of maps,
+   which all textures of the text read too. */
+static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
+{
+    static const GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
+    static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
+    static char triangle[TEXT];
+    const ssgi_gl_desc plain = { .dialect = dialect };
+    const char *const source[2] = { triangle, text };
+    kit_error err = { "" };
+    char *end = strstr(text, "void main");
+    GLuint program, block[2], framebuffer, target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL), input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]);
+    int read;
+    if (!end) end = text + strlen(text);
+    snprintf(end, TEXT - (size_t)(end - text), "layout(location = 7) out highp vec4 o;\nuniform highp sampler2D t_in, t_maps;\n"
+             "#define AT(t, k) texelFetch(t, ivec2((texel.x & ~3) + (k), texel.y), 0)\n#define X(k) AT(t_in, k)\n#define Y(k) AT(t_maps, k)\n"
+             "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n", statements);
+    ssgi_gl_emit(triangle, TEXT, &plain, SSGI_GL_VERTEX);
+    program = kit_program(source, stages, 2, &err);
+    if (!CHECK(program, "%s: %s", statements, err.text)) return 0;
+    glGenBuffers(2, block);
+    for (GLuint b = 0; b < 2; ++b) {
+        glBindBuffer(GL_UNIFORM_BUFFER, block[b]);
+        glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame, b ? (const void *)&probed : frame, GL_STATIC_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
+    }
+    for (GLenum unit = 0; unit < 8; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 7 ? input : maps); }
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
+    glDrawBuffers(8, buffers);
+    glViewport(0, 0, SIDE, SIDE);
+    glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "t_in"), 7);
+    glUniform1i(glGetUniformLocation(program, "t_maps"), 6);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    read = kit_texture_read(target, SIDE, SIDE, 4, out[0]);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &target);
+    glDeleteTextures(1, &input);
+    glDeleteBuffers(2, block);
+    glDeleteProgram(program);
+    return CHECK(!read, "the probe cannot be read");
+}
+
+static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
+{
+    static char text[TEXT];
+    const size_t n = ssgi_gl_emit(text, TEXT, d, SSGI_GL_FRAGMENT);
+    return CHECK(n && n < TEXT, "%s: a text of %zu characters", ssgi_gl_pass_name(d->pass), n) && probe_text(text, d->dialect, frame, maps, statements);
+}
+
+#define NEAR(got, want, within, what) CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, (double)(got), (double)(want))
+
+static void twin_views(void)
+{
+    enum { LAYOUTS = 6 };
+    static const double n = 0.1, f = 1000;                /* planes */
+    for (int k = 0; k < LAYOUTS; ++k) {                   /* perspective: GL, reversed, reversed infinite, GL infinite; orthographic: GL, reversed */
+        const double z[LAYOUTS][2] = { { -(f + n) / (f - n), -2 * f * n / (f - n) }, { n / (f - n), f * n / (f - n) }, { 0, n }, { -1, -2 * n },
+                                       { -2 / (f - n), -(f + n) / (f - n) }, { 1 / (f - n), f / (f - n) } };
+        float m[16] = { 1.3f, 0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0, (float)z[k][1], 0 };
+        int ortho = k >= 4, clip = k == 1 || k == 2 || k == 5 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL;
+        ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho };
+        ssgi_gl_frame frame;
+        ssgi_view view;
+        const char *why = "";
+        if (ortho) { m[8] = m[9] = m[11] = 0; m[12] = 0.07f; m[13] = -0.03f; m[15] = 1; }
+        if (!CHECK(ssgi_view_from_projection(&view, m, clip, 1280, 720, &why) == SSGI_OK && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why)) continue;
+        frame.offset = 1;
+        for (int i = 0; i < MANY; ++i) {                  /* window depth; a pixel; view depth */
+            float a[4] = { i < 2 ? (float)i : i & 1 ? uniform(0, 1) : 1 - powf(10, uniform(-7, 0)), uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
+            memcpy(in[i], a, sizeof a);
+        }
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
+        for (int i = 0; i < MANY; ++i) {
+            double depth = (double)ssgi_view_depth(&view, in[i][0]), x = fabs((double)in[i][1] * (double)view.unproject[0]) + fabs((double)view.unproject[2]);
+            double y = fabs((double)in[i][2] * (double)view.unproject[1]) + fabs((double)view.unproject[3]), scale = ortho ? 1 : (double)in[i][3];
+            double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));      /* a rounding of the sum's terms */
+            float p[3];
+            ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], p);
+            if (depth >= 1e17) CHECK(out[i][0] >= 1e17f, "ssgi_decode(%.9g), layout %d: %g, in C %g", (double)in[i][0], k, (double)out[i][0], depth);
+            else NEAR(out[i][0], depth, ortho ? lost : depth * (3e-7 + depth * lost) * (1 + depth * lost), "ssgi_decode");
+            NEAR(out[i][1], p[0], 3e-7 * x * scale, "ssgi_position.x");
+            NEAR(out[i][2], p[1], 3e-7 * y * scale, "ssgi_position.y");
+            NEAR(out[i][3], p[2], 0, "ssgi_position.z");
+        }
+        for (int i = 0; i < MANY; ++i) ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], in[i]);
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, 0.0)).x);")) break;
+        for (int i = 0; i < MANY; ++i) {
+            float p[3];
+            ssgi_view_project(&view, in[i], p);
+            NEAR(out[i][0], p[0], 4e-7 * (fabs((double)p[0]) + 2 * fabs((double)view.project[2])), "ssgi_project.x");
+            NEAR(out[i][1], p[1], 4e-7 * (fabs((double)p[1]) + 2 * fabs((double)view.project[3])), "ssgi_project.y");
+            NEAR(out[i][2], ssgi_pixel_footprint(&view, in[i][3]), 2e-7f * out[i][2], "ssgi_footprint");
+            NEAR(out[i][3], ssgi_normal_offset(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
+        }
+    }
+}
+
+static void twin_noise_and_kernel(void)
+{
+    float kernel[4 * 64];
+    ssgi_gl_frame frame;
+    memset(&frame, 0, sizeof frame);
+    for (int i = 0; i < MANY; ++i) { in[i][0] = (float)(i % SIDE * 37); in[i][1] = (float)(i / SIDE * 21); in[i][2] = (float)(i % SIDE); in[i][3] = (float)(i / SIDE); }
+    ssgi_gl_desc d = { .dialect = SSGI_GL_450, .samples = 64 };
+    ssgi_kernel(kernel, 1, 64, NULL);
+    if (probe(&d, &frame, 0, "o = vec4(ssgi_noise(ivec2(a.xy)), ssgi_noise(ivec2(a.zw)));"))
+        for (int i = 0; i < MANY; ++i)
+            for (int k = 0; k < 2; ++k) {                 /* two products and their sum, rounded; in x 53 times that */
+                double x = (double)in[i][2 * k], y = (double)in[i][2 * k + 1], e = 0.06711056 * x + 0.00583715 * y;
+                e = (double)out[i][2 * k] - 52.9829189 * (e - floor(e));
+                double f = (double)out[i][2 * k + 1] - (0.75487766624669276 * x + 0.56984029099805327 * y);
+                CHECK(fabs(e - floor(e + 0.5)) <= 53 * 1.2e-7 * (0.0671 * x + 0.0059 * y + 1), "ssgi_noise(%g, %g).x: off by %g", x, y, e);
+                CHECK(fabs(f - floor(f + 0.5)) <= 2.4e-7 * (x + y + 1), "ssgi_noise(%g, %g).y: not R2, off by %g", x, y, f);
+                CHECK(out[i][2 * k] >= 0 && out[i][2 * k] < 1 && out[i][2 * k + 1] >= 0 && out[i][2 * k + 1] < 1, "ssgi_noise(%g, %g) leaves [0,1)", x, y);
+            }
+    if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
+        for (int i = 0; i < MANY; ++i)
+            for (int c = 0; c < 4; ++c) NEAR(out[i][c], kernel[4 * (i % 64) + c], 1.2e-7, "SSGI_KERNEL");
+}
+
+static void twin_normals(void)
+{
+    static float coded[MANY][4];
+    const float c = 0.6f, s = 0.8f;
+    ssgi_gl_frame frame;
+    for (int world = 0; world < 2; ++world)
+        for (int how = SSGI_GL_NORMAL_SIGNED; how <= SSGI_GL_NORMAL_OCTAHEDRAL; ++how) {
+            ssgi_gl_desc d = { .dialect = SSGI_GL_450, .normal = how, .world_normals = world };
+            const float turn[12] = { c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0 };      /* columns: x goes to (c, s, 0) */
+            memset(&frame, 0, sizeof frame);
+            memcpy(frame.rotation, turn, sizeof turn);
+            for (int i = 0; i < MANY; ++i) {
+                float z = uniform(-1, 1), a = uniform(0, 6.2831853f), r = sqrtf(1 - z * z), *n = in[i], *e = coded[i];
+                n[0] = i < 6 ? (float)((i == 0) - (i == 1)) : r * cosf(a);      /* the axes too */
+                n[1] = i < 6 ? (float)((i == 2) - (i == 3)) : r * sinf(a);
+                n[2] = i < 6 ? (float)((i == 4) - (i == 5)) : z;
+                memcpy(e, n, 3 * sizeof *n);
+                if (how == SSGI_GL_NORMAL_UNSIGNED) for (int k = 0; k < 3; ++k) e[k] = n[k] * 0.5f + 0.5f;
+                if (how == SSGI_GL_NORMAL_OCTAHEDRAL) {
+                    float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]), x = n[0] / sum, y = n[1] / sum;
+                    e[0] = n[2] < 0 ? (1 - fabsf(y)) * (x < 0 ? -1.0f : 1.0f) : x;
+                    e[1] = n[2] < 0 ? (1 - fabsf(x)) * (y < 0 ? -1.0f : 1.0f) : y;
+                    e[2] = 9;                              /* not looked at */
+                }
+            }
+            GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, coded[0]);
+            if (probe(&d, &frame, map, "o = vec4(ssgi_normal(texel, vec3(0.0, 0.0, -1.0)), 0.0);"))
+                for (int i = 0; i < MANY; ++i) {
+                    const float *n = in[i], want[3] = { world ? c * n[0] - s * n[1] : n[0], world ? s * n[0] + c * n[1] : n[1], n[2] };
+                    for (int k = 0; k < 3; ++k) NEAR(out[i][k], want[k], 6e-7, "ssgi_normal");
+                }
+            glDeleteTextures(1, &map);
+        }
+}
+
+/* The integral that ssgi_arc documents, by Simpson's rule. */
+static double arc(double top, double g)
+{
+    enum { PARTS = 128 };
+    double sum = 0;
+    for (int k = 0; k <= PARTS; ++k) sum += sin(top * k / PARTS) * cos(g - top * k / PARTS) * (k == 0 || k == PARTS ? 1 : k & 1 ? 4 : 2);
+    return sum * top / (3 * PARTS);
+}
+
+static void twin_arc(void)
+{
+    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450 };
+    ssgi_gl_frame frame;
+    double worst = 0;
+    memset(&frame, 0, sizeof frame);
+    for (int i = 0; i < MANY; ++i) {                      /* height over the tangent plane and distance along it: down to the plane, up to the normal */
+        float thin = powf(10, uniform(-12, 0)), a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, uniform(-1.57f, 1.57f), uniform(0.1f, 10) };
+        if (i % 16 == 0) a[i / 16 & 1] = 0;
+        memcpy(in[i], a, sizeof a);
+    }
+    if (probe(&d, &frame, 0, "a.xy *= a.w; float r = inversesqrt(a.x * a.x + a.y * a.y) * (1.0 + 2.4e-7 * float(texel.x & 2)), h = 0.5 * sin(a.z);"
+              "o = vec4(ssgi_arc(vec2(a.x, -a.x) * r, vec2(a.y) * r, 0.5 * cos(a.z), vec2(h, -h)), 0.0, 0.0);"))
+        for (int i = 0; i < MANY; ++i) {
+            double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2], s = fabs(y) / hypot(x, y);
+            double lost = i & 2 ? 1.6e-6 : 4e-7, within = 0.5 * fabs(sin(g)) * (7e-5 + lost / fmax(s, sqrt(lost))) + 2e-6;   /* its acos, and how far c's error moves one: */
+            NEAR(out[i][0], arc(atan2(y, x), g), within, "ssgi_arc.x");          /* two roundings, or what GLSL grants an inversesqrt, so that |c| > 1 */
+            NEAR(out[i][1], arc(atan2(y, -x), -g), within, "ssgi_arc.y");
+            worst = fmax(worst, fmax(fabs((double)out[i][0] - arc(atan2(y, x), g)), fabs((double)out[i][1] - arc(atan2(y, -x), -g))));
+        }
+    t_note("worst error of a horizon's occlusion: %.1e", worst);
+}
+
+/* What senders wrote, read back as its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of 6. */
+static void unpack(const float halves[4], float rgb[3], float *z)
+{
+    const uint32_t a = (uint32_t)halves[0] | (uint32_t)halves[1] << 16, b = (uint32_t)halves[2] | (uint32_t)halves[3] << 16;
+    for (int c = 0; c < 3; ++c) rgb[c] = ldexpf((float)(a >> 9 * c & 511), (int)(a >> 27) - 24);
+    *z = ldexpf(1 + (float)(b >> 12 & 0x3fff) / 16384, (int)(b >> 26) - 20);
+}
+
+static void twin_senders(void)
+{
+    static float rgbz[MANY][4], way[MANY][3];
+    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 }, read = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH };
+    ssgi_gl_frame frame;
+    double worst = 0;
+    memset(&frame, 0, sizeof frame);
+    random_state = 9;
+    for (int i = 0; i < MANY; ++i) {
+        const float bright = powf(10, uniform(-7, 5.2f)), a = uniform(0, 6.2831853f), h = uniform(-1, 1);
+        for (int c = 0; c < 3; ++c) { rgbz[i][c] = i % 8 == c ? 0 : bright * uniform(0, 1); way[i][c] = c == 2 ? h : sqrtf(1 - h * h) * (c ? sinf(a) : cosf(a)); }
+        for (int c = 0; c < 3 && i < 6; ++c) way[i][c] = i / 2 == c ? i & 1 ? -1.0f : 1.0f : 0.0f;
+        if (i % 64 == 9) rgbz[i][i / 64 % 3] = ldexpf(511.0f + (float)(i / 192) / 21, i / 64 % 24 - 10);   /* where rounding needs the next exponent */
+        rgbz[i][3] = powf(10, uniform(-6, 13));
+    }
+    memcpy(in, rgbz, sizeof in);
+    if (!probe(&pack, &frame, 0, "uvec2 u = uvec2(ssgi_pack_radiance(a.xyz), ssgi_pack_place(a.w, vec3(0.0, 0.0, 1.0)));"
+               "o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);")) return;
+    memcpy(in, out, sizeof in);
+    if (!probe(&read, &frame, 0, "uvec2 u = uvec2(a.xz) | uvec2(a.yw) << 16u; o = vec4(ssgi_unpack_radiance(u.x), ssgi_unpack_depth(u.y));")) return;
+    for (int i = 0; i < MANY; ++i) {
+        float rgb[3], z, most = fmaxf(fmaxf(rgbz[i][0], rgbz[i][1]), rgbz[i][2]);
+        unpack(in[i], rgb, &z);
+        for (int c = 0; c < 3; ++c) {
+            NEAR(rgb[c], fminf(rgbz[i][c], 65408), fmax((double)most / 510, 1.2e-7), "ssgi_pack_radiance");
+            NEAR(out[i][c], rgb[c], 0, "ssgi_unpack_radiance");
+        }
+        NEAR(z, rgbz[i][3], 3.06e-5 * (double)z, "ssgi_pack_place");
+        NEAR(out[i][3], z, 0, "ssgi_unpack_depth");
+        memcpy(in[i], way[i], sizeof way[i]);
+    }
+    if (!probe(&pack, &frame, 0, "uint u = ssgi_pack_place(1.0, a.xyz); o = vec4(u & 65535u, u >> 16u, 0.0, 0.0);")) return;
+    memcpy(in, out, sizeof in);
+    if (!probe(&read, &frame, 0, "o = vec4(ssgi_unpack_normal(uint(a.x) | uint(a.y) << 16u), ssgi_unpack_depth(0xffffffffu));")) return;
+    for (int i = 0; i < MANY; ++i) {
+        const double x = (double)out[i][0], y = (double)out[i][1], z = (double)out[i][2];
+        const double cosine = (x * (double)way[i][0] + y * (double)way[i][1] + z * (double)way[i][2]) / sqrt(x * x + y * y + z * z), degrees = acos(fmin(cosine, 1)) * 57.29577951;
+        CHECK(degrees <= 4, "a sender's normal is off by %.2f degrees", degrees);
+        NEAR(out[i][3], SSGI_FAR, 0, "the view depth of nothing");
+        worst = fmax(worst, degrees);
+    }
+    t_note("a sender's normal is off by %.2f degrees at most", worst);
+}
+
+/* Octahedral maps, and the point that an extra camera shows: the third of them, so that the block's strides matter. */
+static void twin_views_of_others(void)
+{
+    const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .fade = 1, .views = 3 }, map = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .environment = SSGI_GL_ENVIRONMENT_MAP };
+    ssgi_gl_frame frame;
+    memset(&frame, 0, sizeof frame);
+    random_state = 11;
+    for (int ortho = 0; ortho < 2; ++ortho) {
+        float picture[16], other[16];
+        ssgi_view view;
+        if (!any_view(&view, ortho)) return;
+        rigid(picture);
+        rigid(other);
+        memset(&probed, 0x5a, sizeof probed);
+        ssgi_gl_views_set(&probed, 2, &view, picture, other, NULL);
+        for (int i = 0; i < MANY; ++i) { in[i][0] = floorf(uniform(0, 640)); in[i][1] = floorf(uniform(0, 480)); in[i][2] = uniform(0.5f, 30); in[i][3] = 0; }
+        if (!probe(&d, &frame, 0, "o = vec4(ssgi_point(2, ivec2(a.xy), a.z), u_ssgi_view_decode[2].x);")) return;
+        for (int i = 0; i < MANY; ++i) {
+            const double scale = ortho ? 1 : (double)in[i][2], p[4] = { ((double)in[i][0] + 0.5) * scale, ((double)in[i][1] + 0.5) * scale, (double)in[i][2], 1 };
+            for (int k = 0; k < 3; ++k) { double lost, want = row_of(probed.from[2], k, p, &lost); NEAR(out[i][k], want, lost, "ssgi_point"); }
+            NEAR(out[i][3], view.depth[0], 0, "u_ssgi_view_decode");
+        }
+    }
+    for (int i = 0; i < MANY; ++i) for (int c = 0; c < 3; ++c) in[i][c] = i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1)) : uniform(-9, 9);
+    if (!probe(&map, &frame, 0, "o = vec4(ssgi_octahedral(a.xyz), 0.0, 0.0);")) return;
+    for (int i = 0; i < MANY; ++i) {
+        float e[2];
+        ssgi_octahedral_encode(in[i], e);
+        for (int c = 0; c < 2; ++c) NEAR(out[i][c], e[c], 4e-7, "ssgi_octahedral");
+    }
+}
+
+/* What ssgi_gl_sh writes, in both languages: a case is four pixels, one a word of the result. */
+static void twin_harmonics(void)
+{
+    enum { BASIS, ZONAL, TURN, PRODUCT, SUMS, FUNCTIONS };
+    static const char *const heads[] = { "#version 330 core\n", "#version 300 es\nprecision highp float;\n" };
+    static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c", "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
+    static const char *const parts[] = { "", "", " s.b = b; s.c = c;", " s.b = b; s.c = c; s.d = d;" };
+    static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);", "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
+        "s = ssgi_sh_product(s, y);", "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
+    static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
+    static float others[4 * MANY];
+    static char text[TEXT], body[600];
+    const ssgi_gl_frame frame = { .radius = 1 };
+    const double pi = 3.14159265358979;
+    double worst[FUNCTIONS] = { 0 };
+    random_state = 13;
+    for (int k = 0; k < 2 * 4 * FUNCTIONS; ++k) {
+        const int es = k & 1, bands = k / 2 % 4 + 1, what = k / 8;
+        for (int i = 0; i < 4 * MANY; ++i) {
+            ins[i] = i % 16 < bands * bands || what == ZONAL ? uniform(-1, 1) : 0;
+            others[i] = ins[i] * uniform(-1, 1);
+        }
+        for (int i = 0; i < MANY / 4 && what < PRODUCT; ++i) {     /* rotations: none, half turns, the axis at a pole and near it, any */
+            const double tilt = tilts[i / 2 % 8], a = (double)uniform(0, 6.28f), b = (double)uniform(0, 6.28f);
+            if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
+            else rotation(&others[16 * i], i & 16 ? (double)uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
+            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += uniform(-1.2e-7f, 1.2e-7f);    /* as a product of matrices is rounded */
+        }
+        GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, others);
+        size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
+        n += ssgi_gl_sh(text + n, sizeof text - n, bands);
+        snprintf(text + n, sizeof text - n, "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.a = a;%s return s; }\n", parts[bands - 1]);
+        snprintf(body, sizeof body, "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); %s o = %s;", calls[what], words[bands - 1]);
+        if (!probe_text(text, es ? SSGI_GL_300ES : SSGI_GL_330, &frame, map, body)) return;
+        for (int i = 0; i < MANY / 4; ++i) {
+            const float *x = &ins[16 * i], *y = &others[16 * i], *got = &outs[16 * i];
+            float want[16] = { 0 };
+            double both = 0;
+            if (what == BASIS) ssgi_sh_basis(want, bands, y + 8);
+            if (what == ZONAL) ssgi_sh_zonal(want, bands, x, y + 8);
+            if (what == TURN) ssgi_sh_rotate(want, bands, x, 1, y);
+            if (what == PRODUCT) ssgi_sh_product(want, bands, x, y);
+            for (int j = 0; j < 16 && what == SUMS; ++j) { want[j] = x[j] + 0.5f * y[j]; both += (double)x[j] * (double)y[j]; }
+            if (what == SUMS) want[0] = (float)both;
+            for (int j = 0; j < (bands < 3 ? 4 : 4 * bands); ++j) {
+                NEAR(got[j], want[j], 1e-5, calls[what]);
+                worst[what] = fmax(worst[what], fabs((double)got[j] - (double)want[j]));
+            }
+        }
+        glDeleteTextures(1, &map);
+    }
+    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, product %.1e, sums %.1e", worst[BASIS], worst[ZONAL], worst[TURN], worst[PRODUCT], worst[SUMS]);
+}
+
+/* A half's bits: to nearest, to even between two; and its value. */
+static int half_of(float x)
+{
+    const double y = fmin(fabs((double)x), 65504);
+    const int e = y < 6.103515625e-5 ? -14 : ilogb(y);
+    return (signbit(x) ? 0x8000 : 0) + ((e + 14) << 10) + (int)nearbyint(ldexp(y, 10 - e));
+}
+
+static double value_of(int half)
+{
+    const int e = half >> 10 & 31, m = half & 1023;
+    return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
+}
+
+/* Every half is read as it is, and floats are rounded to it, in languages that have halves and by our own code in those that have not. */
+static void twin_halves(void)
+{
+    static const int dialects[] = { SSGI_GL_330, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES };
+    static const float odd[] = { 0, -0.0f, 65504, 65519, 65520, 65536, 1e9f, 1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f, 1, 1e-40f };
+    const ssgi_gl_frame frame = { .radius = 1 };
+    for (int k = 0; k < 4; ++k) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .dialect = dialects[k] };
+        for (int round = 0; round < 4; ++round) {
+            for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(4 * MANY * round + i);
+            if (!probe(&d, &frame, 0, "uvec4 h = uvec4(a); uvec2 u = h.xz | h.yw << 16u; o = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));")) return;
+            for (int i = 0; i < 4 * MANY; ++i)
+                if (((4 * MANY * round + i) & 0x7c00) != 0x7c00) NEAR(outs[i], value_of(4 * MANY * round + i), 0, "ssgi_unpack_half");
+        }
+        random_state = 14;
+        for (int i = 0; i < 4 * MANY; ++i) {               /* halves, what lies between two and beside that, anything, the odd ones */
+            const int h = (int)uniform(0, 0x7bff);
+            const float middle = (float)(0.5 * (value_of(h) + value_of(h + 1)));
+            const float x[4] = { (float)value_of(h), middle, nextafterf(middle, i & 4 ? 0.0f : 1e9f), powf(10, uniform(-9, 10)) };
+            ins[i] = (i < 64 ? odd[i % 16] : x[i & 3]) * (i & 16 ? -1.0f : 1.0f);
+        }
+        if (!probe(&d, &frame, 0, "uvec2 u = uvec2(ssgi_pack_half(a.xy), ssgi_pack_half(a.zw)); o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);")) return;
+        for (int i = 0; i < 4 * MANY; ++i) {
+            const float x = ins[i];
+            const int got = (int)outs[i];
+            CHECK(got == half_of(x), "ssgi_pack_half(%.9g), %s: 0x%04x, to nearest even 0x%04x", (double)x, ssgi_gl_dialect_name(d.dialect), (unsigned)got, (unsigned)half_of(x));
+        }
+    }
+}
+
+/* ---- >>light of a frame ---------------------------------------------------------------------------------------------- */
+
+static void frame_light(void)
+{
+    static const struct { const char *start; int frame, coefficients, bands; } bad[] = {
+        { "frame:", 0, 1, 3 }, { "coefficients:", 1, 0, 3 }, { "bands:", 1, 1, 0 }, { "bands:", 1, 1, 5 }, { "bands:", 1, 1, -1 } };
+    ssgi_gl_frame frame, was;
+    float c[48], turned[48], m[16];
+    const char *why = "";
+    memset(&was, 0x5a, sizeof was);
+    random_state = 15;
+    for (int i = 0; i < 64; ++i) {
+        const int bands = 1 + i % 4, matrix = i & 4;
+        rigid(m);
+        for (int k = 0; k < 48; ++k) c[k] = uniform(-1, 1);
+        memset(turned, 0, sizeof turned);
+        ssgi_sh_rotate(turned, bands, c, 3, matrix ? m : NULL);
+        frame = was;
+        CHECK(ssgi_gl_harmonics_set(&frame, c, bands, matrix ? m : NULL, &why) == SSGI_OK, "%s", why);
+        for (int k = 0; k < 48; ++k)
+            CHECK(fabsf(frame.harmonics[12 * (k / 12) + 4 * (k % 3) + k / 3 % 4] - turned[k]) <= 1e-6f, "%d bands: coefficient %d, channel %d", bands, k / 3, k % 3);
+        memcpy(frame.harmonics, was.harmonics, sizeof was.harmonics);
+        CHECK(!memcmp(&frame, &was, sizeof was), "other members were written to");
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
+        CHECK(ssgi_gl_harmonics_set(bad[i].frame ? &frame : NULL, bad[i].coefficients ? c : NULL, bad[i].bands, m, &why) == SSGI_BAD_ARGUMENT && NAMES(why, bad[i].start)
+              && !memcmp(&frame, &was, sizeof was), "%s \"%s\", or the frame was written to", bad[i].start, why);
+}
+
+void test_twins(void)
+{
+    kit_error err = { "" };
+    RUN("extra cameras and shadow maps see what ssgi_view_project says, and lead back", cameras);
+    RUN("cameras that are wrong are named, and nothing is written", refused_cameras);
+    RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written", frame_light);
+    if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
+    RUN("depth, position, projection, footprint and offset as in C", twin_views);
+    RUN("noise and kernel as in C", twin_noise_and_kernel);
+    RUN("normals of every encoding and frame come back", twin_normals);
+    RUN("what senders pack comes back, as its format says", twin_senders);
+    RUN("an extra camera's points and the octahedral map as in C", twin_views_of_others);
+    RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
+    RUN("halves, where the language has them and where it has not", twin_halves);
+    RUN("a slice's arc is the integral that it says", twin_arc);
+    kit_gl_close();
+}
