@@ -2241,8 +2241,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
-    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with exact "
-               "less the harmonics (ssgi_sh_lacking); for cones slice k of n ssgi_environment_cone, cosine k/n"),
+    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with "
+               "exact less the harmonics (ssgi_sh_lacking); for cones k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
