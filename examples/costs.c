@@ -1,6 +1,8 @@
-/* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of the texts. Declared in report.h.
+/* costs.c - what each pass and each choice costs in instructions and fetches, read off the SPIR-V that glslang makes of
+   the texts. Declared in report.h.
 
-   Counts are static: of the text as it stands, loops counted once, before any optimiser. Beside them the most texels that a pixel fetches (kit_fetches). A choice that is off costs nothing:
+   Counts are static: of the text as it stands, loops counted once, before any optimiser. Beside them the most texels
+   that a pixel fetches (kit_fetches). A choice that is off costs nothing:
    set while what it belongs to is off, it leaves the text as it is, byte for byte; which do so is listed. */
 #include "report.h"
 #include <errno.h>
@@ -48,7 +50,8 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
                 if (text && !(was && !strcmp(text, was))) {
                     tally *k = &costs[n++];
                     int i = 0, failed = 0;
-                    *k = (tally){ v, c, at, kit_fetches(&d), 0, 0, 0, 0, hashed(14695981039346656037u + (uint64_t)at, text, strlen(text)) };
+                    *k = (tally){ v, c, at, kit_fetches(&d), 0, 0, 0, 0,
+                        hashed(14695981039346656037u + (uint64_t)at, text, strlen(text)) };
                     while (costs[i].text != k->text) ++i;
                     snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text, stage_endings[at]);
                     if (i == n - 1 && access(path, F_OK)) {

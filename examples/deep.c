@@ -44,7 +44,9 @@ typedef struct deep_part { const char *title, *about; deep_view see; const entry
 static const deep_part deep_demos[] = {
     { "Deep screen space: ambient occlusion", "Discs of all triangles, seen or not, take from the ambient light of the pixels around them. Bunny on a floor.", BUNNY_AO,
       PART(deep_two, COUNT(deep_two)) },
-    { "Deep screen space: light", "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.", WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
+    { "Deep screen space: light",
+        "Bunny and four boxes under the sky and a sun, one bounce; all within the radius counts whole. Surfels of 0.03.",
+        WHOLE_LIGHT, PART(deep_lit, COUNT(deep_lit)) },
     { "Deep screen space: one specular bounce", "Open box under a point light, met by a lobe of exponent 8. Nothing here does that in screen space.", LOBE,
       PART(deep_mirror, COUNT(deep_mirror)) },
     { "Deep screen space: scattering under the surface",
@@ -224,7 +226,12 @@ int deep_demo(FILE *html, const char *out, kit_error *err)
         char note[64];
         stage s;
         int count;
-        if (part->title) { set = set ? set + 1 : demo_sets; set->title = part->title; set->count = 0; fprintf(html, "<h2>%s</h2>\n", part->title); }
+        if (part->title) {
+            set = set ? set + 1 : demo_sets;
+            set->title = part->title;
+            set->count = 0;
+            fprintf(html, "<h2>%s</h2>\n", part->title);
+        }
         row *rows = set->row + set->count;
         if (deep_load(&s, &part->see, err)) return -1;
         if (s.otherwise.kind == SCATTER) s.rays /= 2;

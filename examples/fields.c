@@ -35,14 +35,16 @@ static const field_part field_parts[] = {
     { NULL, "a third of a period later,", MOVING("casters-1", 1 / 3.0) },
     { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
       { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL }, NO_SPOTS,
-        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f }, { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 256 },
+        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f },
+            { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 256 },
       pedestal_entries, COUNT(pedestal_entries), { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
     { "Fields: inside of the hull", "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside of the convex hull, where occlusion goes to A_0.",
       { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL }, { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } }, NO_BOXES, 0, 128 },
       sunk_entries, COUNT(sunk_entries), { { 0 } } }
 };
 static const char *const field_demo_title = "Ambient occlusion fields";
-enum { FIELD_PARTS = COUNT(field_parts), FIELD_DEMO_ROWS = 2 * COUNT(moving_entries) + COUNT(pedestal_entries) + COUNT(sunk_entries) };
+enum { FIELD_PARTS = COUNT(field_parts),
+    FIELD_DEMO_ROWS = 2 * COUNT(moving_entries) + COUNT(pedestal_entries) + COUNT(sunk_entries) };
 
 #define ANGLE "measure=solid-angle,resolution="
 #define EIGHT "bits=8,resolution="
@@ -249,7 +251,8 @@ int field_demo(FILE *html, const char *out, kit_error *err)
         kit_image picture[MOST_ENTRIES], whole[1 + MOST_ENTRIES], crop, difference;
         char slug[1 + MOST_ENTRIES][128], name[160], note[64];
         stage s;
-        if (field_open(&s, &part->setup, 320, 180, err) || field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
+        if (field_open(&s, &part->setup, 320, 180, err)) return -1;
+        if (field_measure(all, &s, part->entries, part->count, picture, err)) return -1;
         if (part->title) fprintf(html, "<h2>%s</h2>\n", part->title);
         if (field_about(html, &s, part->about, err)) return -1;
         fputs("<div class=\"grid\">\n", html);

@@ -6,8 +6,8 @@
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of fields alone: FOLDER/field.table.glsl (ssgi_gl_field).
    ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
 
-      build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the fields of ssgi_gl_desc, from
-                                     the comments of the header. make passes rewrites that file
+      build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the
+                                     fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all dialects, where the choice changes it;
                                      "+" is of all pairs of choices in 450. make golden rewrites that file: its diff shows which variants a change touches */
 #include "kit/kit_gl.h"
@@ -57,7 +57,7 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
     return 0;
 }
 
-/* ---- >>passes: as Markdown ----------------------------------------------------------------------------------------- */
+/* ---- >>passes: as Markdown --------------------------------------------------------------------------------------- */
 
 /* The first [tag: ..] of a comment. */
 static void print_tag(const char *comment, const char *end, const char *tag)
@@ -67,7 +67,8 @@ static void print_tag(const char *comment, const char *end, const char *tag)
     if (at && at < end) printf("%.*s ", (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
 }
 
-/* The enumerators from the one that a comment names on, to the end of its enum; as in "SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
+/* The enumerators from the one that a comment names on, to the end of its enum; as in "SSGI_GL_BILATERAL,
+   SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
 static void print_names(const char *header, const char *comment, const char *end)
 {
     char first[80] = "enum { ";
@@ -80,7 +81,8 @@ static void print_names(const char *header, const char *comment, const char *end
     for (at += strlen("enum { "); *at && *at != '}';) {
         const size_t n = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
         if (!strncmp(at, "/*", 2)) { at = strstr(at, "*/"); if (!at) return; at += 2; continue; }
-        if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n) && strncmp(at, "SSGI_GL_DIALECTS", n)) printf("`%.*s` ", (int)n, at);
+        if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n)
+            && strncmp(at, "SSGI_GL_DIALECTS", n)) printf("`%.*s` ", (int)n, at);
         at += n ? n : 1;
     }
 }
@@ -101,7 +103,8 @@ static int print_fields(const char *path, kit_error *err)
     puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what the third column says where that has an entry.\n\n"
          "| field | values | default | what |\n|---|---|---|---|");
     while ((at = strchr(at, '\n')) != NULL && ++at < end) {
-        const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL, *semicolon = strchr(at, ';'), *name = semicolon;
+        const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL,
+            *semicolon = strchr(at, ';'), *name = semicolon;
         if (!semicolon || !stop || semicolon > comment || comment > end) continue;
         while (name[-1] != ' ' && name[-1] != '*') --name;
         printf("| `%.*s` ", (int)(semicolon - name), name);
@@ -225,7 +228,10 @@ int main(int argc, char **argv)
         kit_streams_close(&err);
         return fail(&err);
     }
-    if (mkdir(argv[1], 0777) && errno != EEXIST) { kit_fail(&err, "%s: %s", argv[1], strerror(errno)); return fail(&err); }
+    if (mkdir(argv[1], 0777) && errno != EEXIST) {
+        kit_fail(&err, "%s: %s", argv[1], strerror(errno));
+        return fail(&err);
+    }
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect)
             for (int a = 0; a < choices_count; ++a)

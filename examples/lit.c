@@ -1,4 +1,5 @@
-/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what harmonics buy. Declared in report.h. */
+/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what
+   harmonics buy. Declared in report.h. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
@@ -11,14 +12,16 @@
 #define LEFT_SUN(colour)  "sun:-1,0.8,0.35," colour
 #define RIGHT_SUN(colour) "sun:1,0.8,0.35," colour
 
-static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 256, 0.4f, { { 300, 129, 128, 72 } } };
+static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 256, 0.4f,
+    { { 300, 129, 128, 72 } } };
 static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 512, 1, { { 0 } } };
 static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 512, 1, { { 0 } } };
 static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 115, 150, 128, 72 } } };
 #define BETWEEN_BOXES { { 120, 123, 128, 72 }, { 260, 123, 128, 72 } }
 static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
 static const lit suns_changed = { NULL, { LEFT_SUN(TURQUOISE), RIGHT_SUN(PINK) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
-static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f, { { 175, 193, 128, 72 }, { 293, 153, 128, 72 } } };
+static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f,
+    { { 175, 193, 128, 72 }, { 293, 153, 128, 72 } } };
 static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 2048, 1, { { 0 } } };
 static const lit band_lits[] = {
     { "white", { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
@@ -192,7 +195,8 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
     const char *label[1 + MOST_ROWS];
     stage s;
     char slug[1 + MOST_ROWS][128], name[160], note[64];
-    if (stage_open(&s, &t->view, WIDTH, HEIGHT, err) || measure(rows, &s, t->entries, t->count, ROUNDS, picture, err)) return -1;
+    if (stage_open(&s, &t->view, WIDTH, HEIGHT, err)) return -1;
+    if (measure(rows, &s, t->entries, t->count, ROUNDS, picture, err)) return -1;
     fprintf(html, "<h2>%s</h2>\n", t->title);
     if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
@@ -242,7 +246,8 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
 
 int lit_demo(FILE *html, const char *out, kit_error *err)
 {
-    for (int k = 0; k < LIT_DEMOS; ++k) if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
+    for (int k = 0; k < LIT_DEMOS; ++k)
+        if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
     return 0;
 }
 

@@ -198,7 +198,10 @@ static const char *const colours[] = { "#0072B2", "#D55E00", "#009E73", "#CC79A7
 enum { NOBODY = 1 << 30 };
 static int others = NOBODY;                          /* curves from this one on are other people's, fitted: grey */
 
-const char *colour_of(int series) { return series < others ? colours[series % (int)(sizeof colours / sizeof colours[0])] : "#77777f"; }
+const char *colour_of(int series)
+{
+    return series < others ? colours[series % (int)(sizeof colours / sizeof colours[0])] : "#77777f";
+}
 
 double across(const scale *s, double v) { return LEFT + (RIGHT - LEFT) * ((s->even ? v : log(v)) - s->x0) / (s->x1 - s->x0); }
 double up(const scale *s, double v) { return BOTTOM - (BOTTOM - TOP) * (v - s->y0) / (s->y1 - s->y0); }
@@ -320,7 +323,8 @@ void chart_svg(FILE *f, const char *title, const words *w, const row *rows, int 
         for (at = i; at < points && !strcmp(sorted[at]->label, sorted[i]->label);) ++at;
         qsort(sorted + i, (size_t)(at - i), sizeof *sorted, by_relative);
         if (!series || !(sorted[i]->of & OF_PEER) || isnan(sorted[i]->figure[FITTED])) others = series + 1;
-        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\"%s d=\"", colour_of(series), series < others ? "" : " stroke-dasharray=\"6 4\"");
+        fprintf(f, "<path fill=\"none\" stroke-width=\"2.5\" stroke-linejoin=\"round\" stroke=\"%s\"%s d=\"",
+            colour_of(series), series < others ? "" : " stroke-dasharray=\"6 4\"");
         for (int k = i; k < at; ++k) {
             double x = across(&s, sorted[k]->relative), y = up(&s, sorted[k]->share);
             fprintf(f, "%c%.1f %.1f", k > i ? 'L' : 'M', x, y);

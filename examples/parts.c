@@ -1,4 +1,5 @@
-/* parts.c - what demo and chart are made of: which rows are asked for, pictures, tables that an interrupted chart finds again. Declared in report.h. */
+/* parts.c - what demo and chart are made of: which rows are asked for, pictures, tables that an interrupted chart finds
+   again. Declared in report.h. */
 #include "report.h"
 #include <ctype.h>
 #include <math.h>

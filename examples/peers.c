@@ -1,4 +1,5 @@
-/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Declared in report.h.
+/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Declared in
+   report.h.
 
    peers.mjs (make peers puts it, and the packages that it drives, under build/peers) writes what each effect draws for a view, as GLSL and numbers; here it is drawn on the stage's own depth and
    normals, timed and scored as the library's methods are, and scored again after the best fit of two numbers a picture: what no gain, power or intensity of theirs could better.

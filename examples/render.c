@@ -210,7 +210,8 @@ static int camera_check(const kit_camera *c, kit_error *err)
     return 0;
 }
 
-/* The picture, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and bounce, their three channels together. */
+/* The picture, its foreground mask, and what was measured: of ambient visibility; or of radiance, irradiance and
+   bounce, their three channels together. */
 enum { GROUPS = 3 };
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
 typedef struct result { kit_image picture, frame; const kit_run *run; const ssgi_plan *plan; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
@@ -273,7 +274,11 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         }
         if (o->time && r->run) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);
-            for (int i = 0; i < r->run->passes; ++i) printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
+            for (int i = 0; i < r->run->passes; ++i) {
+                const ssgi_gl_desc *d = &r->run->pass[i].desc;
+                printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(d->pass),
+                       r->ms[i], kit_fetches(d));
+            }
             printf("]");
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
@@ -287,7 +292,8 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
     if (o->time && r->run) {
         double sum = 0;
         for (int i = 0; i < r->run->passes; ++i) {
-            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i], kit_fetches(&r->run->pass[i].desc));
+            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
+                kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
@@ -300,7 +306,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias, r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
 }
 
-/* ---- >>job: what is asked for, and what it takes ---------------------------------------------------------------------- */
+/* ---- >>job: what is asked for, and what it takes ----------------------------------------------------------------- */
 
 typedef struct job {
     options      o;
@@ -321,7 +327,8 @@ static int open_settings(job *j, kit_error *err)
     kit_lighting *l = &j->lighting;
     if (kit_method_find(&j->method, o->method, err)) return -1;
     for (int i = 0; i < o->sets; ++i) if (kit_method_set(&j->method, o->set[i], err)) return -1;
-    for (; l->lights < o->lights; ++l->lights) if (kit_light_parse(&l->light[l->lights], o->light[l->lights], err)) return -1;
+    for (; l->lights < o->lights; ++l->lights)
+        if (kit_light_parse(&l->light[l->lights], o->light[l->lights], err)) return -1;
     if (o->env && kit_env_read(&l->env, o->env, err)) return -1;
     if (!j->method.lit && !o->planned && (o->env || o->lights))
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
@@ -390,8 +397,8 @@ static int trace(job *j, kit_error *err)
     if (rays && j->r.lit) {
         const int vpls = kit_method_value(m, "vpls") > 0, bounce = kit_method_value(m, "bounce") > 0 || vpls;
         const int all = kit_method_value(m, "suns") > 0 || vpls;    /* these see as far as shadow maps do */
-        return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius, all ? KIT_ATTENUATION_NONE : attenuation,
-                             bounce, rays, 1, err);
+        return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius,
+                             all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, 1, err);
     }
     if (rays && m->between) return kit_truth_objects(&j->r.picture, &j->scene, camera, rays, 1, err);
     if (rays) return kit_truth_ao(&j->r.picture, &j->scene, camera, (float)j->radius, attenuation, rays, 1, err);
@@ -426,17 +433,20 @@ static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
     result *r = &j->r;
-    if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err)) || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
+    if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err))
+        || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
     if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->planned && plan_it(j, err)) return -1;
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
     } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;
-    if (r->lit && r->picture.channels == 1 && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
+    const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
+    if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && score_of(r, o->score, err)) return -1;
     if (o->out) {
         const int png = !strcmp(strrchr(o->out, '.'), ".png");
-        if (png ? kit_png_write(&r->picture, r->lit ? "R,G,B" : "Y", r->lit, o->out, err) : kit_exr_write(&r->picture, o->out, err)) return -1;
+        if (png ? kit_png_write(&r->picture, r->lit ? "R,G,B" : "Y", r->lit, o->out, err)
+            : kit_exr_write(&r->picture, o->out, err)) return -1;
     }
     report(o, &j->method, r, j->radius);
     return 0;

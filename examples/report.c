@@ -1,20 +1,23 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
-      build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in two minutes
+      build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv, chart*.svg and index.html, in 20 minutes, or 3
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c, in 4 minutes
 
-   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the rows of methods whose names begin so. Truth is kept under
-   build/cache/, and so is what an interrupted chart has measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2. stage.c opens scenes, their truth,
-   and measures; parts.c: pictures and tables that are kept; page.c: what is written and how; lit.c, fields.c, deep.c, plan.c: what is shown of light, ambient occlusion fields, deep screen
-   space, the plan; peers.c: others' passes; costs.c: what choices cost in SPIR-V. */
+   With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
+   rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
+   measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
+
+   stage.c opens scenes, their truth, and measures; parts.c: pictures and tables that are kept; page.c: what is written
+   and how; lit.c, fields.c, deep.c, plan.c: what is shown of light, ambient occlusion fields, deep screen space, the
+   plan; peers.c: others' passes; costs.c: what choices cost in SPIR-V. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* ---- >>tables: what is shown of ambient occlusion ------------------------------------------------------------------- */
+/* ---- >>tables: what is shown of ambient occlusion ---------------------------------------------------------------- */
 
 static const entry demo_entries[] = {
     { "ssao",       "ssao",       "", 1 },
@@ -63,7 +66,8 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
 
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
 enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450 };
-_Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES, "more rows than MOST_ENTRIES");
+_Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES,
+    "more rows than MOST_ENTRIES");
 
 /* ---- >>demo -------------------------------------------------------------------------------------------------------- */
 
@@ -106,8 +110,9 @@ static int demo(const options *o, kit_error *err)
     page p;
     char about[512], note[64], slug[64];
     if (o->mesh) { memset(&mesh, 0, sizeof mesh); mesh.name = mesh.path = o->mesh; mesh.ground = 1; }
-    if (stage_load(&s, &mesh, err) || stage_look(&s, &mesh, DEMO_WIDTH, DEMO_HEIGHT, err) || first_picture(&s, o->out, err) || stage_compare(&s, err)) return -1;
-    if (save(&s.truth, "Y", 0, o->out, "truth", ".png", err) || save(&s.truth, "Y", 0, o->out, "truth", ".exr", err)) return -1;
+    if (stage_load(&s, &mesh, err) || stage_look(&s, &mesh, DEMO_WIDTH, DEMO_HEIGHT, err)
+        || first_picture(&s, o->out, err) || stage_compare(&s, err)) return -1;
+    for (int i = 0; i < 2; ++i) if (save(&s.truth, "Y", 0, o->out, "truth", i ? ".exr" : ".png", err)) return -1;
     if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err)) return -1;
     numbers.error = DEMO_ERROR;
     numbers.budget = 20;
@@ -143,7 +148,8 @@ static int demo(const options *o, kit_error *err)
     fputs(".</p>\n<h3>Figures</h3>\n", p.file);
     table_html(p.file, rows, count + 2);
     stage_close(&s);
-    if (!o->mesh && (lit_demo(p.file, o->out, err) || field_demo(p.file, o->out, err) || deep_demo(p.file, o->out, err))) return -1;
+    if (!o->mesh && (lit_demo(p.file, o->out, err) || field_demo(p.file, o->out, err)
+        || deep_demo(p.file, o->out, err))) return -1;
     html_terms(p.file);
     if (!o->mesh) lit_terms(p.file);
     if (!o->mesh) field_terms(p.file);
@@ -296,15 +302,19 @@ static int chart(const options *o, kit_error *err)
     const int ao = chosen(e, chart_entries, COUNT(chart_entries), o) > 0, all = !o->scenes;
     if (check_asked(o, err)) return -1;
     if (o->quick) thrift = QUICK_THRIFT;
-    units_begin(o, planned(ao_unit, all ? views_count : o->scenes, o) + (all ? lit_units(o) + field_units(o) + deep_units(o) : 0));
+    units_begin(o, planned(ao_unit, all ? views_count : o->scenes, o)
+        + (all ? lit_units(o) + field_units(o) + deep_units(o) : 0));
     if (page_open(&html, err)) return -1;
     snprintf(about, sizeof about, "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else is said. Times: %s.%s", kit_gl_name(),
         o->quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
     html_head(html.file, "ssgi: speed against accuracy", about);
     if (ao && ao_chart(html.file, o, mean, &count, &methods, err)) return -1;
-    if (all && (lit_chart(html.file, o, err) || field_chart(html.file, o, err) || deep_chart(html.file, o, err))) return -1;
-    if (all && !o->method && (plan_chart(html.file, o, err) || (!o->quick && costs_chart(html.file, o->out, err)))) return -1;
-    const struct { const char *name; int rows; } csv[] = { { "chart.csv", ao }, { "chart-lit.csv", all && lit_units(o) }, { "chart-aof.csv", all && field_units(o) },
+    if (all && (lit_chart(html.file, o, err) || field_chart(html.file, o, err)
+        || deep_chart(html.file, o, err))) return -1;
+    if (all && !o->method && plan_chart(html.file, o, err)) return -1;
+    if (all && !o->method && !o->quick && costs_chart(html.file, o->out, err)) return -1;
+    const struct { const char *name; int rows; } csv[] = { { "chart.csv", ao },
+        { "chart-lit.csv", all && lit_units(o) }, { "chart-aof.csv", all && field_units(o) },
         { "chart-deep.csv", all && deep_units(o) } };
     html_terms(html.file);
     if (count > methods) peers_terms(html.file);

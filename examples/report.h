@@ -12,8 +12,12 @@
 #define PACKAGE "glmark2-data"
 #define BED     "build/models/iron-bed.obj"    /* make chart puts it there */
 
-enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640, AO_HEIGHT = 360, AO_PHASES = 4 };      /* SLOW: so many times the reference's time */
-extern int thrift;                             /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than LEAST_RAYS */
+/* SLOW: so many times the reference's time */
+enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640,
+    AO_HEIGHT = 360, AO_PHASES = 4 };
+/* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than
+   LEAST_RAYS */
+extern int thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 enum { MOST_ENTRIES = 34, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
@@ -65,8 +69,8 @@ uint64_t hashed(uint64_t h, const void *data, size_t size);
 /* The truth's rays; every stride-th pixel. */
 int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
 int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
-/* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen. Compare: its truth, and what else is shown beside it.
-   Show: both; open: all three. */
+/* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen. Compare: its
+   truth, and what else is shown beside it. Show: both; open: all three. */
 int stage_lit(stage *s, kit_error *err);
 int stage_load(stage *s, const view *v, kit_error *err);
 int stage_look(stage *s, const view *v, int width, int height, kit_error *err);
@@ -80,7 +84,8 @@ double median(double *v, int count);
 int score(row *r, const stage *s, const kit_image *picture, kit_error *err);
 int light_by(kit_image *visibility, const stage *s, kit_error *err);
 double draw(kit_run *run);
-/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose mean its time is divided by; medians. */
+/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose
+   mean its time is divided by; medians. */
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err);
 /* Times runs, and closes them. */
 int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err);
@@ -101,8 +106,8 @@ int chart_of(FILE *html, const char *out, const char *name, const char *title, c
 /* The part of a picture in crop (NULL: all), each pixel times x times: exposed R, G, B and their luminance Y. */
 int exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times, kit_error *err);
 
-/* A table on a scene: its rows, and what stands in the page. Kept until the chart is whole, so that an interrupted one goes on where it was. The k-th of its
-   kind: how many rows; -1 = failed. rows NULL: whether there are any. */
+/* A table on a scene: its rows, and what stands in the page. Kept until the chart is whole, so that an interrupted one
+   goes on where it was. The k-th of its kind: how many rows; -1 = failed. rows NULL: whether there are any. */
 typedef int measuring(FILE *html, const options *o, int k, row *rows, kit_error *err);
 int planned(measuring *measure_, int count, const options *o);
 void units_begin(const options *o, int all);
@@ -119,7 +124,8 @@ void lit_demo_text(FILE *f);
 int  lit_units(const options *o);
 int  lit_chart(FILE *html, const options *o, kit_error *err);
 void lit_chart_text(FILE *f);
-/* What rows' irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to phase. */
+/* What rows' irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to
+   phase. */
 int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err);
 int  field_demo(FILE *html, const char *out, kit_error *err);
 void field_demo_text(FILE *f);

@@ -1,4 +1,5 @@
-/* stage.c - a scene, its light, its G-buffer and its truth; methods drawn on it, scored and timed. Declared in report.h. */
+/* stage.c - a scene, its light, its G-buffer and its truth; methods drawn on it, scored and timed. Declared in
+   report.h. */
 #include "report.h"
 #include <errno.h>
 #include <math.h>

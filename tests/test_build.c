@@ -245,7 +245,9 @@ static void documentation(void)
     CHECK(!status, "README.md's usage: %s", text);
     CHECK(!shell(text, sizeof text, "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c 15 ao.pgm", getenv("PWD"), "-lOSMesa -lm") && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
-    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"), getenv("PWD")),
+    CHECK(!shell(text, sizeof text,
+        "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"),
+        getenv("PWD")),
           "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.1 ' '%s/ssgi.h' && grep -q 'v0.1 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 100, "the headers' first lines and SSGI_VERSION disagree");
 }
@@ -265,8 +267,10 @@ static void sanitized(void)
     kit_method m;
     for (int i = 0; kit_method_at(&m, i); ++i) {
         char arguments[160];
-        snprintf(arguments, sizeof arguments, "boxes --size 64x36 --method %s %s --out s.exr", m.name, m.lit ? world : m.between ? cheap : "");
-        CHECK(!shell(text, sizeof text, "ASAN_OPTIONS=detect_leaks=0 '%s/build/render-sanitized' %s", getenv("PWD"), arguments), "render %s: %s", arguments, text);
+        snprintf(arguments, sizeof arguments, "boxes --size 64x36 --method %s %s --out s.exr", m.name, m.lit ? world
+            : m.between ? cheap : "");
+        CHECK(!shell(text, sizeof text, "ASAN_OPTIONS=detect_leaks=0 '%s/build/render-sanitized' %s", getenv("PWD"),
+            arguments), "render %s: %s", arguments, text);
     }
 }
 
@@ -275,8 +279,10 @@ static void streams(void)
 {
     static const struct { const char *line, *word; } lost[] = {
         { "%s/build/render --list >/dev/full", "standard output" }, { "%s/build/render --list >&-", "standard output" },
-        { "%s/build/render room --size 8x8 --score s.exr --json >/dev/full", "standard output" }, { "%s/build/render room --size 8x8 --score s.exr >&-", "standard output" },
-        { "%s/build/glsl-text --golden >/dev/full", "standard output" }, { "%s/build/glsl-text --passes ssgi_gl.h >&-", "standard output" },
+        { "%s/build/render room --size 8x8 --score s.exr --json >/dev/full", "standard output" },
+            { "%s/build/render room --size 8x8 --score s.exr >&-", "standard output" },
+        { "%s/build/glsl-text --golden >/dev/full", "standard output" },
+            { "%s/build/glsl-text --passes ssgi_gl.h >&-", "standard output" },
         { "ulimit -f 8 && %s/build/render room --size 160x90 --out big.exr", "big.exr: cannot be written" },
         { "ln -s loop.exr loop.exr && %s/build/render room --size 8x8 --out loop.exr", "loop.exr" } };
     char text[4000], line[512];
@@ -288,16 +294,20 @@ static void streams(void)
         CHECK(status == 2 && end && !end[1] && strstr(text, lost[i].word), "%s: status %d, %s", line, status, text);
     }
     CHECK(shell(text, sizeof text, "ls big* s.exr.*%s%s", "", ""), "left behind: %s", text);
-    CHECK(!shell(text, sizeof text, "ln -s there.exr here.exr && '%s/build/render' room --size 8x8 --out here.exr && test -L here.exr && cmp there.exr s.exr%s", getenv("PWD"), ""),
+    CHECK(!shell(text, sizeof text,
+        "ln -s there.exr here.exr && '%s/build/render' room --size 8x8 --out here.exr && test -L here.exr && cmp there.exr s.exr%s", getenv("PWD"), ""),
           "a dangling link is not written through: %s", text);
-    CHECK(!shell(text, sizeof text, "'%s/build/render' cr.obj --size 8x8 --out cr.exr && test -s cr.exr%s", getenv("PWD"), ""), "lines that end in CR: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' cr.obj --size 8x8 --out cr.exr && test -s cr.exr%s",
+        getenv("PWD"), ""), "lines that end in CR: %s", text);
 }
 
 /* Bad command lines and files: status 2, one line that names the argument or file, nothing left behind. */
 static void command_line(void)
 {
     static const struct { const char *arguments, *word; } cases[] = {
-        { "nowhere.obj --out a.exr", "nowhere.obj" }, { "cut.obj --out a.exr", "cut.obj" }, { "empty.obj --out a.exr", "empty.obj" }, { "far.obj --out a.exr", "1e+38" }, { "room --method none --out a.exr", "--method none" },
+        { "nowhere.obj --out a.exr", "nowhere.obj" }, { "cut.obj --out a.exr", "cut.obj" },
+            { "empty.obj --out a.exr", "empty.obj" }, { "far.obj --out a.exr", "1e+38" },
+            { "room --method none --out a.exr", "--method none" },
         { "room --set steps=99 --out a.exr", "steps=99" }, { "room --set colour=1 --out a.exr", "colour=1" }, { "room --size 0x5 --out a.exr", "--size 0x5" }, { "room --camera 1,2 --out a.exr", "--camera 1,2" },
         { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" }, { "room --fovy 999 --out a.exr", "--fovy 999" }, { "room --out a.bmp", "--out a.bmp" }, { "room --size 8x8 --out none/a.exr", "none/a.exr" },
         { "room --size 8x8 --out none/a.png", "none/a.png" }, { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" }, { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },

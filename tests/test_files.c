@@ -515,7 +515,8 @@ static void obj_bad(void)
     check_error(kit_mesh_obj(&m, NULL, NULL, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
     CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"", err.text);
     kit_mesh_free(&m);
-    CHECK(!obj(&m, "v 0 0 0\rv 1 0 0\rv 0 1 0\r# no face f 1 2 3\rf 1 2 3", &err) && m.triangles == 1, "lines that end in CR: \"%s\"", err.text);
+    CHECK(!obj(&m, "v 0 0 0\rv 1 0 0\rv 0 1 0\r# no face f 1 2 3\rf 1 2 3", &err) && m.triangles == 1,
+        "lines that end in CR: \"%s\"", err.text);
     kit_mesh_free(&m);
 }
 

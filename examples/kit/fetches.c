@@ -1,8 +1,8 @@
 /* fetches.c - how many texels a pixel fetches at most, read off the text that the library emits. Declared in kit_gl.h.
 
-   The text is cut into tokens and walked from main on: each call costs what the function costs, a branch the dearer way through it, a loop as
-   much as all its rounds. Conditions that hang on constants, on arguments that are constants or on loop counters are decided, so that a loop
-   over the layers of depth knows which is the last. Bounds that no text tells (u_ssgi_lights) count as one round. */
+   The text is cut into tokens and walked from main on: each call costs what the function costs, a branch the dearer way
+   through it, a loop as much as all its rounds. Conditions that hang on constants, on arguments that are constants or on
+   loop counters are decided, so that a loop over the layers of depth knows which is the last. Bounds that no text tells (u_ssgi_lights) count as one round. */
 #include "kit_gl.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -13,13 +13,15 @@ typedef struct token { const char *at; int length; } token;
 typedef struct value { int known; long v; unsigned loops; } value;
 typedef struct name { token id; value is; } name;
 typedef struct function { token id; int open, body; } function;      /* ( and { */
-/* The most fetched on the ways out of a statement: on to the next one, to the loop's next round, out of the function. NEVER: there is none. */
+/* The most fetched on the ways out of a statement: on to the next one, to the loop's next round, out of the function.
+   NEVER: there is none. */
 typedef struct flow { double on, round, out; } flow;
 enum { NEVER = -1, MOST_NAMES = 256, MOST_FUNCTIONS = 256, DEEPEST = 64 };
 
 typedef struct walk {
     token    *t;
-    int       count, names, frame, globals, functions, loops, depth;     /* names from frame on are those of the function that is walked */
+    /* names from frame on are those of the function that is walked */
+    int       count, names, frame, globals, functions, loops, depth;
     unsigned  asked;                       /* loops whose counters a decision hung on */
     name      name[MOST_NAMES];
     function  function[MOST_FUNCTIONS];
@@ -63,7 +65,10 @@ static int is(const walk *w, int i, const char *s)
     return i >= 0 && i < w->count && (int)strlen(s) == w->t[i].length && !memcmp(w->t[i].at, s, strlen(s));
 }
 static int begins(token t, const char *s) { return t.length >= (int)strlen(s) && !memcmp(t.at, s, strlen(s)); }
-static int is_name(const walk *w, int i) { return i < w->count && (isalpha((unsigned char)*w->t[i].at) || *w->t[i].at == '_'); }
+static int is_name(const walk *w, int i)
+{
+    return i < w->count && (isalpha((unsigned char)*w->t[i].at) || *w->t[i].at == '_');
+}
 
 /* Behind the bracket that closes the one at i. */
 static int closed(const walk *w, int i)
@@ -99,7 +104,8 @@ static void learn(walk *w, token id, value is) { if (w->names < MOST_NAMES) w->n
 
 static int rank_of(const walk *w, int i)
 {
-    static const char *const by_rank[] = { "||", "&&", "==", "!=", "<", ">", "<=", ">=", "<<", ">>", "+", "-", "*", "/", "%" };
+    static const char *const by_rank[] = { "||", "&&", "==", "!=", "<", ">", "<=", ">=", "<<", ">>", "+", "-",
+        "*", "/", "%" };
     static const int rank[] = { 1, 2, 3, 3, 4, 4, 4, 4, 5, 5, 6, 6, 7, 7, 7 };
     for (int k = 0; k < 15; ++k) if (is(w, i, by_rank[k])) return rank[k];
     return 0;
@@ -112,10 +118,11 @@ static value combined(const walk *w, int op, value a, value b)
     if (is(w, op, "||") && ((a.known && a.v) || (b.known && b.v))) return (value){ 1, 1, 0 };
     if (!a.known || !b.known) return (value){ 0, 0, loops };
     if ((is(w, op, "/") || is(w, op, "%")) && !b.v) return (value){ 0, 0, loops };
-    const long v = is(w, op, "||") ? a.v || b.v : is(w, op, "&&") ? a.v && b.v : is(w, op, "==") ? a.v == b.v : is(w, op, "!=") ? a.v != b.v
-        : is(w, op, "<") ? a.v < b.v : is(w, op, ">") ? a.v > b.v : is(w, op, "<=") ? a.v <= b.v : is(w, op, ">=") ? a.v >= b.v
-        : is(w, op, "<<") ? a.v << (b.v & 31) : is(w, op, ">>") ? a.v >> (b.v & 31) : is(w, op, "+") ? a.v + b.v : is(w, op, "-") ? a.v - b.v
-        : is(w, op, "*") ? a.v * b.v : is(w, op, "/") ? a.v / b.v : a.v % b.v;
+    const long x = a.v, y = b.v;
+    const long v = is(w, op, "||") ? x || y : is(w, op, "&&") ? x && y : is(w, op, "==") ? x == y
+        : is(w, op, "!=") ? x != y : is(w, op, "<") ? x < y : is(w, op, ">") ? x > y : is(w, op, "<=") ? x <= y
+        : is(w, op, ">=") ? x >= y : is(w, op, "<<") ? x << (y & 31) : is(w, op, ">>") ? x >> (y & 31)
+        : is(w, op, "+") ? x + y : is(w, op, "-") ? x - y : is(w, op, "*") ? x * y : is(w, op, "/") ? x / y : x % y;
     return (value){ 1, v, 0 };
 }
 
@@ -141,7 +148,8 @@ static value value_of(const walk *w, int *i, int end, int rank)
         a.known = stop == w->t[*i].at + w->t[*i].length || (*stop == 'u' && stop + 1 == w->t[*i].at + w->t[*i].length);
         ++*i;
     }
-    while (*i < end && (is(w, *i, "(") || is(w, *i, "[") || is(w, *i, "."))) {        /* a call, an element, a member: not known */
+    /* a call, an element, a member: not known */
+    while (*i < end && (is(w, *i, "(") || is(w, *i, "[") || is(w, *i, "."))) {
         a.known = 0;
         *i = is(w, *i, ".") ? *i + 2 : closed(w, *i);
     }
@@ -174,13 +182,15 @@ static double call(walk *w, int i)
     const token id = w->t[i];
     const int last = closed(w, i + 1) - 1, names = w->names, frame = w->frame;
     double cost = 0;
-    if (begins(id, "ssgi_custom_") || begins(id, "texelFetch") || same(id, (token){ "texture", 7 }) || same(id, (token){ "textureLod", 10 })) return 1;
+    if (begins(id, "ssgi_custom_") || begins(id, "texelFetch") || same(id, (token){ "texture", 7 })
+        || same(id, (token){ "textureLod", 10 })) return 1;
     if (w->depth == DEEPEST) return 0;
     for (int k = 0; k < w->functions; ++k) {
         const function *f = &w->function[k];
         int arg = i + 2, end = 0, now = names;
         if (!same(f->id, id)) continue;
-        for (int p = f->open + 1; !is(w, p - 1, ")"); p = next_of(w, p, w->count, ",)") + 1) {     /* its parameters, as these arguments say */
+        /* its parameters, as these arguments say */
+        for (int p = f->open + 1; !is(w, p - 1, ")"); p = next_of(w, p, w->count, ",)") + 1) {
             const int comma = next_of(w, p, w->count, ",)"), stop = next_of(w, arg, last, ",");
             w->names = names;
             value v = arg < last ? value_in(w, arg, stop) : (value){ 0, 0, 0 };
@@ -212,11 +222,13 @@ static double expression(walk *w, int a, int b)
                 else open += is(w, colon, "?") - is(w, colon, ":");
             }
             const value v = decided(w, condition, i);
-            const double yes = v.known && !v.v ? 0 : expression(w, i + 1, colon - 1), no = v.known && v.v ? 0 : expression(w, colon, end);
+            const double yes = v.known && !v.v ? 0 : expression(w, i + 1, colon - 1);
+            const double no = v.known && v.v ? 0 : expression(w, colon, end);
             cost += most(yes, no);
             i = end;
         } else if (is(w, i, "(") || is(w, i, "[")) {
-            cost += expression(w, i + 1, closed(w, i) - 1) + (is(w, i, "(") && i > a && is_name(w, i - 1) ? call(w, i - 1) : 0);
+            cost += expression(w, i + 1, closed(w, i) - 1);
+            if (is(w, i, "(") && i > a && is_name(w, i - 1)) cost += call(w, i - 1);
             i = closed(w, i);
         } else {
             if (is(w, i, ",") || (w->t[i].at[w->t[i].length - 1] == '=' && !rank_of(w, i))) condition = i + 1;
@@ -226,15 +238,20 @@ static double expression(walk *w, int a, int b)
     return cost;
 }
 
-static flow in_turn(flow a, flow b) { return (flow){ after(a.on, b.on), most(a.round, after(a.on, b.round)), most(a.out, after(a.on, b.out)) }; }
+static flow in_turn(flow a, flow b)
+{
+    return (flow){ after(a.on, b.on), most(a.round, after(a.on, b.round)), most(a.out, after(a.on, b.out)) };
+}
 
 static flow block(walk *w, int i, int *end)
 {
     flow all = nothing;
     const int names = w->names;
     while (i < w->count && !is(w, i, "}")) {
-        const int here = next_of(w, i, w->count, "=;"), stop = next_of(w, i, w->count, ";{") + 1, there = next_of(w, stop, w->count, "=;");
-        int dead = is(w, here, "=") && is(w, there, "=") && here - i == there - stop;       /* what the next statement overwrites */
+        const int here = next_of(w, i, w->count, "=;"), stop = next_of(w, i, w->count, ";{") + 1,
+            there = next_of(w, stop, w->count, "=;");
+        /* what the next statement overwrites */
+        int dead = is(w, here, "=") && is(w, there, "=") && here - i == there - stop;
         for (int k = 0; dead && k < here - i; ++k) dead = same(w->t[i + k], w->t[stop + k]);
         if (dead) { i = stop; continue; }
         const flow f = statement(w, i, &i);
@@ -355,7 +372,8 @@ static long reach_of(const ssgi_gl_desc *desc)
 
 int kit_fetches(const ssgi_gl_desc *desc)
 {
-    const int stage = desc->pass != SSGI_GL_SURFELS ? SSGI_GL_FRAGMENT : desc->tessellate ? SSGI_GL_TESS_EVALUATION : SSGI_GL_VERTEX;
+    const int stage = desc->pass != SSGI_GL_SURFELS ? SSGI_GL_FRAGMENT
+                    : desc->tessellate ? SSGI_GL_TESS_EVALUATION : SSGI_GL_VERTEX;
     walk *w = calloc(1, sizeof *w);
     char *text = text_of(desc, stage);
     double cost = 0;

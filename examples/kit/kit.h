@@ -6,7 +6,8 @@
      util.c     errors, progress, threads, memory files
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
      mesh.c     triangles: OBJ and MTL reader
-     scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the built-in ones
+     scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
+     built-in ones
      light.c    environments and lights
      truth.c    cameras, ray-traced truth (visibility, light), floor, all over ssgi.h's trace room
      gl.c       contexts (OSMesa, EGL), GL functions, textures, targets, programs
@@ -15,7 +16,8 @@
      field.c    ambient occlusion fields of a scene's shapes, baked and as textures
      fetches.c  what a pass fetches, read off its text
      settings.c the table of methods and their settings
-     run.c      a method's passes, run and timed; lights.c: cameras, shadow maps, lit methods, fields; deep.c: deep screen space
+     run.c      a method's passes, run and timed; lights.c: cameras, shadow maps, lit methods, fields; deep.c: deep
+     screen space
      plan.c     what a scene needs
 
    CONVENTIONS
@@ -42,7 +44,8 @@ __attribute__((format(printf, 2, 3)))
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);   /* regular files; a 0 follows the last byte; free(data) */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* whole or not at all: beside it, then renamed */
-/* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond the limit of their size are errors.
+/* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond
+   the limit of their size are errors.
    close: -1 when something that was printed is lost. */
 void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);

@@ -32,9 +32,11 @@ double kit_between(kit_build *b, double low, double high);
 void   kit_rotate(const kit_build *b, const double in[3], double out[3]);
 void   kit_pose(const kit_build *b, const float from[16], float to[16]);     /* from, turned and moved by b */
 
-void   kit_quad(kit_build *b, const double corner[4][3]);      /* flat, its front where the corners run counter-clockwise */
+/* flat, its front where the corners run counter-clockwise */
+void   kit_quad(kit_build *b, const double corner[4][3]);
 void   kit_box(kit_build *b, double x0, double y0, double z0, double x1, double y1, double z1);
-void   kit_level(kit_build *b, double x0, double z0, double x1, double z1, double y);    /* horizontal rectangle, seen from above */
+/* horizontal rectangle, seen from above */
+void   kit_level(kit_build *b, double x0, double z0, double x1, double z1, double y);
 /* a flat quad from corner 0 (u = v = 0) by corner 1 (u = 1) to corner 2 (u = v = 1), cut at the given u and v */
 void   kit_sheet(kit_build *b, const double c[4][3], const double *u, int nu, const double *v, int nv);
 #define KIT_CUTS(a) a, (int)(sizeof a / sizeof *a) - 1
@@ -43,17 +45,22 @@ static const double kit_both[] = { 0, 0.35, 0.45, 0.485, 0.495, 0.49875, 0.50125
 /* a surface over u, v in [0, 1], with its own normals, as nu x nv cells */
 typedef void kit_surface(const void *shape, double u, double v, kit_vertex *out);
 void   kit_patch(kit_build *b, int nu, int nv, kit_surface *surface, const void *shape);
-void   kit_sphere_surface(const void *shape, double u, double v, kit_vertex *out);     /* of radius shape[0] about the origin */
-void   kit_torus_surface(const void *shape, double u, double v, kit_vertex *out);      /* lying: shape[0] to the tube's middle, shape[1] the tube */
+/* of radius shape[0] about the origin */
+void   kit_sphere_surface(const void *shape, double u, double v, kit_vertex *out);
+/* lying: shape[0] to the tube's middle, shape[1] the tube */
+void   kit_torus_surface(const void *shape, double u, double v, kit_vertex *out);
 void   kit_turned(kit_build *b, const kit_moulding *profile, int count, int around);
 void   kit_cylinder(kit_build *b, double radius, double height, int around);             /* closed, standing on y = 0 */
 
 /* What comes now is a new object; the first one has all that came before, too. casts -1: to be judged. */
 void   kit_begin_object(kit_build *b, const char *name, int casts);
 void   kit_mesh_bounds(kit_mesh *mesh);
-void   kit_set_place(kit_scene *s, int k, const float m[16]);  /* writes object k's triangles and bounds; the mesh's bounds are left */
-void   kit_place_above(kit_scene *s, int k, const float m[16], double level);            /* raised as far as it takes to be above a level */
-int    kit_own_shape(kit_scene *s, int k);                     /* makes object k's triangles, as they are, a shape of its own */
+/* writes object k's triangles and bounds; the mesh's bounds are left */
+void   kit_set_place(kit_scene *s, int k, const float m[16]);
+/* raised as far as it takes to be above a level */
+void   kit_place_above(kit_scene *s, int k, const float m[16], double level);
+/* makes object k's triangles, as they are, a shape of its own */
+int    kit_own_shape(kit_scene *s, int k);
 /* Completes what has been built: the objects' shapes and bounds, from number first on, whether they cast, and the mesh's bounds. */
 int    kit_complete(kit_scene *s, int first);
 

@@ -252,7 +252,8 @@ int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *dire
 /* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
-/* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and casters count as one of each. 0 for a bad desc. */
+/* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and casters
+   count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);

@@ -17,7 +17,8 @@ typedef struct kit_making {
 
 /* ---- >>settings */
 
-/* The method's pass and settings, over what the passes' descs have in common (m->gather): the descs, and what of the frame they set. */
+/* The method's pass and settings, over what the passes' descs have in common (m->gather): the descs, and what of the
+   frame they set. */
 int       kit_settings_apply(kit_making *m, float radius);
 
 /* ---- >>run */
@@ -34,17 +35,21 @@ typedef struct kit_lamp { ssgi_gl_light light; kit_camera camera; int mapped; } 
 
 int       kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err);
 void      kit_rotation_of(float rotation[12], const float a[16], const float b[16]);     /* a * transpose(b), as mat3 */
-/* all: the sphere that holds most of what the G-buffer shows, for shadow maps. middle: at the median depth in the middle of the picture,
+/* all: the sphere that holds most of what the G-buffer shows, for shadow maps. middle: at the median depth in the
+   middle of the picture,
    as wide as that, for extra cameras. In the world. */
 int       kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err);
 /* Extra cameras: their G-buffers, their frames, their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
-/* All lights of the world as lamps: --light, the environment's suns, virtual point lights (which are not among direct). NULL on failure. */
+/* All lights of the world as lamps: --light, the environment's suns, virtual point lights (which are not among direct).
+   NULL on failure. */
 kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
-int       kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count);                /* their shadow maps, as tiles in their order */
+/* their shadow maps, as tiles in their order */
+int       kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count);
 /* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
 GLuint    kit_light_rows(const kit_lamp *lamps, int first, int last, const float picture[16]);
-/* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over cones). */
+/* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
+   cones). */
 int       kit_add_environment(kit_making *m);
 int       kit_open_lit(kit_making *m, const float picture[16]);
 int       kit_open_field(kit_making *m, const float picture[16]);

@@ -1,4 +1,5 @@
-/* lights.c - what a run needs of the world: light of what is seen, extra cameras, shadow maps; opening lit methods and fields. */
+/* lights.c - what a run needs of the world: light of what is seen, extra cameras, shadow maps; opening lit methods and
+   fields. */
 #include "kit_run.h"
 #include <math.h>
 #include <stdlib.h>

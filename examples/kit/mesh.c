@@ -40,11 +40,13 @@ static const float FARTHEST = 1e15f;        /* squares of distances are floats, 
 
 static int blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f' || c == CONTINUED; }
 
-/* A backslash at the end of a line continues it; not in a comment, where Windows paths may end so. Lines may end in CR alone. */
+/* A backslash at the end of a line continues it; not in a comment, where Windows paths may end so. Lines may end in CR
+   alone. */
 static void prepare(char *data, size_t size)
 {
     char *start = data, *end = data + size;
-    if (!memchr(data, '\n', size)) for (char *p = data; (p = memchr(p, '\r', (size_t)(end - p))) != NULL; ++p) *p = '\n';
+    const int only_cr = !memchr(data, '\n', size);
+    for (char *p = data; only_cr && (p = memchr(p, '\r', (size_t)(end - p))) != NULL; ++p) *p = '\n';
     if (size >= 3 && !memcmp(data, "\xEF\xBB\xBF", 3)) memset(data, ' ', 3);      /* byte order mark */
     while (start < end) {
         char *stop = memchr(start, '\n', (size_t)(end - start));
@@ -537,7 +539,8 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
             for (int i = 0; i < 3; ++i) {
                 if (number(&t, &v[i], normal ? "vn needs 3 numbers" : "v needs 3 numbers")) return -1;
                 if (!normal && fabsf(v[i]) > FARTHEST)
-                    return kit_fail(err, "%s line %d: a coordinate of %g: must be within %g of 0", path, t.line, (double)v[i], (double)FARTHEST);
+                    return kit_fail(err, "%s line %d: a coordinate of %g: must be within %g of 0", path, t.line,
+                        (double)v[i], (double)FARTHEST);
             }
         } else if (keyword(&t, "mtllib")) {
             size_t length = rest(&t);

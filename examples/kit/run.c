@@ -111,8 +111,9 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
         if (p->io[i].kind != SSGI_GL_OUTPUT) continue;
         if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
         else {
-            p->target[outputs] = desc->pass == SSGI_GL_FIELD && p > run->pass ? run->pass[0].target[0]     /* casters are blended over each other */
-                                                                              : kit_keep(run, kit_texture(p->width, p->height, target_format(m, desc, &p->io[i]), NULL));
+            const int blended = desc->pass == SSGI_GL_FIELD && p > run->pass;       /* casters, over each other */
+            p->target[outputs] = blended ? run->pass[0].target[0]
+                : kit_keep(run, kit_texture(p->width, p->height, target_format(m, desc, &p->io[i]), NULL));
             glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs], 0);
         }
         ++outputs;
@@ -137,7 +138,8 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
 {
     const kit_pass *from = p->vectors < 0 ? NULL : &run->pass[p->vectors];
     for (int i = 0; from && i < from->rows; ++i)
-        if (from->io[i].kind == SSGI_GL_OUTPUT && !strcmp(from->io[i].name + 1, name + 1)) return from->target[from->io[i].slot];
+        if (from->io[i].kind == SSGI_GL_OUTPUT && !strcmp(from->io[i].name + 1, name + 1))
+            return from->target[from->io[i].slot];
     const struct { const char *name; GLuint texture; } table[] = {
         { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
         { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
@@ -182,7 +184,8 @@ static double bytes_of(const kit_run *run)
             texture = in ? texture_of(run, p, io->name) : p->target[0] ? p->target[io->slot] : run->senders;
             if (!texture) continue;
             /* of the G-buffer's farther layers */
-            slices = texture == g->layer_depth ? p->desc.layers - 1 : texture == g->layer_normal || texture == g->layer_albedo;
+            slices = texture == g->layer_depth ? p->desc.layers - 1 : texture == g->layer_normal
+                || texture == g->layer_albedo;
             texel = texel_of(&texels, texture, in ? target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
             if (slices) texels *= (double)slices / (g->layers - 1);
             if (!in) texels = splats ? 2 * run->splat_pixels : (double)p->width * p->height;

@@ -1,4 +1,5 @@
-/* scene.c - scenes by name, or from an OBJ file with a camera that frames it; placing and moving objects. Declared in kit.h. */
+/* scene.c - scenes by name, or from an OBJ file with a camera that frames it; placing and moving objects. Declared in
+   kit.h. */
 #include "kit_build.h"
 #include <math.h>
 #include <stdio.h>

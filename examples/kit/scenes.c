@@ -116,15 +116,21 @@ static void build_room(kit_build *b)
         double x = i & 1 ? 0.66 : -0.66, z = i & 2 ? 0.33 : -0.33;
         kit_box(b, x - 0.03, 0.012, z - 0.03, x + 0.03, 0.71, z + 0.03);
     }
-    kit_colour(b, 0.75, 0.72, 0.66); kit_place_at(b, 2.05, 0.80, 1.72, 0);  kit_patch(b, 96, 48, kit_torus_surface, ring);
-    kit_colour(b, 0.80, 0.55, 0.20); kit_place_at(b, 2.36, 0.84, 2.08, 0);  kit_patch(b, 64, 32, kit_sphere_surface, &globe);
+    kit_colour(b, 0.75, 0.72, 0.66); kit_place_at(b, 2.05, 0.80, 1.72, 0);
+    kit_patch(b, 96, 48, kit_torus_surface, ring);
+    kit_colour(b, 0.80, 0.55, 0.20); kit_place_at(b, 2.36, 0.84, 2.08, 0);
+    kit_patch(b, 64, 32, kit_sphere_surface, &globe);
     kit_colour(b, 0.25, 0.45, 0.55); kit_place_at(b, 1.60, 0.75, 1.92, 0);  kit_turned(b, vase, 4, 64);
-    kit_colour(b, 0.20, 0.30, 0.45); kit_place_at(b, 1.72, 0.75, 2.32, 40); kit_box(b, -0.15, 0, -0.11, 0.15, 0.035, 0.11);
-    kit_colour(b, 0.55, 0.50, 0.40); kit_place_at(b, 1.73, 0.785, 2.31, 58); kit_box(b, -0.12, 0, -0.09, 0.12, 0.03, 0.09);
-    kit_colour(b, 0.70, 0.70, 0.72); kit_place_at(b, 0.62, ball, 2.75, 0);  kit_patch(b, 96, 48, kit_sphere_surface, &ball);
+    kit_colour(b, 0.20, 0.30, 0.45); kit_place_at(b, 1.72, 0.75, 2.32, 40);
+    kit_box(b, -0.15, 0, -0.11, 0.15, 0.035, 0.11);
+    kit_colour(b, 0.55, 0.50, 0.40); kit_place_at(b, 1.73, 0.785, 2.31, 58);
+    kit_box(b, -0.12, 0, -0.09, 0.12, 0.03, 0.09);
+    kit_colour(b, 0.70, 0.70, 0.72); kit_place_at(b, 0.62, ball, 2.75, 0);
+    kit_patch(b, 96, 48, kit_sphere_surface, &ball);
 
     kit_colour(b, 0.75, 0.70, 0.50);                                                                      /* lamp */
-    kit_place_at(b, 2.0, 1.75, 1.95, 0);  kit_turned(b, shade, 2, 64); kit_box(b, -0.006, 0.22, -0.006, 0.006, 1.05, 0.006);
+    kit_place_at(b, 2.0, 1.75, 1.95, 0);  kit_turned(b, shade, 2, 64);
+    kit_box(b, -0.006, 0.22, -0.006, 0.006, 1.05, 0.006);
 
     kit_colour(b, 0.20, 0.20, 0.22);                                                                      /* railing */
     kit_place_at(b, 3.75, 0, 1.35, -38);
@@ -327,7 +333,8 @@ static void build_columns(kit_build *b)
     }
     kit_place_at(b, 0, gap, 0, 0);
     kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);                              /* a panel seen edge-on */
-    kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);                                     /* right of the picture */
+    /* right of the picture */
+    kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);
     kit_box(b, -0.32, 0, -0.32, 0.32, 1.4, 0.32);
 }
 
@@ -338,10 +345,13 @@ static void build_plates(kit_build *b)
     kit_colour(b, 0.75, 0.72, 0.66);
     kit_place_at(b, -0.65, 0.95, -0.35, 18);  kit_box(b, -0.7, -0.015, -0.45, 0.7, 0.015, 0.45);
     kit_place_at(b, 0.95, 0.28, 0.75, -12);   kit_box(b, -0.42, -0.015, -0.32, 0.42, 0.015, 0.32);
-    kit_colour(b, 0.70, 0.26, 0.20); kit_place_at(b, -0.75, 0.4, -0.2, 30);               kit_box(b, -0.38, -0.012, -0.3, 0.38, 0.012, 0.3);
+    kit_colour(b, 0.70, 0.26, 0.20); kit_place_at(b, -0.75, 0.4, -0.2, 30);
+    kit_box(b, -0.38, -0.012, -0.3, 0.38, 0.012, 0.3);
     kit_colour(b, 0.24, 0.42, 0.66); kit_place_tilted(b, 1.15, 0.75, -0.55, -35, 35);  kit_box(b, -0.4, -0.012, -0.4, 0.4, 0.012, 0.4);
-    kit_colour(b, 0.30, 0.55, 0.28); kit_place_at(b, -1.0, 0.12, 1.0, 35);                kit_box(b, -0.45, 0, -0.012, 0.45, 0.5, 0.012);
-    kit_colour(b, 0.78, 0.62, 0.22); kit_place_at(b, 0.2, 1.3, 0.15, -30);                kit_box(b, -1.6, -0.03, -0.03, 1.6, 0.03, 0.03);
+    kit_colour(b, 0.30, 0.55, 0.28); kit_place_at(b, -1.0, 0.12, 1.0, 35);
+    kit_box(b, -0.45, 0, -0.012, 0.45, 0.5, 0.012);
+    kit_colour(b, 0.78, 0.62, 0.22); kit_place_at(b, 0.2, 1.3, 0.15, -30);
+    kit_box(b, -1.6, -0.03, -0.03, 1.6, 0.03, 0.03);
     kit_place_tilted(b, 0.1, 0.42, 1.2, 80, 12);                                   kit_box(b, -0.025, -0.025, -0.75, 0.025, 0.025, 0.75);
     kit_colour(b, 0.68, 0.68, 0.70);
     kit_place_at(b, 0.3, 0.55, 0.1, 0);                  kit_patch(b, 96, 24, kit_torus_surface, lying);
@@ -401,7 +411,8 @@ static void build_blocks(kit_build *b)
     for (int i = 0; i < 12; i++) {
         const double wide = kit_between(b, 0.26, 0.38), deep = kit_between(b, 0.26, 0.38), high = kit_between(b, 0.5, 2.2);
         kit_begin_object(b, "block", 1);
-        kit_place_at(b, 1.05 * (i % 4 - 1.5) + kit_between(b, -0.1, 0.1), gap, 1.05 * (i / 4 - 1) + kit_between(b, -0.1, 0.1), 0);
+        kit_place_at(b, 1.05 * (i % 4 - 1.5) + kit_between(b, -0.1, 0.1), gap,
+            1.05 * (i / 4 - 1) + kit_between(b, -0.1, 0.1), 0);
         kit_box(b, -wide, 0, -deep, wide, high, deep);
     }
 }

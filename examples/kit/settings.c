@@ -13,7 +13,8 @@ typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 
-static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 }, PLAN, 0 };
+static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 },
+    PLAN, 0 };
 static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0 };
 static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness) };
 static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0, 100, 0 }, SCALED, FRAMED(thickness) };
@@ -33,8 +34,11 @@ static const row view_size_row = { { "view_size", "pixels of an extra camera's s
 
 static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
 static const row march_row     = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps) };
-static const row falloff_row   = { { "falloff", "weight of a blocker at distance t: 1 - t/radius, or the square of that ratio", "linear square", 0, 0, 1, 1 }, GATHER, DESC(falloff) };
-static const row fade_row      = { { "fade", "how blockers fade with the distance at which they are seen", "none smooth lambda", 0, 0, 2, 1 }, GATHER, DESC(fade) };
+static const row falloff_row   = { { "falloff",
+    "weight of a blocker at distance t: 1 - t/radius, or the square of that ratio", "linear square", 0, 0, 1, 1 },
+    GATHER, DESC(falloff) };
+static const row fade_row      = { { "fade", "how blockers fade with the distance at which they are seen",
+    "none smooth lambda", 0, 0, 2, 1 }, GATHER, DESC(fade) };
 static const row lambda_row    = { { "lambda", "of that fading, per radius: more is weaker", NULL, 4, 0, 1000, 0 }, FRAME, FRAMED(lambda) };
 static const row range_row     = { { "range", "1: what is seen beyond the radius or below the receiver's plane blocks nothing", NULL, 0, 0, 1, 1 }, GATHER, DESC(range) };
 static const row fade_from_row = { { "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0 }, SCALED, FRAMED(fade) };
@@ -45,11 +49,13 @@ static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 
 static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 }, GATHER, DESC(normal_rays) };
 
 static const row environment_row = { { "environment", "how --env is used", "map sh none", 0, 0, 2, 1 }, PLAN, 0 };
-static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch", 1, 0, 2, 1 }, GATHER, DESC(bounce) };
+static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch", 1, 0,
+    2, 1 }, GATHER, DESC(bounce) };
 static const row reuse_row     = { { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
 static const row nearest_row   = { { "nearest", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(nearest) };
-static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME, FRAMED(gain) };
+static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME,
+    FRAMED(gain) };
 static const row shadows_row   = { { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space", "segment map fill none", 2, 0, 3, 1 }, LIGHTS, DESC(shadow) };
 static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 }, LIGHTS, DESC(shadow) };
 static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
@@ -271,7 +277,8 @@ int kit_settings_apply(kit_making *m, float radius)
     }
     m->blurred = (int)kit_method_value(m->method, "blur");
     m->blur.filter_radius = m->blurred;
-    m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE : SSGI_GL_NOISE_GRADIENT;
+    m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
+        : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
     m->lights.thin = !(kit_method_value(m->method, "solid") > 0);
     if (m->gather.pass == SSGI_GL_S3HO) {

@@ -1,4 +1,5 @@
-/* shapes.c - what scenes are built of: triangles, boxes, curved patches, objects and their places. Declared in kit_build.h. */
+/* shapes.c - what scenes are built of: triangles, boxes, curved patches, objects and their places. Declared in
+   kit_build.h. */
 #include "kit_build.h"
 #include <math.h>
 #include <stdio.h>

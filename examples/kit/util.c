@@ -32,7 +32,8 @@ int kit_fail(kit_error *err, const char *format, ...)
 void kit_streams_open(void)
 {
     for (int i = 0; i < 3; ++i)
-        if (fcntl(i, F_GETFD) < 0) (void)!open("/dev/null", i ? O_RDONLY : O_WRONLY);      /* the lowest free one: this */
+        /* the lowest free one: this */
+        if (fcntl(i, F_GETFD) < 0) (void)!open("/dev/null", i ? O_RDONLY : O_WRONLY);
     signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -40,7 +41,8 @@ int kit_streams_close(kit_error *err)
 {
     errno = 0;
     const int lost = fflush(stdout) || ferror(stdout);
-    return lost ? kit_fail(err, "standard output: cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "") : 0;
+    if (!lost) return 0;
+    return kit_fail(err, "standard output: cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "");
 }
 
 double kit_seconds(void)
