@@ -109,7 +109,8 @@ typedef struct ssgi_view {
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the picture that the projection fills
    Computed in double; exact to float rounding. */
-SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width, int height, const char **why);
+SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
+                                               int height, const char **why);
 
 /* View depth [units: view] of a window depth. What is not a surface (the clear value, NaN, beyond [0,1], a view depth
    of 0 or infinity) gives SSGI_FAR. GLSL twin: ssgi_decode. */
@@ -139,7 +140,8 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
                          (near or inside the sphere); near plane radius / 50: matter that a near plane cuts open would
                          count as seen through; far plane distance + radius
    The outputs may be the inputs. */
-SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
+SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
+                                       const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
 /* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
@@ -193,8 +195,10 @@ SSGI_DEF float ssgi_sh_cosine(int l);
      width, height  [limit: 1..65536]
      faces          six of GL's cube map, in its order and orientation (+x -x +y -y +z -z), rgb interleaved, size * size
                     each [limit: 1..65536] */
-SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why);
-SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why);
+SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
+                                              const char **why);
+SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
+                                          const char **why);
 
 /* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional
    light in 4 bands that gives a facing surface irradiance 1: the series' peak, the least irradiance of an open surface,
@@ -219,7 +223,8 @@ SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const fl
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
      bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]
    About 10 us for 4 bands. */
-SSGI_DEF void  ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *world_to_view);
+SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
+                             const float *world_to_view);
 
 /* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a
    product has up to 2 * bands - 1 bands and those above are lost. One channel, bands^2 floats each; out may be a or b.
@@ -240,13 +245,15 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
                  distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
      irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. */
-SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine, const float irradiance[3], int window, const char **why);
+SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
+                                   const float irradiance[3], int window, const char **why);
 
 /* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its
    irradiance is exactly the engines' hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands
    those that the cosine sees are empty.
      bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3], const float below[3], const char **why);
+SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
+                                 const float below[3], const char **why);
 
 /* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
    no channel below 0 in any direction, but for 1e-3 of its mean. Finds the lowest by descent from 200 fixed directions.
@@ -276,7 +283,8 @@ SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
    A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider
    by up to 0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
    x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
-SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why);
+SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
+                                          float solid_angle, const char **why);
 
 /* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
    bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
@@ -284,7 +292,8 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
               solid angle 0
    A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90
    degrees), so that cells do not show. Otherwise, and in its cost, as ssgi_environment_map. */
-SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why);
+SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
+                                           const char **why);
 
 typedef struct ssgi_sun {
     float direction[3];     /* unit, to the light */
@@ -297,13 +306,15 @@ typedef struct ssgi_sun {
      count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
-SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why);
+SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
+                                           const char **why);
 
 /* Residual map: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros
    without an environment), the irradiance over pi of the suns less that of the coefficients, [3*i + c], which stand for
    all of it. Added to their light, dimmed by occlusion, it makes open surfaces exact.
      size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
-SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns, int count, const char **why);
+SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
+                                     int count, const char **why);
 
 /* ==== >>vpl ==================================================================================================== */
 
@@ -319,7 +330,8 @@ typedef struct ssgi_vpl {
                               where it is negative or not finite it counts as 0
    Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's.
    Same input, same output. A map without flux is SSGI_BAD_ARGUMENT. */
-SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why);
+SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
+                                     const float *flux, size_t pixels, const char **why);
 
 /* ==== >>cap ==================================================================================================== */
 
@@ -404,17 +416,18 @@ SSGI_DEF size_t ssgi_trace_size(size_t triangles);
    1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below 12 or no multiple of 4. Then *why names the argument, and trace
    and memory are untouched. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion at
    most 62 deep, whatever the input. */
-SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position, size_t stride_bytes,
-                                      const uint32_t *index, size_t triangles, const char **why);
+SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
+                                      size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
 /* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be
    unit: t counts in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without
    direction hits nothing. */
-SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax,
-                                ssgi_hit *hit);
+SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                                float tmax, ssgi_hit *hit);
 
 /* 1 if there is any hit in tmin < t < tmax, else 0. Stops at the first found. */
-SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax);
+SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                            float tmax);
 
 /* ==== >>surfels ================================================================================================ */
 
@@ -452,10 +465,12 @@ typedef struct ssgi_surfel_desc {
     int   splits;   /* [limit: 0..32] [default: 8]  most parts of an edge: for parts finer than level 64, or of a near
                        and a far end */
     int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
-    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1]  radius added per distance outside the frustum: no visible
-                       pixel is close to such surfels, so they may be coarser; below 1e-3: none, as published */
-    int   every;    /* [limit: 0..1]  0: triangles smaller than three surfels keep each of theirs with the probability area / (3 pi r^2),
-                       as large as wanted: cost and reach do not follow how fine a mesh is; 1: all three, as published */
+    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1]  radius added per distance outside the
+                       frustum: no visible pixel is close to such surfels, so they may be coarser; below 1e-3: none, as
+                       published */
+    int   every;    /* [limit: 0..1]  0: triangles smaller than three surfels keep each of theirs with the probability
+                       area / (3 pi r^2), as large as wanted: cost and reach do not follow how fine a mesh is; 1: all
+                       three, as published */
     float most;     /* [units: view] [limit: >= 0] [default: no end]  triangles farther outside the frustum give no
                        surfels: a radius of occlusion */
 } ssgi_surfel_desc;
@@ -474,20 +489,23 @@ typedef struct ssgi_surfel_source {
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
    splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why);
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
+                                       const ssgi_view *view, const char **why);
 
 /* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
    horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->most. Others
    stay as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
    (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most capacity
    triangles, and to *count how many there are. */
-SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
+                                         const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
    are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
    a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
    vertices and the place in it alone. Outputs are untouched when something is wrong. */
-SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
+                                  const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
@@ -516,8 +534,10 @@ typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI
 /* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
    as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. SSGI_BAD_ARGUMENT
    names what is wrong, and cost is untouched. */
-SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why);
+SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
+                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
+SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
+                                        const ssgi_surfel *surfels, size_t count, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
@@ -527,7 +547,8 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
 typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;
 /* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: > 0; >= 0]; eta: refraction [limit:
    1..3] */
-SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why);
+SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
+                                     const char **why);
 /* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0
    for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
@@ -584,10 +605,11 @@ typedef struct ssgi_field_desc {
 
 /* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
-    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a border of one texel from
-                               its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest bits first: three logarithms of the distance
-                               function, the hull's distance, the characteristic centre's x y z, the share of the cap that is covered.
-                               Upload as RGBA32UI or RG32UI */
+    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
+                               border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
+                               bits first: three logarithms of the distance function, the hull's distance, the
+                               characteristic centre's x y z, the share of the cap that is covered. Upload as RGBA32UI
+                               or RG32UI */
     int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
     int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
@@ -619,8 +641,9 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
    -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
    work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells. resolution 16 with 128 rays
    is 9.4 million rays. */
-SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
-                                     const float *position, size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
+SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
+                                     const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
+                                     const uint32_t *index, size_t triangles, const char **why);
 
 /* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
@@ -628,13 +651,15 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 /* Occlusion at a point by the caster, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the caster's
    coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several casters 1 - (1 - a)(1 -
    b) .. Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
-SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3]);
+SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
+                                    const float normal[3]);
 
 /* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
    at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Occlusion is
    fill * ssgi_cap_occlusionf(solid_angle, cosine of axis and normal). Returns the point's distance from the centre over
    the hull's. */
-SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill);
+SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
+                              float *fill);
 
 /* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the
    logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or
@@ -647,7 +672,8 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
 /* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
    version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
-SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why);
+SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
+                                     size_t file_size, const char **why);
 
 /* ==== >>plan =================================================================================================== */
 
@@ -679,7 +705,8 @@ typedef struct ssgi_survey { float seen, blocked[3], off, square[4]; } ssgi_surv
 
 /* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
    pass [limit: 0, 2..64] [default: 32]. */
-SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points, const char **why);
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points,
+                                    const char **why);
 
 /* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices
    at the preset BALANCED, which dim the light where light is wanted. known: 0 = no trial. */
@@ -692,7 +719,9 @@ typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
                         tracing the pixels' rays: those from depth are too coarse far away
      visibility         what the picture holds there
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
-SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why);
+SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position,
+                                   const float *normal, const float *visibility, size_t count, int rays, float radius,
+                                   const char **why);
 
 typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
@@ -758,6 +787,8 @@ extern "C" {
 
 /* ==== >>types (implementation) ================================================================================= */
 
+#define SSGI__PI 3.14159265358979323846
+
 static ssgi_result ssgi__bad(const char **why, const char *sentence)
 {
     if (why) *why = sentence;
@@ -810,14 +841,16 @@ static double ssgi__normalise(double v[3])
 
 /* ==== >>view (implementation) ================================================================================== */
 
-SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width, int height, const char **why)
+SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
+                                               int height, const char **why)
 {
     double m[16], w, scale, shift;
     ssgi_view v;
     int i, perspective;
     if (!view) return ssgi__bad(why, "view: must not be NULL");
     if (!projection) return ssgi__bad(why, "projection: must not be NULL");
-    if (clip != SSGI_CLIP_GL && clip != SSGI_CLIP_ZERO) return ssgi__bad(why, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
+    if (clip != SSGI_CLIP_GL && clip != SSGI_CLIP_ZERO)
+        return ssgi__bad(why, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
     if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
     if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
     for (i = 0; i < 16; ++i) {
@@ -825,14 +858,17 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         m[i] = (double)projection[i];
     }
     perspective = projection[11] < 0.0f;
-    if (projection[3] != 0.0f || projection[7] != 0.0f || (perspective ? projection[15] != 0.0f : projection[11] != 0.0f || !(projection[15] > 0.0f)))
-        return ssgi__bad(why, "projection: its w row must be (0,0,-1,0) or (0,0,0,1); a camera along +z is not right-handed");
+    if (projection[3] != 0.0f || projection[7] != 0.0f
+        || (perspective ? projection[15] != 0.0f : projection[11] != 0.0f || !(projection[15] > 0.0f)))
+        return ssgi__bad(why, "projection: its w row must be (0,0,-1,0) or (0,0,0,1): right-handed, camera along -z");
     if (projection[1] != 0.0f || projection[4] != 0.0f || projection[2] != 0.0f || projection[6] != 0.0f)
         return ssgi__bad(why, "projection: must not be skewed (elements 1, 2, 4, 6 are 0)");
     w = perspective ? -m[11] : m[15];
     for (i = 0; i < 16; ++i) m[i] /= w;
-    if (projection[0] == 0.0f || projection[5] == 0.0f) return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
-    if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f) return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
+    if (projection[0] == 0.0f || projection[5] == 0.0f)
+        return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
+    if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
+        return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
 
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
@@ -900,16 +936,19 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
     for (axis = 0; axis < 2; ++axis)
         for (side = 0; side < 2; ++side) {
             /* per depth */
-            const double edge = (side ? (double)(axis ? view->height : view->width) : 0.0) * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
+            const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
+            const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
             const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
-            d = view->orthographic ? sign * (point[axis] - edge) : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
+            d = view->orthographic ? sign * (point[axis] - edge)
+                                   : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
             if (d > most) most = d;
         }
     d = (double)ssgi_view_near(view) - z;
     return d > most ? d : most;
 }
 
-SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16], const float main_world_to_view[16], const float centre[3], float radius,
+SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
+                                       const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
     /* half of 100 degrees: sine and cosine change places */
@@ -926,9 +965,11 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
         if (i % 4 < 3 && i < 12) was[i % 4][i / 4] = (double)main_world_to_view[i];
     }
     for (i = 0; i < 9; ++i)
-        if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3) return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
+        if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
+            return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
     for (i = 0; i < 4; ++i)
-        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f)) return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
+            return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
     if (!centre) return ssgi__bad(why, "centre: must not be NULL");
     if (!ssgi__finite3(centre)) return ssgi__bad(why, "centre: must be finite");
     if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
@@ -936,7 +977,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     if (!ssgi__finite3(displacement)) return ssgi__bad(why, "displacement: must be finite");
 
     for (k = 0; k < 3; ++k) {                       /* the main eye stands at minus the translation, in its own axes */
-        for (i = 0; i < 3; ++i) eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
+        for (i = 0; i < 3; ++i)
+            eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
     distance = ssgi__normalise(axis[2]);
@@ -973,7 +1015,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
 
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 {
-    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f }, { 1.62760f, 0.68404f, -1.06031f }, { 0.0f, 1.93185f, -1.48236f }, { 0.0f, 1.53209f, -3.28558f } };
+    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f }, { 1.62760f, 0.68404f, -1.06031f },
+                                     { 0.0f, 1.93185f, -1.48236f }, { 0.0f, 1.53209f, -3.28558f } };
     memcpy(out, all[i & 3], sizeof all[0]);
 }
 
@@ -1009,7 +1052,7 @@ static int ssgi__gcd(int a, int b)
 
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why)
 {
-    const double two_pi = 6.28318530717958647693, golden = 0.61803398874989484820;
+    const double two_pi = 2.0 * SSGI__PI, golden = 0.61803398874989484820;
     int set, i, step;
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (sets < 1 || sets > 4096) return ssgi__bad(why, "sets: must be 1..4096");
@@ -1018,7 +1061,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
        neither u nor the azimuth. */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (set = 0; set < sets; ++set) {
-        double turn = (double)ssgi_radical_inverse(2, (uint32_t)set), slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
+        double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
+               slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
         for (i = 0; i < samples; ++i) {
             /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
             double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn);
@@ -1034,7 +1078,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
 {
-    const double two_pi = 6.28318530717958647693;
+    const double two_pi = 2.0 * SSGI__PI;
     int i, n, m;
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (size < 1 || size > 64) return ssgi__bad(why, "size: must be 1..64");
@@ -1060,16 +1104,20 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 /* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
 static void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
-    static const double norm[] = { /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
-        0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009, 0.36418281019735976, 0.18209140509867988, 0.74635266518023080,
-        0.30469719964297729, 0.09635371475468515, 0.03933623932844291, 0.84628437532163450, 0.26761861742291570, 0.06307831305050400, 0.01685838828361839,
-        0.00596034033761120, 0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518, 0.00069458418713245 };
+    /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
+    static const double norm[] = {
+        0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009, 0.36418281019735976,
+        0.18209140509867988, 0.74635266518023080, 0.30469719964297729, 0.09635371475468515, 0.03933623932844291,
+        0.84628437532163450, 0.26761861742291570, 0.06307831305050400, 0.01685838828361839, 0.00596034033761120,
+        0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
+        0.00069458418713245 };
     double real = 1.0, imaginary = 0.0, top = 1.0;
     int l, m;
     for (m = 0; m < bands; ++m) {
         double q = top, before = 0.0, turned;
         for (l = m; l < bands; ++l) {
-            const double k = norm[l * (l + 1) / 2 + m] * q, next = ((2 * l + 1) * d[2] * q - (l + m) * before) / (l + 1 - m);
+            const double k = norm[l * (l + 1) / 2 + m] * q,
+                         next = ((2 * l + 1) * d[2] * q - (l + m) * before) / (l + 1 - m);
             out[l * l + l - m] = k * imaginary;
             out[l * l + l + m] = k * real;
             before = q;
@@ -1104,7 +1152,7 @@ SSGI_DEF float ssgi_sh_cosine(int l)
    there. */
 static double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
-    const double pi = 3.14159265358979323846;
+    const double pi = SSGI__PI;
     polar[0] = sin(pi * at / height);
     polar[1] = cos(pi * at / height);
     return 4.0 * pi / width * polar[0] * sin(0.5 * pi / height);
@@ -1112,7 +1160,7 @@ static double ssgi__equirect_row(double polar[2], double at, int width, int heig
 
 static void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
-    const double longitude = 3.14159265358979323846 * (1.0 - 2.0 * at / width);
+    const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
     direction[0] = polar[0] * sin(longitude);
     direction[1] = polar[1];
     direction[2] = polar[0] * cos(longitude);
@@ -1153,11 +1201,13 @@ static void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
     for (i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
 }
 
-SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height, const char **why)
+SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
+                                              const char **why)
 {
     ssgi__sh_sum sum;
     int x, y;
-    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK || ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK || ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK)
+        return SSGI_BAD_ARGUMENT;
     for (y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
         for (x = 0; x < width; ++x, rgb += 3) {
@@ -1175,8 +1225,10 @@ static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x *
 /* GL table 8.19, s and t in [-1,1] */
 static void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
-    static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { -1, 0, 0 } };
-    static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
+    static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
+                                              { 1, 0, 0 },  { 1, 0, 0 }, { -1, 0, 0 } };
+    static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+                                            { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
     int i;
     for (i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
     out[face / 2] = face & 1 ? -1.0 : 1.0;
@@ -1193,7 +1245,8 @@ static int ssgi__cube_place(float at[2], const float w[3])      /* the face, at 
     return 4 + (w[2] < 0.0f);
 }
 
-SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size, const char **why)
+SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
+                                          const char **why)
 {
     ssgi__sh_sum sum;
     int x, y, face;
@@ -1205,7 +1258,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
     for (y = 0; y < size; ++y)
         for (x = 0; x < size; ++x) {
             const double s = (2 * x + 1.0) / size - 1.0, t = (2 * y + 1.0) / size - 1.0, h = 1.0 / size;
-            const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h) - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
+            const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h)
+                                - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
             for (face = 0; face < 6; ++face) {
                 double direction[3];
                 ssgi__cube_direction(direction, face, s, t);
@@ -1222,7 +1276,8 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
     int l;
     bands = ssgi__sh_limit(bands);
     for (l = 0; l < bands; ++l) {
-        out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? 0.5 + 0.5 * cos(3.14159265358979323846 * l / bands) : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
+        const double hann = 0.5 + 0.5 * cos(SSGI__PI * l / bands);
+        out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? hann : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
         positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
     }
 }
@@ -1233,14 +1288,14 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
     bands = ssgi__sh_limit(bands);
     ssgi_sh_basis(out, bands, direction);
     for (l = 0; l < bands; ++l)
-        for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt(12.56637061435917295 / (2 * l + 1));
+        for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt((4.0 * SSGI__PI) / (2 * l + 1));
 }
 
 /* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
    that degree; returns its solid angle. */
 static double ssgi__sphere_node(double d[3], int degree, int i)
 {
-    const double pi = 3.14159265358979323846;
+    const double pi = SSGI__PI;
     const int rows = degree / 2 + 1, columns = degree + 1;
     const double azimuth = 2.0 * pi * (i % columns) / columns;
     double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
@@ -1272,9 +1327,11 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
     for (node = 0; node < bands * (2 * bands - 1); ++node) {
-        double here[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], there[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], view[3], world[3], weight;
+        double here[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], there[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+        double view[3], world[3], weight;
         weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
-        for (i = 0; i < 3; ++i) world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
+        for (i = 0; i < 3; ++i)
+            world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
         ssgi__sh_basis(there, bands, world);
         for (l = i = 0; l < bands; ++l)
@@ -1283,7 +1340,8 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
     }
     for (c = 0; c < channels; ++c)
         for (l = i = 0; l < bands; ++l) {
-            for (j = 0; j < 2 * l + 1; ++j) band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
+            for (j = 0; j < 2 * l + 1; ++j)
+                band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
             for (; i < (l + 1) * (l + 1); ++i) {
                 double sum = 0.0;
                 for (j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
@@ -1313,7 +1371,8 @@ static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands,
 }
 
 /* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
-static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels, const double d[3], double s)
+static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
+                          const double d[3], double s)
 {
     double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
     int l, i = 0;
@@ -1325,12 +1384,14 @@ static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float
 
 SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
 {
-    double sum[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS] = { 0.0 }, basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], part[SSGI_SH_MAX_BANDS], d[3];
+    double sum[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS] = { 0.0 }, basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    double part[SSGI_SH_MAX_BANDS], d[3];
     int i, node, degree;
     bands = ssgi__sh_limit(bands);
     degree = 3 * (bands - 1);
     for (node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
-        const double weight = ssgi__sphere_node(d, degree, node), value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
+        const double weight = ssgi__sphere_node(d, degree, node),
+                     value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
         ssgi__sh_basis(basis, bands, d);
         for (i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
     }
@@ -1344,11 +1405,13 @@ static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
     int l;
     mean[0] = 1.0;
     mean[1] = 0.5 + 0.5 * cosine;
-    for (l = 2; l < SSGI_SH_MAX_BANDS; ++l) mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
+    for (l = 2; l < SSGI_SH_MAX_BANDS; ++l)
+        mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
 /* adds factor[l] Y_i(d) times the colour of even or of odd bands */
-static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS], const double d[3], double colour[2][3])
+static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
+                               const double d[3], double colour[2][3])
 {
     double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
     int l, i = 0, c;
@@ -1374,7 +1437,8 @@ static ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine, const float irradiance[3], int window, const char **why)
+SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
+                                   const float irradiance[3], int window, const char **why)
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
@@ -1383,19 +1447,21 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
     if (!ssgi__direction(d, direction)) return ssgi__bad(why, "direction: must be there, finite and not 0");
     if (!ssgi__finite(sine) || !(sine >= 0.0f && sine <= 1.0f)) return ssgi__bad(why, "sine: must be 0..1");
     if (!ssgi__finite3(irradiance)) return ssgi__bad(why, "irradiance: must be there and finite");
-    if (window < SSGI_SH_WINDOW_NONE || window > SSGI_SH_WINDOW_POSITIVE) return ssgi__bad(why, "window: must be one of SSGI_SH_WINDOW_");
+    if (window < SSGI_SH_WINDOW_NONE || window > SSGI_SH_WINDOW_POSITIVE)
+        return ssgi__bad(why, "window: must be one of SSGI_SH_WINDOW_");
     ssgi_sh_window(weight, bands, window);
     ssgi__sh_cap(factor, sqrt(1.0 - (double)sine * (double)sine));
     for (l = 0; l < bands; ++l) {
         factor[l] *= (double)weight[l];
-        facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / 12.56637061435917295;
+        facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
     for (c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
     ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3], const float below[3], const char **why)
+SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
+                                 const float below[3], const char **why)
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
     int c;
@@ -1406,7 +1472,8 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
     ssgi__sh_cap(factor, 0.0);
     /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
     for (c = 0; c < 3; ++c) {
-        const double a = 6.283185307179586477 * ssgi__light(above[c], -1e24f), b = 6.283185307179586477 * ssgi__light(below[c], -1e24f);
+        const double a = 2.0 * SSGI__PI * ssgi__light(above[c], -1e24f),
+                     b = 2.0 * SSGI__PI * ssgi__light(below[c], -1e24f);
         colour[0][c] = a + b;
         colour[1][c] = a - b;
     }
@@ -1455,7 +1522,9 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
     do
         for (raised = c = 0; c < 3; ++c) {
             double least = s, most = -1.0;
-            if (!(coefficients[c] > 0.0f) || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c]) continue;
+            if (!(coefficients[c] > 0.0f)
+                || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c])
+                continue;
             for (l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
             /* at most, the higher bands do not reach band 0 even if all are against it */
             for (most = 0.25 * most, i = 0; i < 100; ++i) {
@@ -1467,7 +1536,8 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
         }
     while (raised);
     for (l = i = 0; l < bands; ++l)
-        for (; i < 3 * (l + 1) * (l + 1); ++i) coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+        for (; i < 3 * (l + 1) * (l + 1); ++i)
+            coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
     if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
     return SSGI_OK;
 }
@@ -1479,7 +1549,8 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
 
 SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
 {
-    const double x = (double)d[0], y = (double)d[1], ax = fabs(x), ay = fabs(y), sum = ax + ay + fabs((double)d[2]), scale = sum > 0.0 ? 1.0 / sum : 0.0;
+    const double x = (double)d[0], y = (double)d[1], ax = fabs(x), ay = fabs(y), sum = ax + ay + fabs((double)d[2]),
+                 scale = sum > 0.0 ? 1.0 / sum : 0.0;
     out[0] = (float)(d[2] < 0.0f ? (1.0 - ay * scale) * (x < 0.0 ? -1.0 : 1.0) : x * scale);
     out[1] = (float)(d[2] < 0.0f ? (1.0 - ax * scale) * (y < 0.0 ? -1.0 : 1.0) : y * scale);
 }
@@ -1508,9 +1579,10 @@ static void ssgi__octahedral_texel(float out[3], int texel, int size)
 
 /* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
    than a texel. */
-static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width, int height)
+static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
+                                    int height)
 {
-    const double pi = 3.14159265358979323846;
+    const double pi = SSGI__PI;
     int i, j, x, y, c;
     /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
     for (i = 0; i < SSGI__CELLS_Y; ++i) {
@@ -1518,14 +1590,17 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
         for (y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
             const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
             const int bottom = (y + 1) * SSGI__CELLS_Y < (i + 1) * height ? (y + 1) * SSGI__CELLS_Y : (i + 1) * height;
-            const double weight = cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
+            const double weight =
+                cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
             const float *row = rgb + 3 * (size_t)y * (size_t)width;
             area += weight * width;
             for (j = 0; j < SSGI__CELLS_X; ++j)
                 for (x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
                     const int left = x * SSGI__CELLS_X > j * width ? x * SSGI__CELLS_X : j * width;
-                    const int right = (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
-                    for (c = 0; c < 3; ++c) sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
+                    const int right =
+                        (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
+                    for (c = 0; c < 3; ++c)
+                        sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
                 }
         }
         for (j = 0; j < SSGI__CELLS_X; ++j)
@@ -1535,7 +1610,8 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
 
 /* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to
    least. */
-static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa, float least, float slope, const char **why)
+static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
+                                           float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
     int i, j, c, texel;
@@ -1570,7 +1646,8 @@ static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rg
                 const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0], ramp = (cosine - least) * slope;
                 double weight;
                 if (cosine <= least) continue;
-                weight = (double)(polar[i][2] * (kappa > 0.0f ? expf(kappa * (cosine - 1.0f)) : ramp < 1.0f ? ramp * cosine : cosine));
+                weight = kappa > 0.0f ? (double)(polar[i][2] * expf(kappa * (cosine - 1.0f)))
+                                      : (double)(polar[i][2] * (ramp < 1.0f ? ramp * cosine : cosine));
                 all += weight;
                 for (c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
             }
@@ -1582,22 +1659,26 @@ static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rg
 
 #define SSGI__STEEP 1e30f       /* no ramp */
 
-SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height, float solid_angle, const char **why)
+SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
+                                          float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
     if (!ssgi__positive(&solid_angle, 1)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
     /* below, less than 1e-7 */
-    return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f, SSGI__STEEP, why);
+    return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
+                                   SSGI__STEEP, why);
 }
 
-SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine, const char **why)
+SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
+                                           const char **why)
 {
     float half;
     if (!ssgi__finite(cosine) || !(cosine >= 0.0f && cosine <= 0.95f)) return ssgi__bad(why, "cosine: must be 0..0.95");
     /* a cell's width, as a difference of cosines at the rim */
     half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);
     if (half > cosine) half = cosine;
-    return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half, half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
+    return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half,
+                                   half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
 
 typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__region;    /* columns, rows */
@@ -1605,7 +1686,8 @@ typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__reg
 #define SSGI__REGION_BINS 256
 
 /* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
-static void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift, const float *rgb, int width, int height)
+static void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
+                              const float *rgb, int width, int height)
 {
     int x, y, c;
     memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
@@ -1640,7 +1722,10 @@ static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const f
         if (part.upper[axis] > cut + (1 << shift)) part.upper[axis] = cut + (1 << shift);
     }
     /* before or after the line that holds the median, whichever is nearer to it */
-    if (cut == region->lower[axis] || (cut + 1 < region->upper[axis] && before + bin[b] - half < half - before)) { before += bin[b]; ++cut; }
+    if (cut == region->lower[axis] || (cut + 1 < region->upper[axis] && before + bin[b] - half < half - before)) {
+        before += bin[b];
+        ++cut;
+    }
     *rest = *region;
     rest->lower[axis] = region->upper[axis] = cut;
     rest->energy = region->energy - before;
@@ -1670,7 +1755,8 @@ static void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *
     for (c = 0; c < 3; ++c) { sun->direction[c] = (float)mean[c]; sun->irradiance[c] = (float)total[c]; }
 }
 
-SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height, const char **why)
+SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
+                                           const char **why)
 {
     ssgi__region region[1024];
     double bin[SSGI__REGION_BINS];
@@ -1687,21 +1773,25 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         int most = -1;
         for (i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
-            if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1) && (most < 0 || r->energy > region[most].energy)) most = i;
+            if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
+                && (most < 0 || r->energy > region[most].energy))
+                most = i;
         }
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
     for (i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
-        const ssgi__region none = { { region[0].lower[0], region[0].lower[1] }, { region[0].lower[0], region[0].lower[1] }, 0.0 };
+        ssgi__region none = region[0];
+        memcpy(none.upper, none.lower, sizeof none.upper);
         ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
     }
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns, int count, const char **why)
+SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
+                                     int count, const char **why)
 {
-    const double pi = 3.14159265358979323846;
+    const double pi = SSGI__PI;
     int texel, i, c, l;
     if (!map) return ssgi__bad(why, "map: must not be NULL");
     if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
@@ -1715,9 +1805,11 @@ SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coeffici
         ssgi_sh_basis(basis, bands, n);
         for (l = 0, i = 0; l < bands; ++l)
             for (; i < (l + 1) * (l + 1); ++i)
-                for (c = 0; c < 3; ++c) sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
+                for (c = 0; c < 3; ++c)
+                    sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
         for (i = 0; i < count; ++i) {
-            const double cosine = (double)n[0] * (double)suns[i].direction[0] + (double)n[1] * (double)suns[i].direction[1] + (double)n[2] * (double)suns[i].direction[2];
+            double cosine = 0.0;
+            for (c = 0; c < 3; ++c) cosine += (double)n[c] * (double)suns[i].direction[c];
             for (c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
         }
         for (c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
@@ -1734,7 +1826,8 @@ static double ssgi__vpl_flux(double flux[3], const float *rgb)
     return ssgi__luminance(flux);
 }
 
-SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal, const float *flux, size_t pixels, const char **why)
+SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
+                                     const float *flux, size_t pixels, const char **why)
 {
     double rgb[3], total = 0.0, sum, here;
     size_t k, last = 0;
@@ -1760,7 +1853,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         for (c = 0; c < 3; ++c) {
             out[i].position[c] = position[3 * k + (size_t)c];
             out[i].normal[c] = normal[3 * k + (size_t)c];
-            out[i].intensity[c] = (float)(rgb[c] / here * (total / (3.14159265358979323846 * count)));
+            out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
         }
     }
     return SSGI_OK;
@@ -1773,11 +1866,12 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 #define SSGI__CAP(name, real, root, arc) \
     real name(real solid_angle, real cosine) \
     { \
-        const real pi = (real)3.14159265358979323846; \
-        real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine, s, x, w, a; \
-        const int most = h > 1;                     /* more than half of the sphere: what is left over is a cap, too */ \
+        const real pi = (real)SSGI__PI; \
+        real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine; \
+        real s, x, w, a; \
+        const int most = h > 1;             /* more than half of the sphere: what is left over is a cap, too */ \
         if (most) { h = h < 2 ? 2 - h : 0; c = -c; } \
-        s = h * (2 - h);                            /* squared sine of its radius; not (1 - k)(1 + k), which cancels */ \
+        s = h * (2 - h);                    /* squared sine of its radius; not (1 - k)(1 + k), which cancels */ \
         if (!(s > 0)) a = 0; \
         else if (c * c >= s) a = c > 0 ? s * c : 0; \
         else { \
@@ -1797,7 +1891,9 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
     if (!out) return ssgi__bad(why, "out: must not be NULL");
     if (size < 2 || size > 1024) return ssgi__bad(why, "size: must be 2..1024");
     for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) out[y * size + x] = (float)ssgi__cap_occlusion(4.0 * 3.14159265358979323846 * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
+        for (x = 0; x < size; ++x)
+            out[y * size + x] =
+                (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
     return SSGI_OK;
 }
 
@@ -1919,7 +2015,8 @@ static const float *ssgi__trace_corner(const ssgi__trace_job *job, uint32_t tria
 
 static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
 {
-    const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1), *c = ssgi__trace_corner(job, triangle, 2);
+    const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
+                *c = ssgi__trace_corner(job, triangle, 2);
     double e[3], f[3];
     int i;
     for (i = 0; i < 3; i++) {
@@ -1999,7 +2096,8 @@ static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], c
 }
 
 /* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
-static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3], int *axis, int *cut)
+static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
+                           int *axis, int *cut)
 {
     float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
     uint32_t count[3][SSGI__TRACE_BINS], k;
@@ -2041,7 +2139,8 @@ static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range
 }
 
 /* splits a range of more than four in two, the first with a multiple of four items */
-static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left, ssgi__trace_range *right)
+static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
+                              ssgi__trace_range *right)
 {
     ssgi__trace_item *item = items + range->first;
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
@@ -2132,13 +2231,14 @@ static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_ran
     return self;
 }
 
-SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position, size_t stride_bytes,
-                                      const uint32_t *index, size_t triangles, const char **why)
+SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
+                                      size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
     if (!trace) return ssgi__bad(why, "trace: must not be NULL");
     if (!memory) return ssgi__bad(why, "memory: must not be NULL");
     if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float)) return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
+    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
+        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
     if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
     if (size < ssgi_trace_size(triangles)) {
         ssgi__bad(why, "size: must be at least ssgi_trace_size(triangles)");
@@ -2155,7 +2255,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
         job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
         /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller
            than a block, no item is overwritten before it is spent */
-        job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
+        job.items =
+            (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
         job.node_count = 0;
         job.position = (const char *)position;
         job.stride = stride_bytes;
@@ -2185,12 +2286,16 @@ typedef struct ssgi__trace_ray {
 /* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
    it. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners,
    which triangles share: neither edges nor corners leave gaps [Woop, Benthin, Wald 2013]. */
-static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4], float outside[4])
+static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
+                                  float outside[4])
 {
     const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
-    const float *x0 = block->corner[0][ray->axis[0]], *y0 = block->corner[0][ray->axis[1]], *z0 = block->corner[0][ray->axis[2]];
-    const float *x1 = block->corner[1][ray->axis[0]], *y1 = block->corner[1][ray->axis[1]], *z1 = block->corner[1][ray->axis[2]];
-    const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]], *z2 = block->corner[2][ray->axis[2]];
+    const float *x0 = block->corner[0][ray->axis[0]], *y0 = block->corner[0][ray->axis[1]],
+                *z0 = block->corner[0][ray->axis[2]];
+    const float *x1 = block->corner[1][ray->axis[0]], *y1 = block->corner[1][ray->axis[1]],
+                *z1 = block->corner[1][ray->axis[2]];
+    const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]],
+                *z2 = block->corner[2][ray->axis[2]];
     int k;
     for (k = 0; k < 4; k++) {
         const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
@@ -2225,7 +2330,8 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
 }
 
 /* hit NULL: any hit will do */
-static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax, ssgi_hit *hit)
+static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                            float tmax, ssgi_hit *hit)
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
@@ -2276,8 +2382,10 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
             const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
             const int base = top;
             for (k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
-                const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1], ez = (z0[k] - o[2]) * inverse[2];
-                const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1], lz = (z1[k] - o[2]) * inverse[2];
+                const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
+                            ez = (z0[k] - o[2]) * inverse[2];
+                const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
+                            lz = (z1[k] - o[2]) * inverse[2];
                 enter[k] = ssgi__trace_max(ssgi__trace_max(ex, ey), ssgi__trace_max(ez, tmin));
                 leave[k] = ssgi__trace_min(ssgi__trace_min(lx, ly), lz) * 1.0000006f;
                 leave[k] = ssgi__trace_min(leave[k], tmax);
@@ -2294,12 +2402,14 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
     return found;
 }
 
-SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax, ssgi_hit *hit)
+SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                                float tmax, ssgi_hit *hit)
 {
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, hit);
 }
 
-SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin, float tmax)
+SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                            float tmax)
 {
     return ssgi__trace_walk(trace, origin, direction, tmin, tmax, NULL);
 }
@@ -2331,7 +2441,7 @@ static uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] 
 
 SSGI_DEF int ssgi_tess_level(double area, double radius)
 {
-    const double discs = area / (3.14159265358979323846 * radius * radius);
+    const double discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
     return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
@@ -2396,7 +2506,10 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
         if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
         if (s->normal) {
             ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
-            for (i = 0; i < 3; ++i) p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex)) ? ssgi__dot(m->normals[i], v) : 0.0;
+            for (i = 0; i < 3; ++i)
+                p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex))
+                                         ? ssgi__dot(m->normals[i], v)
+                                         : 0.0;
         }
     }
     /* of vertices: numbers of primitives are not to be relied on */
@@ -2447,7 +2560,8 @@ static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker 
 
 static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
-    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (3.14159265358979323846 * r * r * 3169.0)) - 1e-5);
+    const double r = ssgi__surfel_finest(whole, m),
+                 n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
@@ -2479,14 +2593,14 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi_tess_level(p->area, wanted);
-    share = p->area / (3.0 * 3.14159265358979323846 * wanted * wanted);
+    share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
     /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
     for (c = 0, p->alive = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
-    p->radius = sqrt(p->area / (share * 3.14159265358979323846 * ssgi_tess_count(p->level)));
+    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi_tess_count(p->level)));
     if (!((float)p->radius > 0.0f)) return 0;
     for (c = 0; c < 3; ++c) {
         double d[3];
@@ -2508,10 +2622,13 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
 }
 
 /* Twin of the tessellation evaluation shader. */
-static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring, const int place[3])
+static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
+                               const int place[3])
 {
-    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)), h2 = ssgi__hash(h);
-    const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0), angle = 6.28318530717958647693 * (double)(h2 & 65535u) / 65536.0;
+    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
+                   h2 = ssgi__hash(h);
+    const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
+                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0;
     double u[3], v[3], at[3], normal[3], colour[3], w[3];
     int i, k;
     for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
@@ -2533,14 +2650,18 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     out->unused = 0.0f;
 }
 
-static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
+static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                     const char **why)
 {
     if (!desc) return ssgi__bad(why, "desc: must not be NULL");
-    if (!view || view->width < 1 || view->height < 1) return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f))) return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
+    if (!view || view->width < 1 || view->height < 1)
+        return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
+    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f)))
+        return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
     if (!(desc->jitter >= 0.0f && desc->jitter <= 1.0f)) return ssgi__bad(why, "desc.jitter: must be 0..1");
     if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
-    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID) return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
+    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID)
+        return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
     if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
     if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
     if (!ssgi__positive(&desc->most, 1)) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
@@ -2551,7 +2672,8 @@ static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_de
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc, const ssgi_view *view, const char **why)
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
+                                       const ssgi_view *view, const char **why)
 {
     ssgi_surfel_desc d;
     double s[2];
@@ -2568,7 +2690,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
     return SSGI_OK;
 }
 
-static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                     const ssgi_surfel_source *source, const char **why)
 {
     const ssgi_surfel_source *s = source;
     double a[3][3], determinant;
@@ -2577,7 +2700,8 @@ static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_de
     if (r != SSGI_OK) return r;
     if (!s) return ssgi__bad(why, "source: must not be NULL");
     if (!s->position) return ssgi__bad(why, "source.position: must not be NULL");
-    if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4) return ssgi__bad(why, "source: strides must be multiples of 4");
+    if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4)
+        return ssgi__bad(why, "source: strides must be multiples of 4");
     for (i = 0; i < 16; ++i) if (!ssgi__finite(s->to_view[i])) return ssgi__bad(why, "source.to_view: must be finite");
     for (i = 0; i < 3; ++i) for (k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
     m->view = view;
@@ -2595,7 +2719,8 @@ static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_de
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
+                                  const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
@@ -2647,7 +2772,7 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
     aside = ssgi__surfel_aside(&p, m, middle, &extent) - extent;
     if (m->desc.most > 0.0f && aside > (double)m->desc.most) return;
     r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.aside * aside : 0.0);
-    if (depth == 10 || p.area <= 3.14159265358979323846 * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
+    if (depth == 10 || p.area <= SSGI__PI * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
         if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
         ++d->count;
         return;
@@ -2655,12 +2780,15 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
     for (c = 0; c < 4; ++c) {
         float child[27];
         for (k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
-            for (i = 0; i < 9; ++i) child[9 * k + i] = 0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
+            for (i = 0; i < 9; ++i)
+                child[9 * k + i] =
+                    0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
         ssgi__surfel_divide(d, child, depth + 1);
     }
 }
 
-SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
+                                         const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__divider d;
     size_t t;
@@ -2710,7 +2838,8 @@ static void ssgi__surfel_shell(double shell[2], double reach, int level, double 
    ssgi_sphere. */
 static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
 {
-    const double z = -(double)centre[2], r = (double)radius, begin = (double)front, chord = r * r - (begin - z) * (begin - z);
+    const double z = -(double)centre[2], r = (double)radius, begin = (double)front,
+                 chord = r * r - (begin - z) * (begin - z);
     const int size[2] = { view->width, view->height };
     float out[4];
     int axis, side;
@@ -2723,7 +2852,8 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
             /* where it meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
-            if (!view->orthographic) slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
+            if (!view->orthographic)
+                slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
         for (side = 0; side < 2; ++side) {
@@ -2740,7 +2870,8 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
 {
     if (!splat) return ssgi__bad(why, "splat: must not be NULL");
     if (!view) return ssgi__bad(why, "view: must not be NULL");
-    if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f))) return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f)))
+        return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
     if (!ssgi__positive(&splat->most, 1)) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
     if (!ssgi__positive(&splat->brightest, 1)) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
     if (!ssgi__positive(&splat->front, 1)) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
@@ -2767,7 +2898,8 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
     return SSGI_OK;
 }
 
-static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view, const float centre[3], double radius, double brightest, double count)
+static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
+                               const float centre[3], double radius, double brightest, double count)
 {
     const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
     int l;
@@ -2776,11 +2908,13 @@ static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, cons
         float b[4];
         ssgi__surfel_shell(shell, reach, l, (double)s->most);
         if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->front)) continue;
-        cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l))) * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
+        cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l)))
+                         * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
     }
 }
 
-SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
+SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
+                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
@@ -2809,7 +2943,8 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view, const ssgi_surfel *surfels, size_t count, const char **why)
+SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
+                                        const ssgi_surfel *surfels, size_t count, const char **why)
 {
     ssgi_splat s;
     size_t i;
@@ -2820,21 +2955,25 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
     memset(cost, 0, sizeof *cost);
     cost->surfels = count;
     cost->splits = 1;
-    for (i = 0; i < count; ++i) ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
+    for (i = 0; i < count; ++i)
+        ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
     return SSGI_OK;
 }
 
 /* ==== >>dipole (implementation) ================================================================================ */
 
-SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta, const char **why)
+SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
+                                     const char **why)
 {
     /* F_dr [JMLH01 2.3] */
-    const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n, a = (1.0 + inside) / (1.0 - inside);
+    const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
+                 a = (1.0 + inside) / (1.0 - inside);
     int c;
     if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
     if (!(eta >= 1.0f && eta <= 3.0f)) return ssgi__bad(why, "eta: must be 1..3");
     for (c = 0; c < 3; ++c) {
-        if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]))) return ssgi__bad(why, "sigma_s: must be above 0 and finite");
+        if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c])))
+            return ssgi__bad(why, "sigma_s: must be above 0 and finite");
         if (!ssgi__positive(&sigma_a[c], 1)) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
     }
     for (c = 0; c < 3; ++c) {
@@ -2856,7 +2995,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
         const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
         sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
     }
-    return d->albedo[c] / (4.0 * 3.14159265358979323846) * sum;
+    return d->albedo[c] / (4.0 * SSGI__PI) * sum;
 }
 
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
@@ -2868,18 +3007,23 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
 SSGI_DEF const ssgi_material *ssgi_material_of(int i)
 {
     static const ssgi_material materials[] = {
-        { "apple",     { 2.29f, 2.39f, 1.97f }, { 0.0030f, 0.0034f, 0.046f },  1.3f }, { "chicken1",  { 0.15f, 0.21f, 0.38f }, { 0.015f, 0.077f, 0.19f },   1.3f },
-        { "chicken2",  { 0.19f, 0.25f, 0.32f }, { 0.018f, 0.088f, 0.20f },     1.3f }, { "cream",     { 7.38f, 5.47f, 3.15f }, { 0.0002f, 0.0028f, 0.0163f }, 1.3f },
-        { "ketchup",   { 0.18f, 0.07f, 0.03f }, { 0.061f, 0.97f, 1.45f },      1.3f }, { "marble",    { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f }, 1.5f },
-        { "potato",    { 0.68f, 0.70f, 0.55f }, { 0.0024f, 0.0090f, 0.12f },   1.3f }, { "skimmilk",  { 0.70f, 1.22f, 1.90f }, { 0.0014f, 0.0025f, 0.0142f }, 1.3f },
-        { "skin1",     { 0.74f, 0.88f, 1.01f }, { 0.032f, 0.17f, 0.48f },      1.3f }, { "skin2",     { 1.09f, 1.59f, 1.79f }, { 0.013f, 0.070f, 0.145f },  1.3f },
-        { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f },         1.3f }, { "wholemilk", { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
+        { "apple", { 2.29f, 2.39f, 1.97f }, { 0.0030f, 0.0034f, 0.046f }, 1.3f },
+        { "chicken1", { 0.15f, 0.21f, 0.38f }, { 0.015f, 0.077f, 0.19f }, 1.3f },
+        { "chicken2", { 0.19f, 0.25f, 0.32f }, { 0.018f, 0.088f, 0.20f }, 1.3f },
+        { "cream", { 7.38f, 5.47f, 3.15f }, { 0.0002f, 0.0028f, 0.0163f }, 1.3f },
+        { "ketchup", { 0.18f, 0.07f, 0.03f }, { 0.061f, 0.97f, 1.45f }, 1.3f },
+        { "marble", { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f }, 1.5f },
+        { "potato", { 0.68f, 0.70f, 0.55f }, { 0.0024f, 0.0090f, 0.12f }, 1.3f },
+        { "skimmilk", { 0.70f, 1.22f, 1.90f }, { 0.0014f, 0.0025f, 0.0142f }, 1.3f },
+        { "skin1", { 0.74f, 0.88f, 1.01f }, { 0.032f, 0.17f, 0.48f }, 1.3f },
+        { "skin2", { 1.09f, 1.59f, 1.79f }, { 0.013f, 0.070f, 0.145f }, 1.3f },
+        { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f }, 1.3f },
+        { "wholemilk", { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
     return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
 }
 
 /* ==== >>field (implementation) ================================================================================= */
 
-#define SSGI__FIELD_PI       3.14159265358979323846
 #define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
 #define SSGI__FIELD_BINS     4096    /* of errors */
 #define SSGI__FIELD_HELD     512     /* positions that take no part in a bake, with four normals each */
@@ -2897,7 +3041,8 @@ static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, 
     z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
     radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
     angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
-    for (k = 0; k < 3; ++k) direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
+    for (k = 0; k < 3; ++k)
+        direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
 static void ssgi__field_axes(float axes[3][3], const double axis[3])
@@ -2919,13 +3064,14 @@ static void ssgi__field_axes(float axes[3][3], const double axis[3])
 /* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
    trace) meets from a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four
    receivers there with these normals. */
-static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace, int (*hit)(void *, const float *, const float *), void *user,
-                               const float point[3], const double axis[3], float cosine, int rays, uint32_t seed)
+static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
+                               int (*hit)(void *, const float *, const float *), void *user, const float point[3],
+                               const double axis[3], float cosine, int rays, uint32_t seed)
 {
-    const double share = 2.0 * SSGI__FIELD_PI * (1.0 - (double)cosine) / rays;
+    const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
-    int i, k;
+    int i, k, n;
     for (i = 0; i < 4; ++i) out[i] = 0.0;
     for (i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
     ssgi__field_axes(axes, axis);
@@ -2935,8 +3081,9 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
         out[0] += share;
         for (k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
         for (k = 0; occlusion && k < 4; ++k) {
-            const double facing = normal[k][0] * (double)d[0] + normal[k][1] * (double)d[1] + normal[k][2] * (double)d[2];
-            if (facing > 0.0) occlusion[k] += share / SSGI__FIELD_PI * facing;
+            double facing = 0.0;
+            for (n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
+            if (facing > 0.0) occlusion[k] += share / SSGI__PI * facing;
         }
     }
 }
@@ -3028,12 +3175,15 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
     for (i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
     for (i = 0; i < data->count; ++i) {
-        const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t), c2 = t * t;
-        const double value = 1.0 / (c0 * q[0] + c1 * q[1] + c2 * q[2]), residual = data->values[i] - value, slope = value * value;
+        const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t),
+                     c2 = t * t;
+        const double value = 1.0 / (c0 * q[0] + c1 * q[1] + c2 * q[2]), residual = data->values[i] - value,
+                     slope = value * value;
         sum += residual * residual;
         if (a) {
             const double half = -0.5 * exp(0.5 * (u[0] + u[2]));
-            const double d[3] = { slope * (c0 * exp(u[0]) + c1 * half), slope * c1 * exp(u[1]), slope * (c2 * exp(u[2]) + c1 * half) };
+            const double d[3] = { slope * (c0 * exp(u[0]) + c1 * half), slope * c1 * exp(u[1]),
+                                  slope * (c2 * exp(u[2]) + c1 * half) };
             ssgi__field_equation(a, b, d, -residual);
         }
     }
@@ -3062,7 +3212,8 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
         /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
         if (start == 0) {
             for (i = 0; i < count; ++i) {
-                const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]), y = values[i] > 0.0 ? values[i] : 0.0;
+                const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
+                             y = values[i] > 0.0 ? values[i] : 0.0;
                 const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
                 ssgi__field_equation(a, b, c, y);
             }
@@ -3106,7 +3257,8 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
         sum += data->chord ? 2.0 * residual : residual * residual;
         for (n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
-            for (k = 0; k < 3; ++k) d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
+            for (k = 0; k < 3; ++k)
+                d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
             ssgi__field_equation(a, b, d, -r);
         }
     }
@@ -3116,7 +3268,8 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
 /* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
    0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
    least: the chord leads there, the error polishes. flat: an error that tells nothing. */
-static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions, int count, double flat)
+static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
+                                 int count, double flat)
 {
     ssgi__field_data data;
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
@@ -3223,7 +3376,11 @@ static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], s
     memset(p, 0, sizeof *p);
     for (i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
     if ((w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0))
-        for (k = 0; k < 3; ++k) { const double swap = p->corner[0][k]; p->corner[0][k] = p->corner[1][k]; p->corner[1][k] = swap; }
+        for (k = 0; k < 3; ++k) {
+            const double swap = p->corner[0][k];
+            p->corner[0][k] = p->corner[1][k];
+            p->corner[1][k] = swap;
+        }
     for (step = 0; step < 200; ++step) {
         double farthest[3], inside = -1e300;
         ssgi__field_portal split[3];
@@ -3281,7 +3438,9 @@ static int ssgi__field_measure(ssgi__field_caster *m)
         for (n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
             for (c = 0; c < 3; ++c) {
                 double square = 0.0;
-                for (k = 0; k < 3; ++k) square += ((double)blocks[i].corner[c][k][n] - m->centre[k]) * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
+                for (k = 0; k < 3; ++k)
+                    square += ((double)blocks[i].corner[c][k][n] - m->centre[k])
+                            * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
                 if (square > m->radius) m->radius = square;
             }
     m->radius = sqrt(m->radius);
@@ -3302,7 +3461,8 @@ static int ssgi__field_measure(ssgi__field_caster *m)
 
 /* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners,
    wider by what they lack; or the half space below the hull's plane. */
-static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3], const double normal[3])
+static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
+                              const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
     int i, k;
@@ -3316,7 +3476,8 @@ static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const
     for (i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
         const double c = ssgi__dot(d[i], axis), sine = m->loose / length[i];
         if (!(sine < 1.0)) { least = -1.0; break; }
-        if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least) least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
+        if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least)
+            least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
     }
     if (least > 0.0) return (float)(least * (1.0 - 1e-6));
     for (k = 0; k < 3; ++k) axis[k] = -normal[k];
@@ -3354,7 +3515,10 @@ static size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-static double ssgi__field_most(int measure) { return measure == SSGI_FIELD_VECTOR ? SSGI__FIELD_PI : 4.0 * SSGI__FIELD_PI; }
+static double ssgi__field_most(int measure)
+{
+    return measure == SSGI_FIELD_VECTOR ? SSGI__PI : 4.0 * SSGI__PI;
+}
 
 static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
 
@@ -3362,7 +3526,8 @@ static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341)
 static void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
-    const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size), y = texel / size % size, x = texel % size;
+    const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
+              y = texel / size % size, x = texel % size;
     const int vector = b->field->measure == SSGI_FIELD_VECTOR;
     const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
     float *out = b->fine + 8 * (size_t)texel;
@@ -3380,13 +3545,15 @@ static void ssgi__field_texel(void *context, int job)
             point[k] = (float)(at[k] + b->caster.centre[k]);
         }
         cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-        ssgi__field_sample(sum, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, b->rays, (uint32_t)(texel * 64 + i));
+        ssgi__field_sample(sum, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, b->rays,
+                           (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = vector ? length : sum[0];
         if (values[i] > most) values[i] = most;
         /* the cap of this vector irradiance whose covered share brings this solid angle */
         if (sum[0] > 0.0) {
-            const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0, share = length / (SSGI__FIELD_PI * (1.0 - edge * edge));
+            const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
+                         share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
             seen += sum[0];
         }
@@ -3454,7 +3621,10 @@ static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
                 memset(out, 0, (size_t)words * sizeof *out);
                 for (n = 0; n < 8; ++n) {
                     float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
-                    if (corner) v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n] + b->coarse[8 * ssgi__cube_texel(face, xi, yi, size) + (size_t)n]) / 3.0f;
+                    if (corner)
+                        v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n]
+                             + b->coarse[8 * ssgi__cube_texel(face, xi, yi, size) + (size_t)n])
+                          / 3.0f;
                     v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
                     out[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
                 }
@@ -3474,10 +3644,12 @@ static float ssgi__field_inside(const ssgi__field_bake *b)
         ssgi__field_portal portal;
         ssgi__field_spiral(w, i, 256);
         r = ssgi__field_turn((uint32_t)i);
-        for (k = 0; k < 3; ++k) point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
-        ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128, (uint32_t)i);
-        if (out[0] > 0.95 * 4.0 * SSGI__FIELD_PI) continue;
-        sum += out[0] / (4.0 * SSGI__FIELD_PI) * (1.0 - r);
+        for (k = 0; k < 3; ++k)
+            point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
+        ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
+                           (uint32_t)i);
+        if (out[0] > 0.95 * 4.0 * SSGI__PI) continue;
+        sum += out[0] / (4.0 * SSGI__PI) * (1.0 - r);
         weight += 1.0 - r;
     }
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
@@ -3493,20 +3665,24 @@ static void ssgi__field_held(void *context, int i)
     int k, n;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    r = hull * pow((double)b->field->reach / hull, 0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
+    r = hull
+      * pow((double)b->field->reach / hull,
+            0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
     for (k = 0; k < 3; ++k) {
         at[k] = r * w[k];
         point[k] = (float)(at[k] + b->caster.centre[k]);
     }
     for (n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
-        const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0, angle = 6.28318530717958648 * ssgi__field_turn((uint32_t)(8 * i + n + 4));
+        const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
+                     angle = 2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4));
         normal[n][0] = sqrt(1.0 - z * z) * cos(angle);
         normal[n][1] = sqrt(1.0 - z * z) * sin(angle);
         normal[n][2] = z;
         if (ssgi__dot(normal[n], w) > 0.5) for (k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
     cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024, (uint32_t)i ^ 0x55555555u);
+    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024,
+                       (uint32_t)i ^ 0x55555555u);
     for (n = 0; n < 4; ++n) {
         const float facing[3] = { (float)normal[n][0], (float)normal[n][1], (float)normal[n][2] };
         b->error[4 * i + n] = fabsf(ssgi_field_occlusion(b->field, &limits, point, facing) - (float)occlusion[n]);
@@ -3562,13 +3738,18 @@ static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
 {
     if (!desc) return ssgi__bad(why, "desc: must not be NULL");
-    if (desc->resolution && (desc->resolution < 2 || desc->resolution > 128)) return ssgi__bad(why, "desc.resolution: must be 0 or 2..128");
+    if (desc->resolution && (desc->resolution < 2 || desc->resolution > 128))
+        return ssgi__bad(why, "desc.resolution: must be 0 or 2..128");
     if (desc->radii && (desc->radii < 4 || desc->radii > 64)) return ssgi__bad(why, "desc.radii: must be 0 or 4..64");
-    if (desc->rays && (desc->rays < 16 || desc->rays > 65536)) return ssgi__bad(why, "desc.rays: must be 0 or 16..65536");
-    if (desc->measure != SSGI_FIELD_VECTOR && desc->measure != SSGI_FIELD_SOLID_ANGLE) return ssgi__bad(why, "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
+    if (desc->rays && (desc->rays < 16 || desc->rays > 65536))
+        return ssgi__bad(why, "desc.rays: must be 0 or 16..65536");
+    if (desc->measure != SSGI_FIELD_VECTOR && desc->measure != SSGI_FIELD_SOLID_ANGLE)
+        return ssgi__bad(why, "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
     if (desc->bits && desc->bits != 8 && desc->bits != 16) return ssgi__bad(why, "desc.bits: must be 0, 8 or 16");
-    if (!ssgi__finite(desc->reach) || (desc->reach != 0.0f && !(desc->reach >= 1.5f && desc->reach <= 64.0f))) return ssgi__bad(why, "desc.reach: must be 0 or 1.5..64");
-    if (!ssgi__finite(desc->error) || !(desc->error >= 0.0f && desc->error <= 1.0f)) return ssgi__bad(why, "desc.error: must be 0..1");
+    if (!ssgi__finite(desc->reach) || (desc->reach != 0.0f && !(desc->reach >= 1.5f && desc->reach <= 64.0f)))
+        return ssgi__bad(why, "desc.reach: must be 0 or 1.5..64");
+    if (!ssgi__finite(desc->error) || !(desc->error >= 0.0f && desc->error <= 1.0f))
+        return ssgi__bad(why, "desc.error: must be 0..1");
     return SSGI_OK;
 }
 
@@ -3603,8 +3784,9 @@ static ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, doubl
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size, const ssgi_field_desc *desc,
-                                     const float *position, size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
+SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
+                                     const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
+                                     const uint32_t *index, size_t triangles, const char **why)
 {
     ssgi__field_bake b;
     ssgi_field_desc d;
@@ -3620,7 +3802,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     result = ssgi__field_check(desc, why);
     if (result != SSGI_OK) return result;
     if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float)) return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
+    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
+        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
     if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
     if (work_size < ssgi_field_bake_size(desc, triangles)) {
         ssgi__bad(why, "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
@@ -3635,7 +3818,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     base = (char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64;
     b.fine = b.error = (float *)(void *)base;
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
-    result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles), position, stride_bytes, index, triangles, why);
+    result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
+                              position, stride_bytes, index, triangles, why);
     if (result != SSGI_OK) return result;
     if (!ssgi__field_measure(&b.caster)) return ssgi__bad(why, "position: no triangle has an area");
     f.bits = d.bits;
@@ -3647,7 +3831,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     /* from small to large; when twice the resolution brings nothing, what is left is the model's */
     if (d.error > 0.0f) {
         for (f.resolution = d.resolution < 4 ? d.resolution : 4; f.resolution <= d.resolution; f.resolution *= 2)
-            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) total += (double)(f.resolution * f.resolution * f.radii);
+            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2)
+                total += (double)(f.resolution * f.resolution * f.radii);
         for (f.resolution = d.resolution < 4 ? d.resolution : 4; ; f.resolution *= 2) {
             for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) {
                 const double share = (double)(f.resolution * f.resolution * f.radii) / total;
@@ -3684,10 +3869,21 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
     return l;
 }
 
+/* The texel of a face, counted from its border's first. */
+static const uint32_t *ssgi__field_at(const ssgi_field *f, int face, int x, int y)
+{
+    const int row = f->resolution + 2;
+    return f->texels + (size_t)ssgi__field_words(f->bits) * (size_t)((face * row + y) * row + x);
+}
+
+static uint32_t ssgi__field_component(const ssgi_field *f, const uint32_t *texel, int n)
+{
+    return texel[n * f->bits / 32] >> n * f->bits % 32 & (f->bits == 8 ? 0xffu : 0xffffu);
+}
+
 /* The components along w, bilinear between texels. */
 static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
-    const int words = ssgi__field_words(f->bits), row = f->resolution + 2;
     const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
     const int face = ssgi__cube_place(at, w);
@@ -3701,14 +3897,15 @@ static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3
     for (n = 0; n < 8; ++n) out[n] = 0.0f;
     for (i = 0; i < 2; ++i)
         for (k = 0; k < 2; ++k) {
-            const uint32_t *texel = f->texels + (size_t)words * (size_t)((face * row + cell[1] + i) * row + cell[0] + k);
+            const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
-            for (n = 0; n < 8; ++n) out[n] += weight * (float)(texel[n * f->bits / 32] >> n * f->bits % 32 & (f->bits == 8 ? 0xffu : 0xffffu));
+            for (n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
         }
     for (n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
 }
 
-SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3], float *fill)
+SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
+                              float *fill)
 {
     const float most = (float)ssgi__field_most(field->measure);
     double w[3], v[3];
@@ -3740,7 +3937,8 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     return r / hull;
 }
 
-SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3], const float normal[3])
+SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
+                                    const float normal[3])
 {
     const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
     float solid_angle, fill, axis[3], d[3], hulls, r, a;
@@ -3763,19 +3961,19 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
 {
-    const int words = ssgi__field_words(field->bits), size = field->resolution;
+    const int size = field->resolution;
     int x, y, n;
     if (face < 0 || face > 5) return;
     for (y = 0; y < size; ++y)
         for (x = 0; x < size; ++x) {
-            const uint32_t *texel = field->texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
+            const uint32_t *texel = ssgi__field_at(field, face, x + 1, y + 1);
             for (n = 0; n < 8; ++n) {
-                const uint32_t v = texel[n * field->bits / 32] >> n * field->bits % 32;
+                const uint32_t v = ssgi__field_component(field, texel, n);
                 void *out = n < 4 ? distance : centre;
                 const int i = 4 * (y * size + x) + n % 4;
                 if (!out) continue;
-                if (field->bits == 8) ((uint8_t *)out)[i] = (uint8_t)(v & 0xffu);
-                else ((uint16_t *)out)[i] = (uint16_t)(v & 0xffffu);
+                if (field->bits == 8) ((uint8_t *)out)[i] = (uint8_t)v;
+                else ((uint16_t *)out)[i] = (uint16_t)v;
             }
         }
 }
@@ -3792,7 +3990,8 @@ static void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 
 static uint32_t ssgi__field_get(const unsigned char *in, size_t i)
 {
-    return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16 | (uint32_t)in[4 * i + 3] << 24;
+    return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16
+         | (uint32_t)in[4 * i + 3] << 24;
 }
 
 static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
@@ -3805,7 +4004,8 @@ static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)    
 /* The floats of a field in the order of the file. */
 static void ssgi__field_numbers(float *out[25], ssgi_field *f)
 {
-    float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach, &f->inside, &f->median, &f->p95, &f->most };
+    float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
+                            &f->inside,    &f->median,    &f->p95,       &f->most };
     int i;
     for (i = 0; i < 9; ++i) out[i] = ends[i];
     for (i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
@@ -3850,12 +4050,16 @@ static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size
     size_t i, words;
     uint64_t h;
     if (!file) return ssgi__bad(why, "file: must not be NULL");
-    if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u) return ssgi__bad(why, "file: is not an ambient occlusion field");
+    if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u)
+        return ssgi__bad(why, "file: is not an ambient occlusion field");
     if (ssgi__field_get(bytes, 1) != 0x31464f41u) return ssgi__bad(why, "file: is of another version");
     if (size < 4 * SSGI__FIELD_HEAD) return ssgi__bad(why, "file: is cut short");
     memset(f, 0, sizeof *f);
-    words = ssgi__field_get(bytes, 2) <= 128u && ssgi__field_get(bytes, 3) <= 16u ? ssgi_field_size((int)ssgi__field_get(bytes, 2), (int)ssgi__field_get(bytes, 3)) / 4 : 0;
-    if (!words || ssgi__field_get(bytes, 4) > 1u || ssgi__field_get(bytes, 5) > 64u) return ssgi__bad(why, "file: is corrupt");
+    words = ssgi__field_get(bytes, 2) <= 128u && ssgi__field_get(bytes, 3) <= 16u
+              ? ssgi_field_size((int)ssgi__field_get(bytes, 2), (int)ssgi__field_get(bytes, 3)) / 4
+              : 0;
+    if (!words || ssgi__field_get(bytes, 4) > 1u || ssgi__field_get(bytes, 5) > 64u)
+        return ssgi__bad(why, "file: is corrupt");
     f->resolution = (int)ssgi__field_get(bytes, 2);
     f->bits = (int)ssgi__field_get(bytes, 3);
     f->measure = (int)ssgi__field_get(bytes, 4);
@@ -3863,15 +4067,21 @@ static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size
     if (size < 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is cut short");
     if (size > 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is longer than its field");
     h = ssgi__field_checksum(bytes, size - 8);
-    if (ssgi__field_get(bytes, size / 4 - 2) != (uint32_t)h || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32)) return ssgi__bad(why, "file: is corrupt");
+    if (ssgi__field_get(bytes, size / 4 - 2) != (uint32_t)h
+        || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32))
+        return ssgi__bad(why, "file: is corrupt");
     ssgi__field_numbers(number, f);
     for (i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 6 + i);
         memcpy(number[i], &word, sizeof word);
-        if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f))) return ssgi__bad(why, "file: is corrupt");
+        if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f)))
+            return ssgi__bad(why, "file: is corrupt");
     }
-    for (i = 0; i < 3; ++i) if (!(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f)) return ssgi__bad(why, "file: is corrupt");
-    if (!(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f && f->inside >= 0.0f && f->inside <= 1.0f)) return ssgi__bad(why, "file: is corrupt");
+    for (i = 0; i < 3; ++i)
+        if (!(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f)) return ssgi__bad(why, "file: is corrupt");
+    if (!(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f && f->inside >= 0.0f
+          && f->inside <= 1.0f))
+        return ssgi__bad(why, "file: is corrupt");
     return SSGI_OK;
 }
 
@@ -3885,7 +4095,8 @@ SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t fil
     return result;
 }
 
-SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file, size_t file_size, const char **why)
+SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
+                                     size_t file_size, const char **why)
 {
     ssgi_field f;
     ssgi_result result;
@@ -3907,13 +4118,15 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* ==== >>plan (implementation) ================================================================================== */
 
-SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points, const char **why)
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points,
+                                    const char **why)
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
     size_t i, seen = 0, count;
     int k;
     if (!survey || !rgba) return ssgi__bad(why, !survey ? "survey: must not be NULL" : "rgba: must not be NULL");
-    if (width < 1 || height < 1 || width > 65536 || height > 65536) return ssgi__bad(why, "width, height: must be 1..65536");
+    if (width < 1 || height < 1 || width > 65536 || height > 65536)
+        return ssgi__bad(why, "width, height: must be 1..65536");
     if (points != 0 && (points < 2 || points > 64)) return ssgi__bad(why, "points: must be 0 or 2..64");
     if (!points) points = 32;
     count = (size_t)width * (size_t)height;
@@ -3935,7 +4148,9 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position, const float *normal, const float *visibility, size_t count, int rays, float radius, const char **why)
+SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position,
+                                   const float *normal, const float *visibility, size_t count, int rays, float radius,
+                                   const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
     size_t i;
@@ -3955,11 +4170,14 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
         for (k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
         for (k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = 6.28318530717958648 * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
+            const double turn = (2.0 * SSGI__PI)
+                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
+                                 + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
             int c;
             for (c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
-            if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit)) occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
+            if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit))
+                occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
         shown = ssgi__finite(visibility[i]) ? 1.0 - (double)visibility[i] : 0.0;
         open += occlusion[0] * occlusion[1];
@@ -3974,8 +4192,17 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
 /* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
    (examples/fit.c): squares of the trial's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
-enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED,
-       SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
+enum {
+    SSGI__PLAN_OPEN,
+    SSGI__PLAN_PICTURE,
+    SSGI__PLAN_COARSE,
+    SSGI__PLAN_COARSER,
+    SSGI__PLAN_UNEVEN,
+    SSGI__PLAN_LEFT_OUT,
+    SSGI__PLAN_BOUNCED,
+    SSGI__PLAN_CONSTANT,
+    SSGI__PLAN_TERMS
+};
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
 /* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms'
@@ -3985,10 +4212,11 @@ typedef struct ssgi__plan_row {
     float size, cost, term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
-#define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, size, cost, \
-                   open, picture, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, layers, cameras, filter, \
-      resolution, size, cost, { open, picture, coarse, coarser, uneven, left_out, bounced, constant } }
+#define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, \
+                  size, cost, open, picture, coarse, coarser, uneven, left_out, bounced, constant) \
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, \
+      layers, cameras, filter, resolution, size, cost, \
+      { open, picture, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
@@ -4072,11 +4300,13 @@ static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, 
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
                     | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
     const float *square = s->survey.square;
-    if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1) || row->cameras > s->cameras) return 0;
+    if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1)
+        || row->cameras > s->cameras)
+        return 0;
     /* layers and cameras want something hidden */
     if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {
-        const double hidden = sqrt((double)square[1] + (double)square[2]) + (row->cameras ? sqrt((double)square[3]) : 0.0);
-        if (hidden < 0.1 * (double)s->error) return 0;
+        const double off = row->cameras ? sqrt((double)square[3]) : 0.0;
+        if (sqrt((double)square[1] + (double)square[2]) + off < 0.1 * (double)s->error) return 0;
     }
     /* directional methods want light that is not the same all around */
     return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
@@ -4107,8 +4337,10 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     plan->cost = row->cost;
     for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
-    while (plan->bands > 1      /* bands whose energy is negligible */
-           && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0]) < 0.1 * (double)s->error) --plan->bands;
+    while (plan->bands > 1 /* bands whose energy is negligible */
+           && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0])
+                  < 0.1 * (double)s->error)
+        --plan->bands;
     if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     if (row->method == SSGI_PLAN_SURFELS) {
@@ -4121,7 +4353,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
-    static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "deep screen space", "fields" };
+    static const char *const method[] = { "nothing",           "hsao",  "hsao by march", "ssdo", "s3ho",
+                                          "deep screen space", "fields" };
     ssgi_plan best, p;
     float cheaper = 0.0f, goal = 0.0f;
     int i, tried = 0, found = 0;
@@ -4131,13 +4364,15 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
     if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
         return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
-    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1) || !ssgi__positive(&s->albedo, 1)
-        || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
+    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1)
+        || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
         return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
     if (!ssgi__positive(s->energy, 4)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
-    if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture)) return ssgi__bad(why, "scene.trial: must be finite");
-    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3) || !ssgi__positive(&s->survey.off, 1)
-        || !ssgi__positive(s->survey.square, 4)) return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
+    if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture))
+        return ssgi__bad(why, "scene.trial: must be finite");
+    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3)
+        || !ssgi__positive(&s->survey.off, 1) || !ssgi__positive(s->survey.square, 4))
+        return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
@@ -4152,15 +4387,19 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         found = 1;
     }
     for (i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
-        if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper)) cheaper = p.error;
+        if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper))
+            cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
-        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g", (double)best.error, (double)s->error);
+        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g",
+                 (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; what is cheaper errs by %.3g or more",
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; "
+                 "what is cheaper errs by %.3g or more",
                  method[best.method], tried, (double)s->error, (double)best.error, (double)cheaper);
     else
-        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; this is the cheapest within a tenth of the least: %.3g",
-                 method[best.method], tried, s->budget > 0.0f ? " within the budget" : "", (double)s->error, (double)best.error);
+        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; "
+                 "this is the cheapest within a tenth of the least: %.3g", method[best.method], tried,
+                 s->budget > 0.0f ? " within the budget" : "", (double)s->error, (double)best.error);
     *plan = best;
     return SSGI_OK;
 }
@@ -4170,7 +4409,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 #endif
 #endif /* SSGI_IMPLEMENTATION */
 
-/* ---------------------------------------------------------------------------------------------------------------------------
+/* --------------------------------------------------------------------------------------------------------------
    This software is available under two licences; choose the one you like.
 
    1. MIT. Copyright (c) 2026 the ssgi authors.
@@ -4188,4 +4427,4 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    software, in source or binary form, for any purpose, commercial or non-commercial, and by any means. The authors
    dedicate any and all copyright interest in the software to the public domain, and relinquish in perpetuity all
    present and future rights to it under copyright law. The disclaimer of warranty above applies likewise.
-   --------------------------------------------------------------------------------------------------------------------------- */
+   -------------------------------------------------------------------------------------------------------------- */
