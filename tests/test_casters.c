@@ -202,7 +202,7 @@ static double apart(const kit_image *a, const kit_image *b)
 /* Every pixel of the plane against the closed form of a resting ball; the ball itself, and the background, are left alone. */
 static void ball_on_a_plane(void)
 {
-    static const struct { const char *set; double limit; } row[] = { { "", 0.012 }, { "measure=solid-angle", 0.05 }, { "bits=8,draw=each,storage=cube", 0.012 } };
+    static const struct { const char *set; double limit; } row[] = { { "", 0.012 }, { "measure=solid-angle", 0.05 }, { "draw=each,storage=cube", 0.012 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image out;

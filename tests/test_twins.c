@@ -1,5 +1,5 @@
 /* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to read: extra cameras, those of shadow maps,
-   the light of a frame. */
+   the light of a frame; and what a weight or a limit that no formula gives does in GLSL, by cases worked out by hand. */
 #include "t.h"
 #include "../ssgi_gl.h"
 #include "../examples/kit/kit_gl.h"
@@ -155,7 +155,8 @@ enum { SIDE = 64, MANY = SIDE * SIDE };
 static float in[MANY][4], out[MANY][4];
 static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, flat */
 
-static ssgi_gl_views probed;               /* extra cameras that probes see */
+static ssgi_gl_views probed;               /* extra cameras that probes see, */
+static GLuint probed_layers;               /* and what these see */
 
 /* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input, a: its own; Y(k): the same of maps,
    which all textures of the text read too. */
@@ -183,7 +184,7 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
         glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame, b ? (const void *)&probed : frame, GL_STATIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
     }
-    for (GLenum unit = 0; unit < 8; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 7 ? input : maps); }
+    for (GLenum unit = 0; unit < 8; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 7 ? input : maps); glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers); }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
@@ -530,6 +531,209 @@ static void twin_halves(void)
     }
 }
 
+/* ---- >>figures: weights and limits that no formula gives, by cases worked out by hand ------------------------------- */
+
+static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)      /* orthographic, 64 x 64 pixels, 16 a unit */
+{
+    static const float m[16] = { 0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 };
+    const char *why = "";
+    return CHECK(ssgi_view_from_projection(view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK && ssgi_gl_frame_init(frame, view, radius, &why) == SSGI_OK, "%s", why);
+}
+
+/* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. */
+static void slices_limits(void)
+{
+    static const struct { double tilt, height; int beyond, counts; } row[] = {      /* degrees; sine of the elevation; is it beyond the normal? */
+        { 80, 0.39, 1, 0 }, { 80, 0.41, 1, 1 }, { 80, 0.2, 1, 0 }, { 60, 0.9, 1, 1 }, { 80, 0.0039, 0, 0 }, { 80, 0.0041, 0, 1 }, { 60, 0.3, 0, 1 }, { 20, 0.7, 0, 1 } };
+    static float map[MANY][4];
+    const int centre = SIDE / 2 * SIDE + SIDE / 2;
+    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 1, .hard = 1, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 2)) return;
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const double tilt = row[k].tilt * 0.017453292519943, up = row[k].beyond ? 3.14159265358979 - asin(row[k].height) : asin(row[k].height);
+        const double away = tilt + 1.5707963267949 - up;   /* of the tap from the view direction: 4 pixels aside, so much nearer */
+        for (int i = 0; i < MANY; ++i) {
+            const double from = hypot(i % SIDE - SIDE / 2, i / SIDE - SIDE / 2);
+            map[i][0] = i == centre ? 10 : from > 2.5 && from < 6 ? (float)(10 - 0.25 * cos(away) / sin(away)) : 100;
+        }
+        in[centre][0] = (float)sin(tilt);
+        in[centre][1] = (float)cos(tilt);
+        in[centre][2] = 0.3666f;                           /* (0.3666)^2 of the radius: 4.3 pixels */
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        const int went = probe(&d, &frame, texture, "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = ssgi_basis(vec3(0.0, 0.0, 1.0));"
+                               "o = vec4(ssgi_occlusion(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)));");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        const double want = row[k].counts ? arc(up, tilt) : 0;
+        CHECK(fabs((double)out[centre][0] - want) <= (row[k].counts ? 2e-4 + 1e-3 * want : 0) && (out[centre][0] > 0) == row[k].counts, "tilt %g, height %g%s: %g, not %g", row[k].tilt, row[k].height,
+              row[k].beyond ? " beyond the normal" : "", (double)out[centre][0], want);
+    }
+}
+
+/* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that is what rounding does. */
+static void shadow_slack(void)
+{
+    static const struct { float depth, scale; int flat; double slack; } row[] = {   /* of a far point, of a map that is deep; 3e-7 of the scale, times depth squared where 1/z is stored, and 2e-5 of the depth */
+        { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
+    static float map[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
+    ssgi_gl_frame frame = { .radius = 1, .steepest = 20 };
+    for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
+        const float light[5][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 }, { 0, row[k].scale, -1, (float)row[k].flat }, { 0, 32, SIDE, 1 } };
+        memset(map, 0, sizeof map);
+        memcpy(map[3], light, sizeof light);
+        for (int i = 0; i < SIDE; ++i) {
+            const double shown = (double)row[k].depth - row[k].slack * i / 32, w = row[k].flat ? shown : 1 / shown;
+            const float to = row[k].flat ? 1 : row[k].depth, p[4] = { ((float)i + 0.5f) * to, 0.5f * to, -row[k].depth, 0 };
+            map[32 * SIDE + i][0] = (float)(w / (double)row[k].scale);
+            memcpy(in[i], p, sizeof p);
+        }
+        GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+        const int went = probe(&d, &frame, texture, "float bias; o = vec4(ssgi_shadow(0, a.xyz, vec3(0.0, 0.0, 1.0), length(a.xyz), 1.0, 0.0, bias));");
+        glDeleteTextures(1, &texture);
+        if (!went) return;
+        for (int i = 0; i < SIDE; ++i)
+            if (i != 32) CHECK(out[i][0] == (i > 32), "depth %g, scale %g, %s: %g of the slack before it is %s", (double)row[k].depth, (double)row[k].scale, row[k].flat ? "orthographic" : "perspective", i / 32.0, out[i][0] > 0 ? "dark" : "lit");
+    }
+}
+
+/* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before that by more than two pixels there, which are 2/32 of its depth. */
+static void view_slack(void)
+{
+    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 }, still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static float map[MANY][4], wall[MANY];
+    const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR };
+    ssgi_view view;
+    ssgi_gl_frame frame;
+    const char *why = "";
+    int open = 0;
+    if (!CHECK(ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
+               && ssgi_gl_views_set(&probed, 0, &view, still, still, &why) == SSGI_OK, "%s", why)) return;
+    for (int i = 0; i < MANY; ++i) {
+        const float z = 1.5f + 0.6f * (float)i / MANY;
+        map[i][0] = 1;
+        wall[i] = (0.5f - view.depth[0]) / view.depth[1];
+        ssgi_view_position(&view, 5.5f + (float)(i % 50), 9.5f + (float)(i / 97), z, in[i]);
+    }
+    GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
+    probed_layers = kit_texture_array(SIDE, SIDE, 1, GL_R32F, wall);
+    if (probe(&d, &frame, texture, "o = vec4(ssgi_blocked(a.xyz));"))
+        for (int i = 0; i < MANY; ++i) {
+            const double z = -(double)in[i][2], from = 2 / (1 + 2.0 / 32);
+            if (fabs(z - from) > 1e-3) CHECK(out[i][0] == (z > from), "at depth %g, where two pixels end at %g: %g", z, from, (double)out[i][0]);
+            open += out[i][0] < 0.5f;
+        }
+    CHECK(open > MANY / 2 && open < MANY, "%d of %d are open", open, MANY);
+    glDeleteTextures(1, &texture);
+    glDeleteTextures(1, &probed_layers);
+    probed_layers = 0;
+}
+
+typedef struct given { const char *name; GLuint texture; } given;
+
+/* A pass alone, into floats. */
+static int pass_drawn(float *result, int components, int width, int height, const ssgi_gl_desc *d, const ssgi_gl_frame *frame, const given *textures, int count)
+{
+    kit_error err = { "" };
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    GLuint block, framebuffer, program = kit_pass_program(d, &err), target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
+    int given_ = 0;
+    if (!CHECK(program, "%s", err.text)) return 0;
+    glGenBuffers(1, &block);
+    glBindBuffer(GL_UNIFORM_BUFFER, block);
+    glBufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)sizeof *frame, frame, GL_STATIC_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);
+    glUseProgram(program);
+    for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
+        for (int k = 0; k < count && row[i].kind == SSGI_GL_TEXTURE; ++k)
+            if (!strcmp(row[i].name, textures[k].name)) { glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot); glBindTexture(GL_TEXTURE_2D, textures[k].texture); ++given_; }
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+    glViewport(0, 0, width, height);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const int read = kit_texture_read(target, width, height, components, result);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &target);
+    glDeleteBuffers(1, &block);
+    glDeleteProgram(program);
+    return CHECK(!read && given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_, count);
+}
+
+static GLuint grey(int width, int height, float value, int at, float there)    /* a texture of one channel that is another there */
+{
+    float *texel = malloc((size_t)width * (size_t)height * sizeof *texel);
+    for (int i = 0; i < width * height; ++i) texel[i] = i == at ? there : value;
+    const GLuint texture = kit_texture(width, height, GL_R32F, texel);
+    free(texel);
+    return texture;
+}
+
+/* One bright pixel of each level: 2^l pixels are averaged, and of 2^l + 1 around one the ends share a weight. */
+static void smooth_weights(void)
+{
+    enum { LEVELS = 4 };
+    static float got[LEVELS * MANY], normal[MANY][4], level[LEVELS * MANY];
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    frame.level[0] = frame.level[1] = SIDE;
+    for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
+    for (int l = 0; l < LEVELS; ++l) level[l * MANY + 32 * SIDE + 32] = 1;
+    const given t[3] = { { "t_ssgi_levels", kit_texture(SIDE, LEVELS * SIDE, GL_R32F, level) }, { "t_ssgi_depth", grey(SIDE, SIDE, 5, -1, 0) }, { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
+    for (int axis = 0; axis < 2; ++axis) {
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SMOOTH, .dialect = SSGI_GL_450, .levels = LEVELS, .axis = axis, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+        if (!pass_drawn(got, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
+        for (int l = 0; l < LEVELS; ++l)
+            for (int k = -8; k <= 8; ++k) {
+                const int reach = 1 << l >> 1, away = abs(k);
+                const double want = away > reach ? 0 : (away == reach && l ? 0.5 : 1) / (1 << l), is = (double)got[l * MANY + (32 + (axis ? k : 0)) * SIDE + 32 + (axis ? 0 : k)];
+                CHECK(fabs(is - want) < 1e-6, "axis %d, level %d, %d away: %g, not %g", axis, l, k, is, want);
+            }
+    }
+    for (int k = 0; k < 3; ++k) glDeleteTextures(1, &t[k].texture);
+}
+
+/* One bright pixel: a Gaussian whose variance is that of a radius of two deviations, and of a pixel: for 2 pixels 5/4. */
+static void gaussian_weights(void)
+{
+    static float got[MANY], ao[MANY][2];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .dialect = SSGI_GL_450, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2, .orthographic = 1 };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    for (int i = 0; i < MANY; ++i) { ao[i][0] = i == 32 * SIDE + 32; ao[i][1] = 5; }
+    const given t = { "t_ssgi_ao", kit_texture(SIDE, SIDE, GL_RG32F, ao[0]) };
+    if (!pass_drawn(got, 1, SIDE, SIDE, &d, &frame, &t, 1)) return;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            const double is = (double)(got[(32 + y) * SIDE + 32 + x] / got[32 * SIDE + 32]), want = exp(-0.4 * (x * x + y * y));
+            CHECK(fabs(is - want) < 1e-5, "%d, %d away: %g of the centre's weight, not %g", x, y, is, want);
+        }
+    glDeleteTextures(1, &t.texture);
+}
+
+/* A survey looks at pixels (4, 4) of every 8 x 8: nothing else, and all of them. */
+static void survey_looks(void)
+{
+    static float got[8 * 8][4], depth[MANY], normal[MANY][4];
+    const ssgi_gl_desc d = { .pass = SSGI_GL_SURVEY, .dialect = SSGI_GL_450, .samples = 8, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+    ssgi_gl_frame frame;
+    ssgi_view view;
+    if (!facing(&view, &frame, 1)) return;
+    for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
+    for (int there = 0; there < 2; ++there) {
+        for (int i = 0; i < MANY; ++i) depth[i] = (i % 8 == 4 && i / SIDE % 8 == 4) == there ? 5.0f : 0.0f;
+        const given t[2] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) }, { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
+        if (!pass_drawn(got[0], 4, 8, 8, &d, &frame, t, 2)) return;
+        for (int i = 0; i < 64; ++i) CHECK((got[i][0] >= 0) == there, "block %d, %s: %g", i, there ? "something at its centre alone" : "nothing at its centre", (double)got[i][0]);
+        for (int k = 0; k < 2; ++k) glDeleteTextures(1, &t[k].texture);
+    }
+}
+
 /* ---- >>light of a frame ---------------------------------------------------------------------------------------------- */
 
 static void frame_light(void)
@@ -574,5 +778,11 @@ void test_twins(void)
     RUN("harmonics of one to four bands in both languages as in C", twin_harmonics);
     RUN("halves, where the language has them and where it has not", twin_halves);
     RUN("a slice's arc is the integral that it says", twin_arc);
+    RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
+    RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
+    RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
+    RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
+    RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
+    RUN("a survey looks at the centre of every 8 x 8 pixels", survey_looks);
     kit_gl_close();
 }

@@ -608,7 +608,7 @@ static void filter_averages_tiles(void)
         float v[16 * COLUMNS];
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s", sets[m]);
+        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s", sets[m]);
         if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
         kit_run_close(&run);
