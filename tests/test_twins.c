@@ -184,15 +184,15 @@ static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuin
         glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame, b ? (const void *)&probed : frame, GL_STATIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
     }
-    for (GLenum unit = 0; unit < 8; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 7 ? input : maps); glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers); }
+    for (GLenum unit = 0; unit < 16; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : maps); glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers); }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
     glDrawBuffers(8, buffers);
     glViewport(0, 0, SIDE, SIDE);
     glUseProgram(program);
-    glUniform1i(glGetUniformLocation(program, "t_in"), 7);
-    glUniform1i(glGetUniformLocation(program, "t_maps"), 6);
+    glUniform1i(glGetUniformLocation(program, "t_in"), 15);
+    glUniform1i(glGetUniformLocation(program, "t_maps"), 14);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     read = kit_texture_read(target, SIDE, SIDE, 4, out[0]);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -563,7 +563,7 @@ static void slices_limits(void)
         in[centre][2] = 0.3666f;                           /* (0.3666)^2 of the radius: 4.3 pixels */
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went = probe(&d, &frame, texture, "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = ssgi_basis(vec3(0.0, 0.0, 1.0));"
-                               "o = vec4(ssgi_occlusion(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)));");
+                               "o = vec4(ssgi_gather(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)));");
         glDeleteTextures(1, &texture);
         if (!went) return;
         const double want = row[k].counts ? arc(up, tilt) : 0;
