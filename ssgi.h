@@ -11,8 +11,7 @@
       const char *why = "";
       if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1280, 720, &why) != SSGI_OK) puts(why);
       float p[3];
-      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel as a view-space
-                                                                                     point
+      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel, in view space
       printf("%g %g %g, a pixel is %g wide there\n", p[0], p[1], p[2], ssgi_pixel_footprint(&view, -p[2]));
 
    CONVENTIONS  (one place; every comment relies on it)
