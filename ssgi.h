@@ -23,7 +23,7 @@
       units        lengths in your view units, angles in radians, radiance linear
       visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O,
                    cosine-weighted
-      environments latitude-longitude pictures as OpenEXR's, rgb interleaved, linear radiance, rgb[3 * (y * width + x) + c]:
+      environments latitude-longitude pictures as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
                    exact; values above 1e24 count as that
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
