@@ -11,8 +11,7 @@
       const char *why = "";
       if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 1280, 720, &why) != SSGI_OK) puts(why);
       float p[3];
-      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel as a view-space
-                                                                                     point
+      ssgi_view_position(&view, 640.5f, 360.5f, ssgi_view_depth(&view, 0.75f), p);   // a depth texel, in view space
       printf("%g %g %g, a pixel is %g wide there\n", p[0], p[1], p[2], ssgi_pixel_footprint(&view, -p[2]));
 
    CONVENTIONS  (one place; every comment relies on it)
@@ -24,8 +23,7 @@
       units        lengths in your view units, angles in radians, radiance linear
       visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O,
                    cosine-weighted
-      environments latitude-longitude pictures as OpenEXR's, rgb interleaved, linear radiance: rgb[3 * (y * width + x) +
-      c],
+      environments latitude-longitude pictures as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
                    exact; values above 1e24 count as that
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
