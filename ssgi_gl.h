@@ -228,8 +228,6 @@ typedef struct ssgi_gl_desc {
     int half;            /* gathers, shade, blur   1: gathers draw one pixel of every 2x2, into targets of half size,
                             rounded up; blur brings it to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
-    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
-    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
@@ -312,6 +310,10 @@ typedef struct ssgi_gl_desc {
     int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half is 1: 1 is
                             3x3 */
     int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
+
+    /* your own text */
+    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
+    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
