@@ -418,24 +418,151 @@ static int add_harmonics(kit_making *m, kit_lamp *lamps, int *count)
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
+/* The light of lamps over what light there is. */
+static int add_lamps(kit_making *m, GLuint *light)
+{
+    ssgi_gl_desc d = m->lights;
+    kit_pass *p;
+    if (!m->rows[0]) return 0;
+    d.accumulate = 1;
+    p = kit_add_pass(m, &d, m->run->gbuffer, 0, *light, 0, 0);
+    if (!p) return -1;
+    p->lights = m->rows[0];
+    *light = p->target[0];
+    return 0;
+}
+
+/* The grey of meshes without a material. */
+static void add_grey(kit_making *m)
+{
+    const kit_gbuffer *g = m->run->gbuffer;
+    const size_t texels = (size_t)g->width * (size_t)g->height;
+    float *grey = malloc(4 * texels * sizeof *grey);
+    for (size_t i = 0; grey && i < 4 * texels; ++i) grey[i] = 0.8f;
+    m->run->grey = kit_keep(m->run, grey ? kit_texture(g->width, g->height, GL_RGBA16F, grey) : 0);
+    free(grey);
+}
+
+/* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
+static int add_hidden(kit_making *m)
+{
+    const int albedo = m->gather.pass == SSGI_GL_S3HO, layers = m->gather.layers, view_layers = m->gather.view_layers;
+    kit_run *run = m->run;
+    GLuint light = 0;
+    run->senders = kit_keep(run, kit_texture_array(run->gbuffer->viewport[2], run->gbuffer->viewport[3], layers,
+                                                   GL_RG32UI, NULL));
+    if (run->views)
+        run->view_senders = kit_keep(run, kit_texture_array(run->view[0].width, run->view[0].height,
+                                                            run->views * view_layers, GL_RG32UI, NULL));
+    for (int k = 0; k < run->views * view_layers + layers - 1; ++k) {
+        const int v = k < run->views * view_layers ? k / view_layers : -1;
+        const int j = v < 0 ? layers - 1 - (k - run->views * view_layers) : k % view_layers;
+        const kit_gbuffer *g = v < 0 ? run->gbuffer : &run->view[v];
+        if (!albedo && add_direct(m, g, v, j, &light)) return -1;
+        if ((albedo || light) && add_senders(m, g, v, j, light)) return -1;
+    }
+    return 0;
+}
+
+/* s3ho: indirect: no bounce, in one gather with the occlusion, in one of its own. */
+static int add_harmonic_light(kit_making *m, int indirect, int harmonics, GLuint *light, GLuint *received)
+{
+    const int joint = indirect == 1;
+    if (indirect && add_senders(m, m->run->gbuffer, -1, 0, 0)) return -1;
+    if (add_vectors(m, SSGI_GL_TRANSFER_FREE, joint, light)) return -1;
+    if (indirect && add_vectors(m, joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, received)) return -1;
+    if (joint) m->run->joint = *light;
+    return harmonics ? 0 : add_lamps(m, light);
+}
+
+/* ssdo: environment and bounce in one gather; senders shine with the last frame's light. */
+static int add_reused(kit_making *m, GLuint *light, GLuint *received)
+{
+    kit_run *run = m->run;
+    kit_pass *p, *senders;
+    if (add_senders(m, run->gbuffer, -1, 0, 1)) return -1;         /* its source is set below */
+    senders = &run->pass[run->passes - 1];
+    p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
+    if (!p) return -1;
+    *light = p->target[0];
+    *received = p->target[1];
+    if (kit_add_blur(m, light) || kit_add_blur(m, received) || add_lamps(m, light)) return -1;
+    senders->source = *light;
+    return 0;
+}
+
+/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves out. */
+static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
+{
+    kit_gbuffer *g = m->run->gbuffer;
+    ssgi_gl_desc d = m->gather;
+    kit_pass *p;
+    if (add_direct(m, g, -1, 0, light)) return -1;
+    if (!d.bounce || !(*light || g->direct)) return 0;
+    d.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (vpls) {                             /* just that falloff, of single points */
+        d.falloff = SSGI_GL_FALLOFF_SQUARE;
+        d.fade = d.range = 0;
+        d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
+        d.steps = 1;
+    }
+    if (add_senders(m, g, -1, 0, *light)) return -1;
+    p = kit_add_pass(m, &d, g, 0, 0, 0, 0);
+    if (!p) return -1;
+    *received = p->target[0];
+    return kit_add_blur(m, received);
+}
+
+static int add_vpls(kit_making *m, const kit_lamp *lamps, int first, int last, const float picture[16], GLuint *received)
+{
+    kit_run *run = m->run;
+    ssgi_gl_desc d = m->lights;
+    kit_pass *p;
+    d.accumulate = *received != 0;
+    p = kit_add_pass(m, &d, run->gbuffer, KIT_FRAME_VPLS, *received, 0, 0);
+    if (!p) return -1;
+    p->lights = kit_keep(run, kit_light_rows(lamps, first, last, picture));
+    *received = p->target[0];
+    run->vpls = last - first;
+    return 0;
+}
+
+/* The lamps with their maps, the extra cameras, and the lamps as each camera has them. */
+static int add_sources(kit_making *m, const kit_lamp *lamps, int direct, int count, const float picture[16],
+                       const kit_sphere *middle)
+{
+    kit_run *run = m->run;
+    if (m->gather.views && kit_add_views(m, picture, middle)) return -1;
+    if (kit_add_atlas(m, lamps, count)) return -1;
+    for (int v = -1; v < run->views && direct; ++v) {
+        float to[16], projection[16];
+        if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
+        m->rows[1 + v] = kit_keep(run, kit_light_rows(lamps, 0, direct, v < 0 ? picture : to));
+        if (!m->rows[1 + v]) return kit_fail(m->err, "no memory for %d lights", direct);
+    }
+    return 0;
+}
+
 int kit_open_lit(kit_making *m, const float picture[16])
 {
     static const int environments[] = { SSGI_GL_ENVIRONMENT_MAP, SSGI_GL_ENVIRONMENT_SH, SSGI_GL_ENVIRONMENT_NONE };
     static const kit_lighting dark;
     kit_run *run = m->run;
     kit_gbuffer *g = run->gbuffer;
-    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), s3ho = m->gather.pass == SSGI_GL_S3HO;
-    const int indirect = (int)kit_method_value(m->method, "indirect"), bounce = s3ho ? indirect : m->gather.bounce, harmonics = s3ho && !(kit_method_value(m->method, "lights") > 0);
+    const int suns = kit_method_value(m->method, "suns") > 0, vpls = kit_method_value(m->method, "vpls") > 0;
+    const int s3ho = m->gather.pass == SSGI_GL_S3HO, indirect = (int)kit_method_value(m->method, "indirect");
+    const int bounce = s3ho ? indirect : m->gather.bounce, reuse = kit_method_value(m->method, "reuse") > 0;
+    const int harmonics = s3ho && !(kit_method_value(m->method, "lights") > 0);
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { m->world->scene, lighting };
     int count = 0, direct = 0, failed;
     kit_sphere all, middle;
     kit_lamp *lamps;
-    GLuint light = 0, received = 0;
     m->world = &world;
     m->blur.colour = SSGI_GL_COLOUR;
     if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
-    m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")] : SSGI_GL_ENVIRONMENT_NONE;
+    m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")]
+                                                        : SSGI_GL_ENVIRONMENT_NONE;
     if (lighting->env.data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
     if (kit_seen(g, &all, &middle, m->err)) return -1;
@@ -449,92 +576,14 @@ int kit_open_lit(kit_making *m, const float picture[16])
     }
     ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
-    failed = (m->gather.views && kit_add_views(m, picture, &middle)) || kit_add_atlas(m, lamps, count);
-    for (int v = -1; v < run->views && direct && !failed; ++v) {
-        float to[16], projection[16];
-        if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
-        m->rows[1 + v] = kit_keep(run, kit_light_rows(lamps, 0, direct, v < 0 ? picture : to));
-        failed = !m->rows[1 + v] && kit_fail(m->err, "no memory for %d lights", direct);
-    }
-    if (!failed && !g->albedo) {                     /* the grey of meshes without a material */
-        const size_t texels = (size_t)g->width * (size_t)g->height;
-        float *grey = malloc(4 * texels * sizeof *grey);
-        for (size_t i = 0; grey && i < 4 * texels; ++i) grey[i] = 0.8f;
-        run->grey = kit_keep(run, grey ? kit_texture(g->width, g->height, GL_RGBA16F, grey) : 0);
-        free(grey);
-    }
-    if (!failed && bounce) {
-        run->senders = kit_keep(run, kit_texture_array(g->viewport[2], g->viewport[3], m->gather.layers, GL_RG32UI, NULL));
-        if (run->views) run->view_senders = kit_keep(run, kit_texture_array(run->view[0].width, run->view[0].height, run->views * m->gather.view_layers, GL_RG32UI, NULL));
-    }
-    for (int v = 0; v < run->views && bounce && !failed; ++v)           /* hidden senders: lit in their own camera's picture */
-        for (int j = 0; j < m->gather.view_layers && !failed; ++j)
-            failed = (!s3ho && add_direct(m, &run->view[v], v, j, &light)) || ((s3ho || light) && add_senders(m, &run->view[v], v, j, light));
-    for (int j = m->gather.layers - 1; j > 0 && bounce && !failed; --j)
-        failed = (!s3ho && add_direct(m, g, -1, j, &light)) || ((s3ho || light) && add_senders(m, g, -1, j, light));
-    if (!failed && s3ho) {
-        ssgi_gl_desc d = m->lights;
-        kit_pass *p;
-        failed = (bounce && add_senders(m, g, -1, 0, 0)) || add_vectors(m, SSGI_GL_TRANSFER_FREE, indirect == 1, &light);
-        if (!failed && bounce) failed = add_vectors(m, indirect == 1 ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, &received);
-        if (indirect == 1) run->joint = light;
-        if (!failed && !harmonics && m->rows[0]) {
-            d.accumulate = 1;
-            p = kit_add_pass(m, &d, g, 0, light, 0, 0);
-            failed = !p;
-            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
-        }
-    } else if (!failed && bounce && m->gather.environment && kit_method_value(m->method, "reuse") > 0) {
-        kit_pass *p, *senders;
-        failed = add_senders(m, g, -1, 0, 1);        /* its source is set below */
-        senders = &run->pass[run->passes - 1];
-        p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
-        failed = !p;
-        light = p ? p->target[0] : 0;
-        received = p ? p->target[1] : 0;
-        failed = failed || kit_add_blur(m, &light) || kit_add_blur(m, &received);
-        if (!failed && m->rows[0]) {
-            ssgi_gl_desc d = m->lights;
-            d.accumulate = 1;
-            p = kit_add_pass(m, &d, g, 0, light, 0, 0);
-            failed = !p;
-            if (p) { p->lights = m->rows[0]; light = p->target[0]; }
-        }
-        senders->source = light;
-    } else if (!failed) {
-        failed = add_direct(m, g, -1, 0, &light);
-        if (!failed && bounce && (light || g->direct)) {
-            ssgi_gl_desc d = m->gather;
-            kit_pass *p;
-            d.environment = SSGI_GL_ENVIRONMENT_NONE;
-            if (vpls) {                     /* what the clamp of the virtual point lights leaves out: just that falloff, of single points */
-                d.falloff = SSGI_GL_FALLOFF_SQUARE;
-                d.fade = d.range = 0;
-                d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
-                d.steps = 1;
-            }
-            failed = add_senders(m, g, -1, 0, light);
-            p = failed ? NULL : kit_add_pass(m, &d, g, 0, 0, 0, 0);
-            failed = !p;
-            if (p) received = p->target[0];
-            failed = failed || kit_add_blur(m, &received);
-        }
-    }
-    if (!failed && vpls) {
-        ssgi_gl_desc d = m->lights;
-        kit_pass *p;
-        d.accumulate = received != 0;
-        p = kit_add_pass(m, &d, g, KIT_FRAME_VPLS, received, 0, 0);
-        failed = !p;
-        if (p) {
-            p->lights = kit_keep(run, kit_light_rows(lamps, direct, count, picture));
-            received = p->target[0];
-        }
-        run->vpls = count - direct;
-    }
+    failed = add_sources(m, lamps, direct, count, picture, &middle);
+    if (!failed && !g->albedo) add_grey(m);
+    failed = failed || (bounce && add_hidden(m))
+          || (s3ho ? add_harmonic_light(m, indirect, harmonics, &run->light, &run->bounce)
+              : bounce && m->gather.environment && reuse ? add_reused(m, &run->light, &run->bounce)
+              : add_bounced(m, vpls, &run->light, &run->bounce))
+          || (vpls && add_vpls(m, lamps, direct, count, picture, &run->bounce));
     free(lamps);
-    run->light = light;
-    run->bounce = received;
     return failed ? -1 : 0;
 }
 
