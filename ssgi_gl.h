@@ -1,8 +1,7 @@
 /* ssgi_gl.h - v0.1 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
-   Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere
-   already)
+   Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
 
@@ -17,10 +16,8 @@
       int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), i;            // ... and bind what it reads and writes:
       for (i = 0; i < rows; ++i)
          if (row[i].kind == SSGI_GL_TEXTURE) printf("unit %d: %s, %s\n", row[i].slot, row[i].name, row[i].format);
-      ssgi_gl_frame frame;                                  // what changes per frame: fill, upload as one uniform
-      buffer
-      ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);              // view: an ssgi_view, see ssgi.h; radius 0.5 view
-      units
+      ssgi_gl_frame frame;                                  // what changes per frame: upload as one uniform buffer
+      ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
       Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, depth test and blending off, the
@@ -59,11 +56,10 @@
 
    OCCLUSION AS SPHERICAL HARMONICS, when light changes more often than geometry, or is spherical harmonics already
       senders  radiance ALBEDO, for a bounce only; a draw a layer
-      s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds a
-      bounce
-               for whatever light comes
-      blur     with colour = SSGI_GL_VECTORS; or none here and blur what shade wrote: far cheaper, the same but for the
-      clamp
+      s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds
+               a bounce for whatever light comes
+      blur     with colour = SSGI_GL_VECTORS; or none here, and blur what shade wrote: far cheaper, the same but for
+               the clamp
       shade    dots them with frame.harmonics (ssgi_gl_harmonics_set) and adds lamps: irradiance over pi, or radiance.
                bands = 2 serves bent normals and cones
       With shaded = 1 s3ho does that itself and keeps nothing.
@@ -87,12 +83,11 @@
       unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the picture
 
    ROOMS        search for ">>"
-      >>desc       what you choose               >>io      what a pass reads and writes       >>frame    what changes
-      per frame
-      >>emit       text out
+      >>desc       what you choose               >>emit    text out
+      >>io         what a pass reads and writes  >>frame   what changes per frame
       >>library    the GLSL, a function an entry, by room: >>fetch >>visibility >>harmonics >>gather >>light >>field
-                   >>splat >>filter              >>passes  the main function of each stage    >>rows     inputs and
-                   outputs
+                   >>splat >>filter
+      >>rows       the table of inputs and outputs         >>passes   the main function of each stage
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
                 outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
                 An input: a row. What a text reads is what its functions name; nothing else says it again.
