@@ -343,8 +343,7 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal, _rotate, _product
    (ssgi_sh_turn is _rotate) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
-   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. 3 ms a
-   call for 4 bands, whose product has 194 terms. */
+   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
 /* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's
@@ -2930,12 +2929,6 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
-static ssgi_gl__text ssgi_gl__begin(char *out, size_t capacity)
-{
-    const ssgi_gl__text t = { out, capacity, 0, 0 };
-    return t;
-}
-
 static size_t ssgi_gl__end(ssgi_gl__text *t)
 {
     if (t->capacity) t->out[t->length < t->capacity ? t->length : t->capacity - 1] = 0;
@@ -2945,32 +2938,42 @@ static size_t ssgi_gl__end(ssgi_gl__text *t)
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage)
 {
     ssgi_gl__program p;
-    ssgi_gl__text t = ssgi_gl__begin(out, capacity);
+    ssgi_gl__text t = { out, capacity, 0, 0 };
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
     if (ssgi_gl__link_all(&p, desc, stage)) ssgi_gl__write(&t, &p, stage);
     return ssgi_gl__end(&t);
 }
 
-/* The product's terms by what ssgi_sh_product makes of pairs of basis functions. */
+/* The product's terms: integrals of three basis functions each, by a quadrature that is exact to degree 9. */
 static void ssgi_gl__print_product(ssgi_gl__text *t, int bands)
 {
     static const char lane[16][4] = { "a.x", "a.y", "a.z", "a.w", "b.x", "b.y", "b.z", "b.w",
                                       "c.x", "c.y", "c.z", "c.w", "d.x", "d.y", "d.z", "d.w" };
+    static const double gauss[5][2] = { { 0.0, 0.568888888888889 }, { 0.538469310105683, 0.478628670499366 },
+        { -0.538469310105683, 0.478628670499366 }, { 0.906179845938664, 0.236926885056189 },
+        { -0.906179845938664, 0.236926885056189 } };
     const int n = bands * bands;
-    int i, j, k;
+    float basis[50][16];
+    int i, j, k, node;
+    for (i = 0; i < 50; ++i) {
+        const double z = gauss[i / 10][0], r = sqrt(1.0 - z * z), turn = 0.62831853071795865 * (i % 10);
+        const float d[3] = { (float)(r * cos(turn)), (float)(r * sin(turn)), (float)z };
+        ssgi_sh_basis(basis[i], bands, d);
+    }
     ssgi_gl__print(t, "\n// the product of two functions, as far as these bands hold it\n"
                       "ssgi_sh ssgi_sh_product(ssgi_sh x, ssgi_sh y) {\n"
                       "    ssgi_sh p = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n    float q;\n");
     for (i = 0; i < n; ++i)
         for (j = i; j < n; ++j) {
-            float one[16] = { 0 }, other[16] = { 0 }, product[16];
-            one[i] = other[j] = 1.0f;
-            ssgi_sh_product(product, bands, one, other);
             ssgi_gl__print(t, "    q = x.%s * y.%s", lane[i], lane[j]);
             ssgi_gl__print(t, i == j ? ";\n" : " + x.%s * y.%s;\n", lane[j], lane[i]);
-            for (k = 0; k < n; ++k)
-                if (product[k] > 1e-5f || product[k] < -1e-5f)
-                    ssgi_gl__print(t, "    p.%s += q * %f;\n", lane[k], (double)product[k]);
+            for (k = 0; k < n; ++k) {
+                double sum = 0.0;
+                for (node = 0; node < 50; ++node)
+                    sum += 0.62831853071795865 * gauss[node / 10][1] * (double)basis[node][i] * (double)basis[node][j]
+                         * (double)basis[node][k];
+                if (sum > 1e-5 || sum < -1e-5) ssgi_gl__print(t, "    p.%s += q * %f;\n", lane[k], sum);
+            }
         }
     ssgi_gl__print(t, "    return p;\n}\n");
 }
@@ -2979,7 +2982,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
 {
     ssgi_gl_desc d;
     ssgi_gl__stage stage;
-    ssgi_gl__text t = ssgi_gl__begin(out, capacity);
+    ssgi_gl__text t = { out, capacity, 0, 0 };
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
     d.bands = bands;
@@ -2993,7 +2996,7 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
 {
     ssgi_gl_desc d;
     ssgi_gl__stage stage;
-    ssgi_gl__text t = ssgi_gl__begin(out, capacity);
+    ssgi_gl__text t = { out, capacity, 0, 0 };
     int i;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
@@ -3019,11 +3022,10 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
 {
     ssgi_gl__program p;
-    ssgi_gl__text t = ssgi_gl__begin(NULL, 0);
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u };         /* FNV-1a over the very texts */
     int stage;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
-    t.hash = 14695981039346656037u;         /* FNV-1a over the very texts */
     for (stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
