@@ -787,11 +787,30 @@ extern "C" {
 
 #define SSGI__PI 3.14159265358979323846
 
-static ssgi_result ssgi__bad(const char **why, const char *sentence)
+/* Before what is called from many places: copies of it would cost code and compile time only. */
+#if defined(__GNUC__)
+#define SSGI__NOINLINE __attribute__((noinline))
+#elif defined(_MSC_VER)
+#define SSGI__NOINLINE __declspec(noinline)
+#else
+#define SSGI__NOINLINE
+#endif
+
+static SSGI__NOINLINE ssgi_result ssgi__bad(const char **why, const char *sentence)
 {
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
 }
+
+/* Of the arguments of a function that has `why`. */
+#define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
+#define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
+#define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
+#define SSGI__SIZE(width, height)      SSGI__RANGE(width, 1, 65536); SSGI__RANGE(height, 1, 65536)
+#define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
+#define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
+#define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
+#define SSGI__BAD(call)                do { if ((call) != SSGI_OK) return SSGI_BAD_ARGUMENT; } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
@@ -801,39 +820,75 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-static int ssgi__finite3(const float *v) { return v && ssgi__finite(v[0]) && ssgi__finite(v[1]) && ssgi__finite(v[2]); }
+/* Whether all are there and finite. */
+static SSGI__NOINLINE int ssgi__finites(const float *v, int count)
+{
+    if (!v) return 0;
+    while (count > 0 && ssgi__finite(*v)) { ++v; --count; }
+    return count == 0;
+}
 
 /* Whether all are finite and 0 or more. */
-static int ssgi__positive(const float *v, int count)
+static SSGI__NOINLINE int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
     return count == 0;
 }
 
+static SSGI__NOINLINE int ssgi__within(float x, float least, float most)
+{
+    return ssgi__finite(x) && x >= least && x <= most;
+}
+
 /* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
 static double ssgi__light(float x, float least)
 {
-    if (!ssgi__finite(x)) return 0.0;
-    return (double)(x < least ? least : x > 1e24f ? 1e24f : x);
+    return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
 }
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
+/* rgb times a weight; returns the luminance of that */
+static SSGI__NOINLINE double ssgi__light3(double out[3], const float *rgb, float least, double weight)
+{
+    for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
+    return ssgi__luminance(out);
+}
+
+static float ssgi__min(float a, float b) { return a < b ? a : b; }
+static float ssgi__max(float a, float b) { return a > b ? a : b; }
+static float ssgi__abs(float a) { return ssgi__max(a, -a); }
+
 static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-static void ssgi__cross(double out[3], const double a[3], const double b[3])
+static SSGI__NOINLINE void ssgi__cross(double out[3], const double a[3], const double b[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* returns the length that it had; 0 stays 0 */
-static double ssgi__normalise(double v[3])
+/* a + s b */
+static SSGI__NOINLINE void ssgi__along(double out[3], const double a[3], double s, const double b[3])
 {
-    double length = sqrt(ssgi__dot(v, v));
-    int i;
-    for (i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
+    for (int i = 0; i < 3; ++i) out[i] = a[i] + s * b[i];
+}
+
+static SSGI__NOINLINE void ssgi__doubles(double out[3], const float v[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = (double)v[i];
+}
+
+static SSGI__NOINLINE void ssgi__floats(float out[3], const double v[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
+}
+
+/* returns the length that it had; 0 stays 0 */
+static SSGI__NOINLINE double ssgi__normalise(double v[3])
+{
+    const double length = sqrt(ssgi__dot(v, v));
+    for (int i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
     return length;
 }
 
@@ -844,25 +899,19 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
 {
     double m[16], w, scale, shift;
     ssgi_view v;
-    int i, perspective;
-    if (!view) return ssgi__bad(why, "view: must not be NULL");
-    if (!projection) return ssgi__bad(why, "projection: must not be NULL");
-    if (clip != SSGI_CLIP_GL && clip != SSGI_CLIP_ZERO)
-        return ssgi__bad(why, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
-    for (i = 0; i < 16; ++i) {
-        if (!ssgi__finite(projection[i])) return ssgi__bad(why, "projection: must be finite");
-        m[i] = (double)projection[i];
-    }
+    int perspective;
+    SSGI__THERE2(view, projection);
+    SSGI__CHECK(clip == SSGI_CLIP_GL || clip == SSGI_CLIP_ZERO, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
+    SSGI__SIZE(width, height);
+    SSGI__CHECK(ssgi__finites(projection, 16), "projection: must be finite");
     perspective = projection[11] < 0.0f;
     if (projection[3] != 0.0f || projection[7] != 0.0f
         || (perspective ? projection[15] != 0.0f : projection[11] != 0.0f || !(projection[15] > 0.0f)))
         return ssgi__bad(why, "projection: its w row must be (0,0,-1,0) or (0,0,0,1): right-handed, camera along -z");
     if (projection[1] != 0.0f || projection[4] != 0.0f || projection[2] != 0.0f || projection[6] != 0.0f)
         return ssgi__bad(why, "projection: must not be skewed (elements 1, 2, 4, 6 are 0)");
-    w = perspective ? -m[11] : m[15];
-    for (i = 0; i < 16; ++i) m[i] /= w;
+    w = perspective ? -(double)projection[11] : (double)projection[15];
+    for (int i = 0; i < 16; ++i) m[i] = (double)projection[i] / w;
     if (projection[0] == 0.0f || projection[5] == 0.0f)
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
@@ -871,7 +920,7 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
     v.width = width; v.height = height; v.orthographic = !perspective;
-    for (i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2; ++i) {
         double size = i ? height : width, gain = m[i * 5], centre = perspective ? -m[8 + i] : m[12 + i];
         v.project[i] = (float)(gain * 0.5 * size);
         v.project[2 + i] = (float)((centre * 0.5 + 0.5) * size);
@@ -889,9 +938,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         v.depth[1] = (float)(-scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
     }
-    for (i = 0; i < 4; ++i)
-        if (!ssgi__finite(v.project[i]) || !ssgi__finite(v.unproject[i]) || !ssgi__finite(v.depth[i & 1]))
-            return ssgi__bad(why, "projection: its elements are too large or too small for float arithmetic");
+    SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2),
+                "projection: its elements are too large or too small for float arithmetic");
     *view = v;
     return SSGI_OK;
 }
@@ -930,9 +978,8 @@ SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
     double most = 0.0, d;
-    int axis, side;
-    for (axis = 0; axis < 2; ++axis)
-        for (side = 0; side < 2; ++side) {
+    for (int axis = 0; axis < 2; ++axis)
+        for (int side = 0; side < 2; ++side) {
             /* per depth */
             const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
             const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
@@ -954,28 +1001,23 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
-    int i, k;
-    if (!world_to_view) return ssgi__bad(why, "world_to_view: must not be NULL");
-    if (!projection) return ssgi__bad(why, "projection: must not be NULL");
-    if (!main_world_to_view) return ssgi__bad(why, "main_world_to_view: must not be NULL");
-    for (i = 0; i < 16; ++i) {
-        if (!ssgi__finite(main_world_to_view[i])) return ssgi__bad(why, "main_world_to_view: must be finite");
-        if (i % 4 < 3 && i < 12) was[i % 4][i / 4] = (double)main_world_to_view[i];
-    }
-    for (i = 0; i < 9; ++i)
+    SSGI__THERE3(world_to_view, projection, main_world_to_view);
+    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
+    for (int i = 0; i < 9; ++i) was[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
+    for (int i = 0; i < 9; ++i)
         if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
             return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
-    for (i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i)
         if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
             return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
-    if (!centre) return ssgi__bad(why, "centre: must not be NULL");
-    if (!ssgi__finite3(centre)) return ssgi__bad(why, "centre: must be finite");
-    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
-    if (!displacement) return ssgi__bad(why, "displacement: must not be NULL");
-    if (!ssgi__finite3(displacement)) return ssgi__bad(why, "displacement: must be finite");
+    SSGI__THERE(centre);
+    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be finite");
+    SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
+    SSGI__THERE(displacement);
+    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be finite");
 
-    for (k = 0; k < 3; ++k) {                       /* the main eye stands at minus the translation, in its own axes */
-        for (i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
+        for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
@@ -990,8 +1032,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
         ssgi__normalise(axis[0]);
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
-    for (i = 0; i < 3; ++i) {
-        for (k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);
     }
     view[15] = 1.0f;
@@ -1002,10 +1044,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
-    for (i = 0; i < 16; ++i)
-        if (!ssgi__finite(view[i])) return ssgi__bad(why, "radius: too large for float arithmetic");
-    if (ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) != SSGI_OK)
-        return ssgi__bad(why, "radius: too small or too large for float arithmetic");
+    SSGI__CHECK(ssgi__finites(view, 16), "radius: too large for float arithmetic");
+    SSGI__CHECK(ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) == SSGI_OK,
+                "radius: too small or too large for float arithmetic");
     memcpy(world_to_view, view, sizeof view);
     memcpy(projection, clip, sizeof clip);
     return SSGI_OK;
@@ -1051,17 +1092,17 @@ static int ssgi__gcd(int a, int b)
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why)
 {
     const double two_pi = 2.0 * SSGI__PI, golden = 0.61803398874989484820;
-    int set, i, step;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (sets < 1 || sets > 4096) return ssgi__bad(why, "sets: must be 1..4096");
-    if (samples < 1 || samples > 4096) return ssgi__bad(why, "samples: must be 1..4096");
+    int step;
+    SSGI__THERE(out);
+    SSGI__RANGE(sets, 1, 4096);
+    SSGI__RANGE(samples, 1, 4096);
     /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow
        neither u nor the azimuth. */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
-    for (set = 0; set < sets; ++set) {
+    for (int set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
                slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
-        for (i = 0; i < samples; ++i) {
+        for (int i = 0; i < samples; ++i) {
             /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
             double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn);
             float *o = out + 4 * ((size_t)set * (size_t)samples + (size_t)i);
@@ -1077,16 +1118,16 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
 {
     const double two_pi = 2.0 * SSGI__PI;
-    int i, n, m;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 1 || size > 64) return ssgi__bad(why, "size: must be 1..64");
-    if (directions < 1 || directions > 1024) return ssgi__bad(why, "directions: must be 1..1024");
+    int n, m;
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 1, 64);
+    SSGI__RANGE(directions, 1, 1024);
     n = size * size;
     /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours
        far apart when m is not 0. */
     for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
     if (m >= size) m = 0;
-    for (i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i) {
         int x = i % size, y = i / size, a = (m * x + y) % size, b = (x + m * y) % size;
         double turn = two_pi / directions * ((double)(a * size + b) + 0.5) / n;
         float *o = out + 4 * (size_t)i;
@@ -1099,8 +1140,10 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 
 /* ==== >>sh (implementation) ==================================================================================== */
 
+#define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
+
 /* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
-static void ssgi__sh_basis(double *out, int bands, const double d[3])
+static SSGI__NOINLINE void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
     static const double norm[] = {
@@ -1110,10 +1153,9 @@ static void ssgi__sh_basis(double *out, int bands, const double d[3])
         0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
         0.00069458418713245 };
     double real = 1.0, imaginary = 0.0, top = 1.0;
-    int l, m;
-    for (m = 0; m < bands; ++m) {
+    for (int m = 0; m < bands; ++m) {
         double q = top, before = 0.0, turned;
-        for (l = m; l < bands; ++l) {
+        for (int l = m; l < bands; ++l) {
             const double k = norm[l * (l + 1) / 2 + m] * q,
                          next = ((2 * l + 1) * d[2] * q - (l + m) * before) / (l + 1 - m);
             out[l * l + l - m] = k * imaginary;
@@ -1132,12 +1174,11 @@ static int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MA
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
-    const double d[3] = { (double)direction[0], (double)direction[1], (double)direction[2] };
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int i;
+    double d[3], basis[SSGI__SH_MOST];
     bands = ssgi__sh_limit(bands);
+    ssgi__doubles(d, direction);
     ssgi__sh_basis(basis, bands, d);
-    for (i = 0; i < bands * bands; ++i) out[i] = (float)basis[i];
+    for (int i = 0; i < bands * bands; ++i) out[i] = (float)basis[i];
 }
 
 SSGI_DEF float ssgi_sh_cosine(int l)
@@ -1148,15 +1189,14 @@ SSGI_DEF float ssgi_sh_cosine(int l)
 
 /* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is
    there. */
-static double ssgi__equirect_row(double polar[2], double at, int width, int height)
+static SSGI__NOINLINE double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
-    const double pi = SSGI__PI;
-    polar[0] = sin(pi * at / height);
-    polar[1] = cos(pi * at / height);
-    return 4.0 * pi / width * polar[0] * sin(0.5 * pi / height);
+    polar[0] = sin(SSGI__PI * at / height);
+    polar[1] = cos(SSGI__PI * at / height);
+    return 4.0 * SSGI__PI / width * polar[0] * sin(0.5 * SSGI__PI / height);
 }
 
-static void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
+static SSGI__NOINLINE void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
     const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
     direction[0] = polar[0] * sin(longitude);
@@ -1164,30 +1204,28 @@ static void ssgi__equirect(double direction[3], const double polar[2], double at
     direction[2] = polar[0] * cos(longitude);
 }
 
-static ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
+static SSGI__NOINLINE ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
 {
-    if (!rgb) return ssgi__bad(why, "rgb: must not be NULL");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
+    SSGI__THERE(rgb);
+    SSGI__SIZE(width, height);
     return SSGI_OK;
 }
 
-typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS]; } ssgi__sh_sum;
+typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI__SH_MOST]; } ssgi__sh_sum;
 
 static void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], light[3];
-    int i, c;
+    double basis[SSGI__SH_MOST], light[3];
     ssgi__sh_basis(basis, sum->bands, direction);
-    for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(rgb[c], -1e24f);
-    for (i = 0; i < sum->bands * sum->bands; ++i)
-        for (c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
+    ssgi__light3(light, rgb, -1e24f, weight);
+    for (int i = 0; i < sum->bands * sum->bands; ++i)
+        for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
 }
 
-static ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+static SSGI__NOINLINE ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
 {
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    SSGI__THERE(out);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
     memset(sum, 0, sizeof *sum);
     sum->bands = bands;
     return SSGI_OK;
@@ -1195,20 +1233,18 @@ static ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands
 
 static void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
 {
-    int i;
-    for (i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
+    for (int i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
 }
 
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why)
 {
     ssgi__sh_sum sum;
-    int x, y;
-    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK || ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK)
-        return SSGI_BAD_ARGUMENT;
-    for (y = 0; y < height; ++y) {
+    SSGI__BAD(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
+    for (int y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = 0; x < width; ++x, rgb += 3) {
+        for (int x = 0; x < width; ++x, rgb += 3) {
             ssgi__equirect(direction, polar, x + 0.5, width);
             ssgi__sh_add(&sum, direction, rgb, weight);
         }
@@ -1221,14 +1257,13 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
 /* GL table 8.19, s and t in [-1,1] */
-static void ssgi__cube_direction(double out[3], int face, double s, double t)
+static SSGI__NOINLINE void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
                                               { 1, 0, 0 },  { 1, 0, 0 }, { -1, 0, 0 } };
     static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
                                             { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
-    int i;
-    for (i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
+    for (int i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
     out[face / 2] = face & 1 ? -1.0 : 1.0;
     ssgi__normalise(out);
 }
@@ -1247,18 +1282,17 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
                                           const char **why)
 {
     ssgi__sh_sum sum;
-    int x, y, face;
-    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!faces) return ssgi__bad(why, "faces: must not be NULL");
-    for (face = 0; face < 6; ++face)
-        if (!faces[face]) return ssgi__bad(why, "faces: all six must be there, none NULL");
-    if (size < 1 || size > 65536) return ssgi__bad(why, "size: must be 1..65536");
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) {
+    SSGI__BAD(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__THERE(faces);
+    for (int face = 0; face < 6; ++face)
+        SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
+    SSGI__RANGE(size, 1, 65536);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
             const double s = (2 * x + 1.0) / size - 1.0, t = (2 * y + 1.0) / size - 1.0, h = 1.0 / size;
             const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h)
                                 - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
-            for (face = 0; face < 6; ++face) {
+            for (int face = 0; face < 6; ++face) {
                 double direction[3];
                 ssgi__cube_direction(direction, face, s, t);
                 ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
@@ -1271,9 +1305,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
 {
     double positive = 1.0;
-    int l;
     bands = ssgi__sh_limit(bands);
-    for (l = 0; l < bands; ++l) {
+    for (int l = 0; l < bands; ++l) {
         const double hann = 0.5 + 0.5 * cos(SSGI__PI * l / bands);
         out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? hann : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
         positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
@@ -1282,10 +1315,10 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
 
 SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3])
 {
-    int l, i = 0;
+    int i = 0;
     bands = ssgi__sh_limit(bands);
     ssgi_sh_basis(out, bands, direction);
-    for (l = 0; l < bands; ++l)
+    for (int l = 0; l < bands; ++l)
         for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt((4.0 * SSGI__PI) / (2 * l + 1));
 }
 
@@ -1297,10 +1330,9 @@ static double ssgi__sphere_node(double d[3], int degree, int i)
     const int rows = degree / 2 + 1, columns = degree + 1;
     const double azimuth = 2.0 * pi * (i % columns) / columns;
     double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
-    int step, l;
-    for (step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
+    for (int step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
         double p = 1.0, before = 0.0;
-        for (l = 0; l < rows; ++l) {
+        for (int l = 0; l < rows; ++l) {
             const double next = ((2 * l + 1) * z * p - l * before) / (l + 1);
             before = p;
             p = next;
@@ -1319,30 +1351,29 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
     /* bands do not mix: of a row, its own */
-    double matrix[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];
-    int l, i, j, c, node;
+    double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
-    for (node = 0; node < bands * (2 * bands - 1); ++node) {
-        double here[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], there[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    for (int node = 0; node < bands * (2 * bands - 1); ++node) {
+        double here[SSGI__SH_MOST], there[SSGI__SH_MOST];
         double view[3], world[3], weight;
         weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
-        for (i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i)
             world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
         ssgi__sh_basis(there, bands, world);
-        for (l = i = 0; l < bands; ++l)
+        for (int l = 0, i = 0; l < bands; ++l)
             for (; i < (l + 1) * (l + 1); ++i)
-                for (j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
+                for (int j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
     }
-    for (c = 0; c < channels; ++c)
-        for (l = i = 0; l < bands; ++l) {
-            for (j = 0; j < 2 * l + 1; ++j)
+    for (int c = 0; c < channels; ++c)
+        for (int l = 0, i = 0; l < bands; ++l) {
+            for (int j = 0; j < 2 * l + 1; ++j)
                 band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
             for (; i < (l + 1) * (l + 1); ++i) {
                 double sum = 0.0;
-                for (j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
+                for (int j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
                 out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
             }
         }
@@ -1350,11 +1381,10 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
 
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
 {
-    int l, i, c;
     bands = ssgi__sh_limit(bands);
-    for (l = i = 0; l < bands; ++l)
+    for (int l = 0, i = 0; l < bands; ++l)
         for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
-            for (c = 0; c < channels; ++c) {
+            for (int c = 0; c < channels; ++c) {
                 const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
                 out[l] += k * k;
             }
@@ -1363,8 +1393,7 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
 static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
 {
     double sum = 0.0;
-    int l;
-    for (l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
+    for (int l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
     return sum;
 }
 
@@ -1372,38 +1401,37 @@ static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands,
 static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
                           const double d[3], double s)
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int l, i = 0;
+    double basis[SSGI__SH_MOST];
+    int i = 0;
     ssgi__sh_basis(basis, bands, d);
-    for (l = 0; l < bands; ++l)
+    for (int l = 0; l < bands; ++l)
         for (part[l] = 0.0; i < (l + 1) * (l + 1); ++i) part[l] += basis[i] * (double)coefficients[channels * i];
     return ssgi__sh_weakened(part, bands, s);
 }
 
 SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
 {
-    double sum[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS] = { 0.0 }, basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST];
     double part[SSGI_SH_MAX_BANDS], d[3];
-    int i, node, degree;
+    int degree;
     bands = ssgi__sh_limit(bands);
     degree = 3 * (bands - 1);
-    for (node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
+    for (int node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
         const double weight = ssgi__sphere_node(d, degree, node),
                      value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
         ssgi__sh_basis(basis, bands, d);
-        for (i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
+        for (int i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
     }
-    for (i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
+    for (int i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
 }
 
 /* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
    cosine 1, as differences of polynomials would. */
 static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
-    int l;
     mean[0] = 1.0;
     mean[1] = 0.5 + 0.5 * cosine;
-    for (l = 2; l < SSGI_SH_MAX_BANDS; ++l)
+    for (int l = 2; l < SSGI_SH_MAX_BANDS; ++l)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
@@ -1411,27 +1439,26 @@ static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
                                const double d[3], double colour[2][3])
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int l, i = 0, c;
+    double basis[SSGI__SH_MOST];
+    int i = 0;
     ssgi__sh_basis(basis, bands, d);
-    for (l = 0; l < bands; ++l)
+    for (int l = 0; l < bands; ++l)
         for (; i < (l + 1) * (l + 1); ++i)
-            for (c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
+            for (int c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
 }
 
 /* 0 if it is not a direction */
 static int ssgi__direction(double d[3], const float *v)
 {
-    int i;
-    if (!ssgi__finite3(v)) return 0;
-    for (i = 0; i < 3; ++i) d[i] = (double)v[i];
+    if (!ssgi__finites(v, 3)) return 0;
+    ssgi__doubles(d, v);
     return ssgi__normalise(d) > 0.0;
 }
 
-static ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
+static SSGI__NOINLINE ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
 {
-    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    SSGI__THERE(coefficients);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
     return SSGI_OK;
 }
 
@@ -1440,20 +1467,19 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
-    int l, c;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!ssgi__direction(d, direction)) return ssgi__bad(why, "direction: must be there, finite and not 0");
-    if (!ssgi__finite(sine) || !(sine >= 0.0f && sine <= 1.0f)) return ssgi__bad(why, "sine: must be 0..1");
-    if (!ssgi__finite3(irradiance)) return ssgi__bad(why, "irradiance: must be there and finite");
-    if (window < SSGI_SH_WINDOW_NONE || window > SSGI_SH_WINDOW_POSITIVE)
-        return ssgi__bad(why, "window: must be one of SSGI_SH_WINDOW_");
+    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(ssgi__direction(d, direction), "direction: must be there, finite and not 0");
+    SSGI__CHECK(ssgi__within(sine, 0.0f, 1.0f), "sine: must be 0..1");
+    SSGI__CHECK(ssgi__finites(irradiance, 3), "irradiance: must be there and finite");
+    SSGI__CHECK(window >= SSGI_SH_WINDOW_NONE && window <= SSGI_SH_WINDOW_POSITIVE,
+                "window: must be one of SSGI_SH_WINDOW_");
     ssgi_sh_window(weight, bands, window);
     ssgi__sh_cap(factor, sqrt(1.0 - (double)sine * (double)sine));
-    for (l = 0; l < bands; ++l) {
+    for (int l = 0; l < bands; ++l) {
         factor[l] *= (double)weight[l];
         facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
-    for (c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
+    for (int c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
     ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
     return SSGI_OK;
 }
@@ -1462,14 +1488,13 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
                                  const float below[3], const char **why)
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
-    int c;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!ssgi__direction(d, up)) return ssgi__bad(why, "up: must be there, finite and not 0");
-    if (!ssgi__finite3(above)) return ssgi__bad(why, "above: must be there and finite");
-    if (!ssgi__finite3(below)) return ssgi__bad(why, "below: must be there and finite");
+    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(ssgi__direction(d, up), "up: must be there, finite and not 0");
+    SSGI__CHECK(ssgi__finites(above, 3), "above: must be there and finite");
+    SSGI__CHECK(ssgi__finites(below, 3), "below: must be there and finite");
     ssgi__sh_cap(factor, 0.0);
     /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const double a = 2.0 * SSGI__PI * ssgi__light(above[c], -1e24f),
                      b = 2.0 * SSGI__PI * ssgi__light(below[c], -1e24f);
         colour[0][c] = a + b;
@@ -1484,8 +1509,8 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
 static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
 {
     double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
-    int node, j, moved;
-    for (node = 0; node < 10 * 20; ++node) {
+    int j, moved;
+    for (int node = 0; node < 10 * 20; ++node) {
         ssgi__sphere_node(d, 19, node);
         value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
         /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
@@ -1513,9 +1538,9 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
 {
     double s = 0.0, part[SSGI_SH_MAX_BANDS];
     int i, c, l, raised;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
     for (i = 0; i < 3 * bands * bands; ++i)
-        if (!ssgi__finite(coefficients[i])) return ssgi__bad(why, "coefficients: must be finite");
+        SSGI__CHECK(ssgi__finite(coefficients[i]), "coefficients: must be finite");
     /* s rises until the direction that is lowest is not below 0, until none is */
     do
         for (raised = c = 0; c < 3; ++c) {
@@ -1555,23 +1580,19 @@ SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
 
 SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
 {
-    double n[3], t;
-    int i;
-    n[0] = (double)e[0];
-    n[1] = (double)e[1];
+    double n[3] = { (double)e[0], (double)e[1], 0.0 }, t;
     n[2] = 1.0 - fabs(n[0]) - fabs(n[1]);
     t = n[2] < 0.0 ? -n[2] : 0.0;
-    for (i = 0; i < 2; ++i) n[i] += n[i] < 0.0 ? t : -t;
+    for (int i = 0; i < 2; ++i) n[i] += n[i] < 0.0 ? t : -t;
     ssgi__normalise(n);
-    for (i = 0; i < 3; ++i) out[i] = (float)n[i];
+    ssgi__floats(out, n);
 }
 
 /* The direction of texel number `texel` of a map. */
-static void ssgi__octahedral_texel(float out[3], int texel, int size)
+static SSGI__NOINLINE void ssgi__octahedral_texel(float out[3], int texel, int size)
 {
-    float e[2];
-    e[0] = (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f;
-    e[1] = (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f;
+    const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f,
+                         (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
     ssgi_octahedral_decode(e, out);
 }
 
@@ -1581,28 +1602,27 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
                                     int height)
 {
     const double pi = SSGI__PI;
-    int i, j, x, y, c;
     /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
-    for (i = 0; i < SSGI__CELLS_Y; ++i) {
+    for (int i = 0; i < SSGI__CELLS_Y; ++i) {
         double sum[SSGI__CELLS_X][3] = { { 0.0 } }, area = 0.0;
-        for (y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
+        for (int y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
             const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
             const int bottom = (y + 1) * SSGI__CELLS_Y < (i + 1) * height ? (y + 1) * SSGI__CELLS_Y : (i + 1) * height;
             const double weight =
                 cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
             const float *row = rgb + 3 * (size_t)y * (size_t)width;
             area += weight * width;
-            for (j = 0; j < SSGI__CELLS_X; ++j)
-                for (x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
+            for (int j = 0; j < SSGI__CELLS_X; ++j)
+                for (int x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
                     const int left = x * SSGI__CELLS_X > j * width ? x * SSGI__CELLS_X : j * width;
                     const int right =
                         (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
-                    for (c = 0; c < 3; ++c)
+                    for (int c = 0; c < 3; ++c)
                         sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
                 }
         }
-        for (j = 0; j < SSGI__CELLS_X; ++j)
-            for (c = 0; c < 3; ++c) cell[i][j][c] = (float)(sum[j][c] / area);
+        for (int j = 0; j < SSGI__CELLS_X; ++j)
+            for (int c = 0; c < 3; ++c) cell[i][j][c] = (float)(sum[j][c] / area);
     }
 }
 
@@ -1612,45 +1632,44 @@ static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rg
                                            float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
-    int i, j, c, texel;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
-    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 8, 256);
+    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
     ssgi__environment_cells(cell, rgb, width, height);
-    for (i = 0; i < SSGI__CELLS_Y; ++i) {
+    for (int i = 0; i < SSGI__CELLS_Y; ++i) {
         double p[2];
         polar[i][2] = (float)ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
         polar[i][0] = (float)p[0];
         polar[i][1] = (float)p[1];
     }
-    for (j = 0; j < SSGI__CELLS_X; ++j) {
+    for (int j = 0; j < SSGI__CELLS_X; ++j) {
         const double level[2] = { 1.0, 0.0 };
         double d[3];
         ssgi__equirect(d, level, j + 0.5, SSGI__CELLS_X);
         around[j][0] = (float)d[0];
         around[j][1] = (float)d[2];
     }
-    for (texel = 0; texel < size * size; ++texel) {
+    for (int texel = 0; texel < size * size; ++texel) {
         float d[3], flat[SSGI__CELLS_X], most = -1.0f;
         double sum[3] = { 0, 0, 0 }, all = 0.0;
         ssgi__octahedral_texel(d, texel, size);
-        for (j = 0; j < SSGI__CELLS_X; ++j) {
+        for (int j = 0; j < SSGI__CELLS_X; ++j) {
             flat[j] = d[0] * around[j][0] + d[2] * around[j][1];
             most = flat[j] > most ? flat[j] : most;
         }
-        for (i = 0; i < SSGI__CELLS_Y; ++i) {
+        for (int i = 0; i < SSGI__CELLS_Y; ++i) {
             if (d[1] * polar[i][1] + most * polar[i][0] <= least) continue;
-            for (j = 0; j < SSGI__CELLS_X; ++j) {
+            for (int j = 0; j < SSGI__CELLS_X; ++j) {
                 const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0], ramp = (cosine - least) * slope;
                 double weight;
                 if (cosine <= least) continue;
                 weight = kappa > 0.0f ? (double)(polar[i][2] * expf(kappa * (cosine - 1.0f)))
                                       : (double)(polar[i][2] * (ramp < 1.0f ? ramp * cosine : cosine));
                 all += weight;
-                for (c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
+                for (int c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
             }
         }
-        for (c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
+        for (int c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
     }
     return SSGI_OK;
 }
@@ -1661,7 +1680,7 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
                                           float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
-    if (!ssgi__positive(&solid_angle, 1)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
+    SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
     /* below, less than 1e-7 */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
@@ -1670,11 +1689,9 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why)
 {
-    float half;
-    if (!ssgi__finite(cosine) || !(cosine >= 0.0f && cosine <= 0.95f)) return ssgi__bad(why, "cosine: must be 0..0.95");
     /* a cell's width, as a difference of cosines at the rim */
-    half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);
-    if (half > cosine) half = cosine;
+    const float half = ssgi__min(0.0654498469f * sqrtf(ssgi__max(0.0f, 1.0f - cosine * cosine)), cosine);
+    SSGI__CHECK(ssgi__within(cosine, 0.0f, 0.95f), "cosine: must be 0..0.95");
     return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half,
                                    half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
@@ -1684,18 +1701,15 @@ typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__reg
 #define SSGI__REGION_BINS 256
 
 /* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
-static void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
-                              const float *rgb, int width, int height)
+static SSGI__NOINLINE void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
+                                             const float *rgb, int width, int height)
 {
-    int x, y, c;
     memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
-    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+    for (int y = r->lower[1]; y < r->upper[1]; ++y) {
         const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
         double polar[2], light[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
-            for (c = 0; c < 3; ++c) light[c] = ssgi__light(p[c], 0.0f);
-            bin[((axis ? y : x) - r->lower[axis]) >> shift] += weight * ssgi__luminance(light);
-        }
+        for (int x = r->lower[0]; x < r->upper[0]; ++x, p += 3)
+            bin[((axis ? y : x) - r->lower[axis]) >> shift] += weight * ssgi__light3(light, p, 0.0f, 1.0);
     }
 }
 
@@ -1732,25 +1746,24 @@ static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const f
 
 static void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
 {
-    double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], energy = 0.0;
-    int x, y, c;
-    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+    double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], light[3], energy = 0.0;
+    for (int y = r->lower[1]; y < r->upper[1]; ++y) {
         const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
         const double weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
-            double light[3], luminance;
-            for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(p[c], 0.0f);
-            luminance = ssgi__luminance(light);
+        for (int x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
+            const double luminance = ssgi__light3(light, p, 0.0f, weight);
             energy += luminance;
             ssgi__equirect(d, polar, x + 0.5, width);
-            for (c = 0; c < 3; ++c) { total[c] += light[c]; mean[c] += luminance * d[c]; }
+            ssgi__along(total, total, 1.0, light);
+            ssgi__along(mean, mean, luminance, d);
         }
     }
     if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or the same all around */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
-    for (c = 0; c < 3; ++c) { sun->direction[c] = (float)mean[c]; sun->irradiance[c] = (float)total[c]; }
+    ssgi__floats(sun->direction, mean);
+    ssgi__floats(sun->irradiance, total);
 }
 
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
@@ -1758,10 +1771,10 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 {
     ssgi__region region[1024];
     double bin[SSGI__REGION_BINS];
-    int n, i;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (count < 1 || count > 1024) return ssgi__bad(why, "count: must be 1..1024");
-    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    int n;
+    SSGI__THERE(out);
+    SSGI__RANGE(count, 1, 1024);
+    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
     region[0].lower[0] = region[0].lower[1] = 0;
     region[0].upper[0] = width;
     region[0].upper[1] = height;
@@ -1769,7 +1782,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
         int most = -1;
-        for (i = 0; i < n; ++i) {
+        for (int i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
             if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
                 && (most < 0 || r->energy > region[most].energy))
@@ -1778,7 +1791,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
-    for (i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
+    for (int i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
         ssgi__region none = region[0];
         memcpy(none.upper, none.lower, sizeof none.upper);
         ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
@@ -1790,69 +1803,56 @@ SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coeffici
                                      int count, const char **why)
 {
     const double pi = SSGI__PI;
-    int texel, i, c, l;
-    if (!map) return ssgi__bad(why, "map: must not be NULL");
-    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
-    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    SSGI__THERE(map);
+    SSGI__RANGE(size, 8, 256);
+    SSGI__THERE(coefficients);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
     if (count < 0 || (count && !suns)) return ssgi__bad(why, "suns: must not be NULL when count is not 0");
-    for (texel = 0; texel < size * size; ++texel, map += 3) {
-        float n[3], basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    for (int texel = 0; texel < size * size; ++texel, map += 3) {
+        float n[3], basis[SSGI__SH_MOST];
         double sum[3] = { 0, 0, 0 };
         ssgi__octahedral_texel(n, texel, size);
         ssgi_sh_basis(basis, bands, n);
-        for (l = 0, i = 0; l < bands; ++l)
+        for (int l = 0, i = 0; l < bands; ++l)
             for (; i < (l + 1) * (l + 1); ++i)
-                for (c = 0; c < 3; ++c)
+                for (int c = 0; c < 3; ++c)
                     sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
-        for (i = 0; i < count; ++i) {
+        for (int i = 0; i < count; ++i) {
             double cosine = 0.0;
-            for (c = 0; c < 3; ++c) cosine += (double)n[c] * (double)suns[i].direction[c];
-            for (c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
+            for (int c = 0; c < 3; ++c) cosine += (double)n[c] * (double)suns[i].direction[c];
+            for (int c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
         }
-        for (c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
+        for (int c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
     }
     return SSGI_OK;
 }
 
 /* ==== >>vpl (implementation) =================================================================================== */
 
-static double ssgi__vpl_flux(double flux[3], const float *rgb)
-{
-    int c;
-    for (c = 0; c < 3; ++c) flux[c] = ssgi__light(rgb[c], 0.0f);
-    return ssgi__luminance(flux);
-}
-
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why)
 {
     double rgb[3], total = 0.0, sum, here;
     size_t k, last = 0;
-    int i, c;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (count < 1 || count > 4096) return ssgi__bad(why, "count: must be 1..4096");
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (!normal) return ssgi__bad(why, "normal: must not be NULL");
-    if (!flux) return ssgi__bad(why, "flux: must not be NULL");
-    if (pixels < 1) return ssgi__bad(why, "pixels: must be 1 or more");
+    SSGI__THERE(out);
+    SSGI__RANGE(count, 1, 4096);
+    SSGI__THERE3(position, normal, flux);
+    SSGI__CHECK(pixels > 0, "pixels: must be 1 or more");
     for (k = 0; k < pixels; ++k) {
-        here = ssgi__vpl_flux(rgb, flux + 3 * k);
+        here = ssgi__light3(rgb, flux + 3 * k, 0.0f, 1.0);
         total += here;
         if (here > 0.0) last = k;
     }
-    if (!(total > 0.0)) return ssgi__bad(why, "flux: must be above 0 somewhere");
-    k = 0;
-    sum = here = ssgi__vpl_flux(rgb, flux);
+    SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
+    sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
     /* last holds the end against rounding, and against sums in another order */
-    for (i = 0; i < count; ++i) {
+    k = 0;
+    for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
-        while (k < last && sum <= at) sum += here = ssgi__vpl_flux(rgb, flux + 3 * ++k);
-        for (c = 0; c < 3; ++c) {
-            out[i].position[c] = position[3 * k + (size_t)c];
-            out[i].normal[c] = normal[3 * k + (size_t)c];
-            out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
-        }
+        while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
+        memcpy(out[i].position, position + 3 * k, sizeof out[i].position);
+        memcpy(out[i].normal, normal + 3 * k, sizeof out[i].normal);
+        for (int c = 0; c < 3; ++c) out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
     }
     return SSGI_OK;
 }
@@ -1880,18 +1880,16 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         } \
         return most ? 1 - a : a; \
     }
-static SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
+static SSGI__NOINLINE SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
 SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
 
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 {
-    int x, y;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 2 || size > 1024) return ssgi__bad(why, "size: must be 2..1024");
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x)
-            out[y * size + x] =
-                (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 2, 1024);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            *out++ = (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
     return SSGI_OK;
 }
 
@@ -1909,8 +1907,7 @@ SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f 
 SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
 {
     float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
-    int i;
-    for (i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
         float d = upper[i] - lower[i];
         if (!ssgi__finite(d) || d < 0.0f) return most;
         sum += d * d;
@@ -1975,9 +1972,6 @@ typedef struct ssgi__trace_job {
     const uint32_t    *index;
 } ssgi__trace_job;
 
-static float ssgi__trace_min(float a, float b) { return a < b ? a : b; }
-static float ssgi__trace_max(float a, float b) { return a > b ? a : b; }
-static float ssgi__trace_abs(float a) { return ssgi__trace_max(a, -a); }
 
 /* finite and within the limit, by the bits: -ffast-math may drop any comparison */
 static int ssgi__trace_sane(float x)
@@ -2016,11 +2010,10 @@ static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, s
     const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
                 *c = ssgi__trace_corner(job, triangle, 2);
     double e[3], f[3];
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         if (!ssgi__trace_sane(a[i]) || !ssgi__trace_sane(b[i]) || !ssgi__trace_sane(c[i])) return 0;
-        item->lower[i] = ssgi__trace_min(a[i], ssgi__trace_min(b[i], c[i]));
-        item->upper[i] = ssgi__trace_max(a[i], ssgi__trace_max(b[i], c[i]));
+        item->lower[i] = ssgi__min(a[i], ssgi__min(b[i], c[i]));
+        item->upper[i] = ssgi__max(a[i], ssgi__max(b[i], c[i]));
         e[i] = (double)b[i] - (double)a[i];
         f[i] = (double)c[i] - (double)a[i];
     }
@@ -2030,19 +2023,17 @@ static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, s
 
 static void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
 {
-    uint32_t k;
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
         range->upper[i] = range->cupper[i] = -4.0f * SSGI__TRACE_LIMIT;
     }
-    for (k = range->first; k < range->first + range->count; k++)
-        for (i = 0; i < 3; i++) {
+    for (uint32_t k = range->first; k < range->first + range->count; k++)
+        for (int i = 0; i < 3; i++) {
             const float lower = items[k].lower[i], upper = items[k].upper[i], centre = lower + upper;
-            range->lower[i] = ssgi__trace_min(range->lower[i], lower);
-            range->upper[i] = ssgi__trace_max(range->upper[i], upper);
-            range->clower[i] = ssgi__trace_min(range->clower[i], centre);
-            range->cupper[i] = ssgi__trace_max(range->cupper[i], centre);
+            range->lower[i] = ssgi__min(range->lower[i], lower);
+            range->upper[i] = ssgi__max(range->upper[i], upper);
+            range->clower[i] = ssgi__min(range->clower[i], centre);
+            range->cupper[i] = ssgi__max(range->cupper[i], centre);
         }
 }
 
@@ -2077,8 +2068,7 @@ static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t 
 
 static void ssgi__trace_empty(float lower[3], float upper[3])
 {
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         lower[i] = 2.0f * SSGI__TRACE_LIMIT;
         upper[i] = -2.0f * SSGI__TRACE_LIMIT;
     }
@@ -2086,10 +2076,9 @@ static void ssgi__trace_empty(float lower[3], float upper[3])
 
 static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
 {
-    int i;
-    for (i = 0; i < 3; i++) {
-        lower[i] = ssgi__trace_min(lower[i], l[i]);
-        upper[i] = ssgi__trace_max(upper[i], u[i]);
+    for (int i = 0; i < 3; i++) {
+        lower[i] = ssgi__min(lower[i], l[i]);
+        upper[i] = ssgi__max(upper[i], u[i]);
     }
 }
 
@@ -2098,21 +2087,21 @@ static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range
                            int *axis, int *cut)
 {
     float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
-    uint32_t count[3][SSGI__TRACE_BINS], k;
-    int a, b, found = 0;
-    for (a = 0; a < 3; a++)
+    uint32_t count[3][SSGI__TRACE_BINS];
+    int b, found = 0;
+    for (int a = 0; a < 3; a++)
         for (b = 0; b < SSGI__TRACE_BINS; b++) {
             count[a][b] = 0;
             ssgi__trace_empty(lower[a][b], upper[a][b]);
         }
-    for (k = 0; k < range->count; k++)
-        for (a = 0; a < 3; a++) {
+    for (uint32_t k = 0; k < range->count; k++)
+        for (int a = 0; a < 3; a++) {
             b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
             b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
             count[a][b]++;
             ssgi__trace_grow(lower[a][b], upper[a][b], item[k].lower, item[k].upper);
         }
-    for (a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         float    right[SSGI__TRACE_BINS], l[3], u[3];
         uint32_t n = 0;
         if (!(scale[a] > 0.0f)) continue;
@@ -2144,8 +2133,8 @@ static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
     uint32_t have = n, want = (n / 2 + 3) / 4 * 4;
     float scale[3], extent[3];
-    int axis = 0, cut = 0, i;
-    for (i = 0; i < 3; i++) {
+    int axis = 0, cut = 0;
+    for (int i = 0; i < 3; i++) {
         extent[i] = range->cupper[i] - range->clower[i];
         scale[i] = extent[i] > 1e-30f ? (float)SSGI__TRACE_BINS * 0.99999f / extent[i] : 0.0f;
         if (extent[i] > extent[axis]) axis = i;
@@ -2176,13 +2165,14 @@ static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *
 /* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
 static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
-    uint32_t id[4], k, c;
+    uint32_t id[4];
     ssgi__trace_block *block = job->blocks + range->first / 4;
-    for (k = 0; k < 4; k++) id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
+    for (uint32_t k = 0; k < 4; k++)
+        id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
     memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
-    for (k = 0; k < 4; k++) {
+    for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
-        for (c = 0; k < range->count && c < 3; c++) {
+        for (uint32_t c = 0; k < range->count && c < 3; c++) {
             const float *p = ssgi__trace_corner(job, id[k], c);
             block->corner[c][0][k] = p[0];
             block->corner[c][1][k] = p[1];
@@ -2195,26 +2185,26 @@ static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_ran
 {
     ssgi__trace_range range[4];
     const uint32_t self = job->node_count++;
-    int count = 1, i, k;
+    int count = 1;
     range[0] = *whole;
     while (count < 4) {
         int widest = -1;
         float most = 0.0f;
-        for (k = 0; k < count; k++) {
+        for (int k = 0; k < count; k++) {
             const float area = ssgi__trace_area(range[k].lower, range[k].upper);
             if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
         }
         if (widest < 0) break;
-        for (k = count; k > widest + 1; k--) range[k] = range[k - 1];
+        for (int k = count; k > widest + 1; k--) range[k] = range[k - 1];
         {
             const ssgi__trace_range both = range[widest];
             ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
         }
         count++;
     }
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
-        for (i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
+        for (int i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
             node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
         }
@@ -2232,12 +2222,10 @@ static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_ran
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
-    if (!trace) return ssgi__bad(why, "trace: must not be NULL");
-    if (!memory) return ssgi__bad(why, "memory: must not be NULL");
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
+    SSGI__THERE3(trace, memory, position);
     if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
         return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
     if (size < ssgi_trace_size(triangles)) {
         ssgi__bad(why, "size: must be at least ssgi_trace_size(triangles)");
         return SSGI_TOO_SMALL;
@@ -2246,7 +2234,7 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
         ssgi__trace_job job;
         ssgi__trace_range all;
         size_t blocks, nodes;
-        uint32_t k, count = 0;
+        uint32_t count = 0;
         char *base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
         ssgi__trace_layout(triangles, &blocks, &nodes);
         job.blocks = (ssgi__trace_block *)(void *)base;
@@ -2259,7 +2247,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
         job.position = (const char *)position;
         job.stride = stride_bytes;
         job.index = index;
-        for (k = 0; k < (uint32_t)triangles; k++) count += (uint32_t)ssgi__trace_item_set(&job, k, &job.items[count]);
+        for (size_t k = 0; k < triangles; k++)
+            count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
         if (count) {
             all.first = all.depth = 0;
             all.count = count;
@@ -2294,17 +2283,16 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
                 *z1 = block->corner[1][ray->axis[2]];
     const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]],
                 *z2 = block->corner[2][ray->axis[2]];
-    int k;
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
         const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
         const float bz = z1[k] - oz, bx = x1[k] - ox - sx * bz, by = y1[k] - oy - sy * bz;
         const float cz = z2[k] - oz, cx = x2[k] - ox - sx * cz, cy = y2[k] - oy - sy * cz;
         const float a = cx * by - cy * bx, b = ax * cy - ay * cx, c = bx * ay - by * ax;
-        const float least = ssgi__trace_min(a, ssgi__trace_min(b, c)), most = ssgi__trace_max(a, ssgi__trace_max(b, c));
+        const float least = ssgi__min(a, ssgi__min(b, c)), most = ssgi__max(a, ssgi__max(b, c));
         weight[0][k] = a;
         weight[1][k] = b;
         weight[2][k] = c;
-        outside[k] = ssgi__trace_min(-least, most);
+        outside[k] = ssgi__min(-least, most);
     }
 }
 
@@ -2313,12 +2301,11 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         e[i] = (double)block->corner[1][i][k] - (double)block->corner[0][i][k];
         f[i] = (double)block->corner[2][i][k] - (double)block->corner[0][i][k];
     }
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         const int p = i < 2 ? i + 1 : 0, q = i > 0 ? i - 1 : 2;
         const double normal = e[p] * f[q] - e[q] * f[p];
         facing += normal * (double)d[i];
@@ -2337,20 +2324,20 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
     const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
     ssgi__trace_ray ray;
     float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
-    int sign[3], top = 0, found = 0, i, k;
-    for (i = 0; i < 3; i++) size += ssgi__trace_abs(o[i]) + ssgi__trace_abs(d[i]);
-    longest = ssgi__trace_max(ssgi__trace_abs(d[0]), ssgi__trace_max(ssgi__trace_abs(d[1]), ssgi__trace_abs(d[2])));
+    int sign[3], top = 0, found = 0;
+    for (int i = 0; i < 3; i++) size += ssgi__abs(o[i]) + ssgi__abs(d[i]);
+    longest = ssgi__max(ssgi__abs(d[0]), ssgi__max(ssgi__abs(d[1]), ssgi__abs(d[2])));
     if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
-    for (i = 0; i < 3; i++) {                       /* no infinity: 0 * infinity would be NaN on the face of a box */
+    for (int i = 0; i < 3; i++) {                   /* no infinity: 0 * infinity would be NaN on the face of a box */
         const float least = longest * 1e-12f;
         sign[i] = d[i] < 0.0f;
-        inverse[i] = 1.0f / (sign[i] ? ssgi__trace_min(d[i], -least) : ssgi__trace_max(d[i], least));
+        inverse[i] = 1.0f / (sign[i] ? ssgi__min(d[i], -least) : ssgi__max(d[i], least));
     }
-    ray.axis[2] = longest > ssgi__trace_abs(d[0]) ? longest > ssgi__trace_abs(d[1]) ? 2 : 1 : 0;
+    ray.axis[2] = longest > ssgi__abs(d[0]) ? longest > ssgi__abs(d[1]) ? 2 : 1 : 0;
     ray.axis[0] = (ray.axis[2] + 1) % 3;
     ray.axis[1] = (ray.axis[2] + 2) % 3;
-    for (i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
-    for (i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
+    for (int i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
+    for (int i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
     tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
@@ -2360,17 +2347,17 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
         if (child & SSGI__TRACE_LEAF) {
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
             ssgi__trace_block_hit(block, &ray, weight, enter);
-            for (k = 0; k < 4; k++) {
+            for (int k = 0; k < 4; k++) {
                 float t, sum;
                 if (enter[k] > 0.0f) continue;
                 t = ssgi__trace_distance(block, k, o, d);
                 sum = weight[0][k] + weight[1][k] + weight[2][k];
-                if (!(t > tmin && t < tmax && ssgi__trace_abs(sum) > 0.0f)) continue;
+                if (!(t > tmin && t < tmax && ssgi__abs(sum) > 0.0f)) continue;
                 if (!hit) return 1;
                 found = 1;
                 hit->t = tmax = t;
-                hit->u = ssgi__trace_min(1.0f, ssgi__trace_max(0.0f, weight[1][k] / sum));
-                hit->v = ssgi__trace_min(1.0f - hit->u, ssgi__trace_max(0.0f, weight[2][k] / sum));
+                hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
+                hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
                 hit->triangle = block->triangle[k];
             }
         } else {
@@ -2379,16 +2366,16 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
             const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
             const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
             const int base = top;
-            for (k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
+            for (int k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
                 const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
                             ez = (z0[k] - o[2]) * inverse[2];
                 const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
                             lz = (z1[k] - o[2]) * inverse[2];
-                enter[k] = ssgi__trace_max(ssgi__trace_max(ex, ey), ssgi__trace_max(ez, tmin));
-                leave[k] = ssgi__trace_min(ssgi__trace_min(lx, ly), lz) * 1.0000006f;
-                leave[k] = ssgi__trace_min(leave[k], tmax);
+                enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
+                leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f;
+                leave[k] = ssgi__min(leave[k], tmax);
             }
-            for (k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++)
                 if (enter[k] <= leave[k]) {
                     int j = top++;
                     for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
@@ -2479,9 +2466,7 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
 
 static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
 {
-    const float *v = ssgi__surfel_at(data, stride, i);
-    int k;
-    for (k = 0; k < 3; ++k) out[k] = (double)v[k];
+    ssgi__doubles(out, ssgi__surfel_at(data, stride, i));
 }
 
 /* The whole triangle in view space. 0: it gives no surfels. */
@@ -2490,34 +2475,33 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
     const ssgi_surfel_source *s = m->source;
     double a[3], b[3], n[3], v[3];
     uint32_t id[3];
-    int corner, i, k;
-    for (corner = 0; corner < 3; ++corner) {
+    for (int corner = 0; corner < 3; ++corner) {
         const size_t vertex = s->index ? s->index[3 * triangle + (size_t)corner] : 3 * triangle + (size_t)corner;
         id[corner] = (uint32_t)vertex & 0xffffffu;
         ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
-        for (i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
-            for (k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
+            for (int k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
             if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
         }
-        for (i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
+        for (int i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
         if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
         if (s->normal) {
             ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
-            for (i = 0; i < 3; ++i)
-                p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex))
+            for (int i = 0; i < 3; ++i)
+                p->normal[corner][i] = ssgi__finites(ssgi__surfel_at(s->normal, s->normal_stride, vertex), 3)
                                          ? ssgi__dot(m->normals[i], v)
                                          : 0.0;
         }
     }
     /* of vertices: numbers of primitives are not to be relied on */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
-    for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
+    for (int i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
     ssgi__cross(n, a, b);
     p->area = 0.5 * ssgi__normalise(n);
     memcpy(p->face, n, sizeof n);
-    for (corner = 0; corner < 3 && !s->normal; ++corner)
-        for (i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
+    for (int corner = 0; corner < 3 && !s->normal; ++corner)
+        for (int i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
@@ -2525,8 +2509,7 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
 static double ssgi__nearest(const ssgi__patch *p)
 {
     double low = 1e300, high = -1e300;
-    int k;
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         if (-p->at[k][2] < low) low = -p->at[k][2];
         if (-p->at[k][2] > high) high = -p->at[k][2];
     }
@@ -2544,12 +2527,11 @@ static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_m
 /* Its middle, how far that is aside, and how far its corners are from there. */
 static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
-    int c, i;
     *extent = 0.0;
-    for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
-    for (c = 0; c < 3; ++c) {
+    for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
+    for (int c = 0; c < 3; ++c) {
         double d[3], length;
-        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
+        for (int i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
@@ -2563,10 +2545,10 @@ static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_make
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
-static void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
+static SSGI__NOINLINE void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
-    int i;
-    for (i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
+    for (int i = 0; i < 3; ++i)
+        out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
 /* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
@@ -2628,17 +2610,16 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
                  angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0;
     double u[3], v[3], at[3], normal[3], colour[3], w[3];
-    int i, k;
-    for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
+    for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    for (i = 0; i < 3; ++i) u[i] = p->at[1][i] - p->at[0][i];
+    for (int i = 0; i < 3; ++i) u[i] = p->at[1][i] - p->at[0][i];
     ssgi__normalise(u);
     ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
-        for (i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
-    for (i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    for (int i = 0; i < 3; ++i) {
         out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
         out->normal[i] = (float)normal[i];
         out->colour[i] = (float)colour[i];
@@ -2651,18 +2632,18 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
 static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
                                      const char **why)
 {
-    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
+    SSGI__THERE(desc);
     if (!view || view->width < 1 || view->height < 1)
         return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f)))
-        return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
-    if (!(desc->jitter >= 0.0f && desc->jitter <= 1.0f)) return ssgi__bad(why, "desc.jitter: must be 0..1");
-    if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
-    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID)
-        return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
-    if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
-    if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
-    if (!ssgi__positive(&desc->most, 1)) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
+    SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
+                "desc.size: must be 1e-4..1, or 0 for the default");
+    SSGI__CHECK(desc->jitter >= 0.0f && desc->jitter <= 1.0f, "desc.jitter: must be 0..1");
+    SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
+    SSGI__CHECK(desc->shrink >= SSGI_SHRINK_INCENTRE && desc->shrink <= SSGI_SHRINK_CENTROID,
+                "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
+    SSGI__CHECK(desc->every >= 0 && desc->every <= 1, "desc.every: must be 0 or 1");
+    SSGI__CHECK(desc->aside >= 0.0f && desc->aside <= 1.0f, "desc.aside: must be 0..1");
+    SSGI__CHECK(ssgi__positive(&desc->most, 1), "desc.most: must be 0 or more and finite");
     *out = *desc;
     if (!(out->aside > 0.0f)) out->aside = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.015f;
@@ -2675,9 +2656,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
 {
     ssgi_surfel_desc d;
     double s[2];
-    const ssgi_result r = ssgi__surfel_desc(&d, desc, view, why);
-    if (r != SSGI_OK) return r;
-    if (!scale || !more) return ssgi__bad(why, "scale, more: must not be NULL");
+    SSGI__BAD(ssgi__surfel_desc(&d, desc, view, why));
+    SSGI__CHECK(scale && more, "scale, more: must not be NULL");
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
@@ -2693,27 +2673,26 @@ static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_de
 {
     const ssgi_surfel_source *s = source;
     double a[3][3], determinant;
-    int i, k;
     const ssgi_result r = ssgi__surfel_desc(&m->desc, desc, view, why);
     if (r != SSGI_OK) return r;
-    if (!s) return ssgi__bad(why, "source: must not be NULL");
-    if (!s->position) return ssgi__bad(why, "source.position: must not be NULL");
-    if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4)
-        return ssgi__bad(why, "source: strides must be multiples of 4");
-    for (i = 0; i < 16; ++i) if (!ssgi__finite(s->to_view[i])) return ssgi__bad(why, "source.to_view: must be finite");
-    for (i = 0; i < 3; ++i) for (k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
+    SSGI__CHECK(s, "source: must not be NULL");
+    SSGI__CHECK(s->position, "source.position: must not be NULL");
+    SSGI__CHECK((s->position_stride | s->normal_stride | s->colour_stride) % 4 == 0,
+                "source: strides must be multiples of 4");
+    SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
+    for (int i = 0; i < 3; ++i) for (int k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
     m->view = view;
     m->source = source;
     ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         double c[3];
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
-        for (i = 0; i < 3; ++i) m->normals[i][k] = c[i];
+        for (int i = 0; i < 3; ++i) m->normals[i][k] = c[i];
     }
     determinant = m->normals[0][0] * a[0][0] + m->normals[1][0] * a[0][1] + m->normals[2][0] * a[0][2];
-    if (!(determinant > 0.0 || determinant < 0.0)) return ssgi__bad(why, "source.to_view: must be invertible");
+    SSGI__CHECK(determinant > 0.0 || determinant < 0.0, "source.to_view: must be invertible");
     m->side = determinant < 0.0 ? -1.0 : 1.0;
-    for (k = 0; k < 9; ++k) m->normals[k / 3][k % 3] *= m->side;
+    for (int k = 0; k < 9; ++k) m->normals[k / 3][k % 3] *= m->side;
     return SSGI_OK;
 }
 
@@ -2722,22 +2701,22 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 {
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
-    size_t n = 0, t;
-    int splits, part, ring, i;
+    size_t n = 0;
+    int splits;
     ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
     if (result != SSGI_OK) return result;
-    if (!count) return ssgi__bad(why, "count: must not be NULL");
+    SSGI__THERE(count);
     if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
-    for (t = 0; t < source->triangles; ++t) {
+    for (size_t t = 0; t < source->triangles; ++t) {
         if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
         splits = ssgi__surfel_splits(&whole, &m);
         if (splits > m.desc.splits) splits = m.desc.splits;
-        for (part = 0; part < splits * splits; ++part) {
+        for (int part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
             if (n >= capacity) { n += (size_t)p.count; continue; }
-            for (ring = 0; 2 * ring <= p.level; ++ring) {
+            for (int ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
-                for (i = 0; i < points; ++i) {
+                for (int i = 0; i < points; ++i) {
                     int place[3];
                     if (p.level == 1 && !(p.alive >> i & 1)) continue;
                     ssgi__tess_lattice(place, segments, i);
@@ -2760,7 +2739,6 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
     ssgi__surfel_maker sub = *m;
     ssgi__patch p;
     double middle[3], extent, aside, r;
-    int c, i, k;
     one.position = v;
     one.normal = one.colour = NULL;
     one.position_stride = 36;
@@ -2775,10 +2753,10 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
         ++d->count;
         return;
     }
-    for (c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c) {
         float child[27];
-        for (k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
-            for (i = 0; i < 9; ++i)
+        for (int k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
+            for (int i = 0; i < 9; ++i)
                 child[9 * k + i] =
                     0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
         ssgi__surfel_divide(d, child, depth + 1);
@@ -2789,24 +2767,22 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__divider d;
-    size_t t;
     ssgi_result result = ssgi__surfel_open(&d.maker, desc, view, source, why);
     if (result != SSGI_OK) return result;
-    if (!count) return ssgi__bad(why, "count: must not be NULL");
+    SSGI__THERE(count);
     if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
     d.out = out;
     d.capacity = capacity;
     d.count = 0;
-    for (t = 0; t < source->triangles; ++t) {
+    for (size_t t = 0; t < source->triangles; ++t) {
         float v[27];
-        size_t c, k;
-        for (c = 0; c < 3; ++c) {
+        for (size_t c = 0; c < 3; ++c) {
             const size_t i = source->index ? source->index[3 * t + c] : 3 * t + c;
             const float *part[3];
             part[0] = ssgi__surfel_at(source->position, source->position_stride, i);
             part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, i) : NULL;
             part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, i) : NULL;
-            for (k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
+            for (size_t k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
         }
         ssgi__surfel_divide(&d, v, 0);
     }
@@ -2840,12 +2816,11 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
                  chord = r * r - (begin - z) * (begin - z);
     const int size[2] = { view->width, view->height };
     float out[4];
-    int axis, side;
     if (!(z + r > begin)) return 0;
-    for (axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < 2; ++axis) {
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
-        for (side = 0; side < 2; ++side) {
+        for (int side = 0; side < 2; ++side) {
             const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
             /* where it meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
@@ -2854,7 +2829,7 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
                 slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
-        for (side = 0; side < 2; ++side) {
+        for (int side = 0; side < 2; ++side) {
             const double p = end[(view->project[axis] < 0.0f) != (side != 0)];
             out[axis + 2 * side] = (float)(p < 0.0 ? 0.0 : p > size[axis] ? size[axis] : p);
         }
@@ -2866,14 +2841,13 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
 
 static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
-    if (!splat) return ssgi__bad(why, "splat: must not be NULL");
-    if (!view) return ssgi__bad(why, "view: must not be NULL");
-    if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f)))
-        return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
-    if (!ssgi__positive(&splat->most, 1)) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
-    if (!ssgi__positive(&splat->brightest, 1)) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
-    if (!ssgi__positive(&splat->front, 1)) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
-    if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
+    SSGI__THERE2(splat, view);
+    SSGI__CHECK(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f),
+                "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    SSGI__CHECK(ssgi__positive(&splat->most, 1), "splat.most: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->brightest, 1), "splat.brightest: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->front, 1), "splat.front: must be 0 or more and finite");
+    SSGI__CHECK(splat->levels >= 0 && splat->levels <= SSGI_SPLAT_LEVELS, "splat.levels: must be 0..7");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
     if (!(s->most > 0.0f)) s->most = SSGI_FAR;
@@ -2886,10 +2860,9 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why)
 {
     int l;
-    if (!size) return ssgi__bad(why, "size: must not be NULL");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
-    if (levels < 1 || levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "levels: must be 1..7");
+    SSGI__THERE(size);
+    SSGI__SIZE(width, height);
+    SSGI__RANGE(levels, 1, 7);
     l = (1 << (levels - 1)) - 1;
     size[0] = (width + l) & ~l;
     size[1] = (height + l) & ~l;
@@ -2900,8 +2873,7 @@ static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, cons
                                const float centre[3], double radius, double brightest, double count)
 {
     const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
-    int l;
-    for (l = 0; l < s->levels; ++l) {
+    for (int l = 0; l < s->levels; ++l) {
         double shell[2];
         float b[4];
         ssgi__surfel_shell(shell, reach, l, (double)s->most);
@@ -2917,23 +2889,22 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
     ssgi_splat s;
-    size_t t;
-    int n, part, k;
+    int n;
     ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
     if (result == SSGI_OK) result = ssgi__splat_open(&s, splat, view, why);
     if (result != SSGI_OK) return result;
-    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
+    SSGI__THERE(cost);
     memset(cost, 0, sizeof *cost);
     cost->splits = 1;
-    for (t = 0; t < source->triangles; ++t) {
+    for (size_t t = 0; t < source->triangles; ++t) {
         if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
         n = ssgi__surfel_splits(&whole, &m);
         if (n > cost->splits) cost->splits = n;
         if (n > m.desc.splits) n = m.desc.splits;
-        for (part = 0; part < n * n; ++part) {
+        for (int part = 0; part < n * n; ++part) {
             float centre[3];
             if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
-            for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
+            for (int k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
             cost->surfels += (size_t)p.count;
             ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, p.count);
         }
@@ -2945,15 +2916,14 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
                                         const ssgi_surfel *surfels, size_t count, const char **why)
 {
     ssgi_splat s;
-    size_t i;
     ssgi_result result = ssgi__splat_open(&s, splat, view, why);
     if (result != SSGI_OK) return result;
-    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
+    SSGI__THERE(cost);
     if (!surfels && count) return ssgi__bad(why, "surfels: must not be NULL");
     memset(cost, 0, sizeof *cost);
     cost->surfels = count;
     cost->splits = 1;
-    for (i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; ++i)
         ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
     return SSGI_OK;
 }
@@ -2966,15 +2936,13 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     /* F_dr [JMLH01 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
-    int c;
     if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
-    if (!(eta >= 1.0f && eta <= 3.0f)) return ssgi__bad(why, "eta: must be 1..3");
-    for (c = 0; c < 3; ++c) {
-        if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c])))
-            return ssgi__bad(why, "sigma_s: must be above 0 and finite");
-        if (!ssgi__positive(&sigma_a[c], 1)) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
+    SSGI__CHECK(eta >= 1.0f && eta <= 3.0f, "eta: must be 1..3");
+    for (int c = 0; c < 3; ++c) {
+        SSGI__CHECK(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]), "sigma_s: must be above 0 and finite");
+        SSGI__CHECK(ssgi__positive(&sigma_a[c], 1), "sigma_a: must be 0 or more and finite");
     }
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const double t = (double)sigma_s[c] + (double)sigma_a[c];
         dipole->above[c] = 1.0 / t;
         dipole->below[c] = (1.0 + 4.0 / 3.0 * a) / t;
@@ -2987,9 +2955,8 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 {
     double sum = 0.0;
-    int k;
     if (c < 0 || c > 2) return 0.0;
-    for (k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k) {
         const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
         sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
     }
@@ -3034,29 +3001,26 @@ static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) 
 static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
-    int k;
     ssgi_r2((uint32_t)i, at);
     z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
     radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
     angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
-    for (k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
         direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
-static void ssgi__field_axes(float axes[3][3], const double axis[3])
+static SSGI__NOINLINE void ssgi__field_axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
-    int i, least = 0;
-    for (i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    int least = 0;
+    for (int i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
     side[least] = 1.0;
     ssgi__cross(up, axis, side);
     ssgi__normalise(up);
     ssgi__cross(side, up, axis);
-    for (i = 0; i < 3; ++i) {
-        axes[0][i] = (float)side[i];
-        axes[1][i] = (float)up[i];
-        axes[2][i] = (float)axis[i];
-    }
+    ssgi__floats(axes[0], side);
+    ssgi__floats(axes[1], up);
+    ssgi__floats(axes[2], axis);
 }
 
 /* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
@@ -3069,18 +3033,17 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
-    int i, k, n;
-    for (i = 0; i < 4; ++i) out[i] = 0.0;
-    for (i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
+    for (int i = 0; i < 4; ++i) out[i] = 0.0;
+    for (int i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
     ssgi__field_axes(axes, axis);
-    for (i = 0; i < rays; ++i) {
+    for (int i = 0; i < rays; ++i) {
         ssgi__field_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
         out[0] += share;
-        for (k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
-        for (k = 0; occlusion && k < 4; ++k) {
+        for (int k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
+        for (int k = 0; occlusion && k < 4; ++k) {
             double facing = 0.0;
-            for (n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
+            for (int n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
             if (facing > 0.0) occlusion[k] += share / SSGI__PI * facing;
         }
     }
@@ -3091,35 +3054,34 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
 /* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
 static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
-    int i, k, j;
-    for (i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
         int pivot = i;
-        for (k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
+        double row[3], swap;
+        for (int k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
         if (!(fabs(a[pivot][i]) > 1e-280)) return 0;
-        for (j = 0; j < 3; ++j) { const double swap = a[i][j]; a[i][j] = a[pivot][j]; a[pivot][j] = swap; }
-        { const double swap = b[i]; b[i] = b[pivot]; b[pivot] = swap; }
-        for (k = i + 1; k < 3; ++k) {
+        memcpy(row, a[i], sizeof row);
+        memcpy(a[i], a[pivot], sizeof row);
+        memcpy(a[pivot], row, sizeof row);
+        swap = b[i]; b[i] = b[pivot]; b[pivot] = swap;
+        for (int k = i + 1; k < 3; ++k) {
             const double f = a[k][i] / a[i][i];
-            for (j = i; j < 3; ++j) a[k][j] -= f * a[i][j];
+            ssgi__along(a[k], a[k], -f, a[i]);
             b[k] -= f * b[i];
         }
     }
-    for (i = 2; i >= 0; --i) {
+    for (int i = 2; i >= 0; --i) {
         x[i] = b[i];
-        for (j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
+        for (int j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
         x[i] /= a[i][i];
     }
     return 1;
 }
 
 /* One equation d . x = r, into the normal equations a x = b. */
-static void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
+static SSGI__NOINLINE void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
 {
-    int i, k;
-    for (i = 0; i < 3; ++i) {
-        for (k = 0; k < 3; ++k) a[i][k] += d[i] * d[k];
-        b[i] += d[i] * r;
-    }
+    for (int i = 0; i < 3; ++i) ssgi__along(a[i], a[i], d[i], d);
+    ssgi__along(b, b, r, d);
 }
 
 /* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
@@ -3130,20 +3092,19 @@ typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u
 static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
-    int step, i, k;
-    for (step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
+    for (int step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
         double a[3][3], b[3], m[3][3], v[3], x[3], next = error;
         memset(a, 0, sizeof a);
         memset(b, 0, sizeof b);
         f(data, u, a, b);
         for (; damping < 1e12; damping *= 8.0) {
-            for (i = 0; i < 3; ++i) {
-                for (k = 0; k < 3; ++k) m[i][k] = a[i][k];
+            for (int i = 0; i < 3; ++i) {
+                for (int k = 0; k < 3; ++k) m[i][k] = a[i][k];
                 m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
                 v[i] = b[i];
             }
             if (!ssgi__field_solve(x, m, v)) continue;
-            for (i = 0; i < 3; ++i) x[i] += u[i];
+            for (int i = 0; i < 3; ++i) x[i] += u[i];
             next = f(data, x, NULL, NULL);
             if (next < error) break;
         }
@@ -3169,10 +3130,9 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
-    int i;
-    for (i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
+    for (int i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
-    for (i = 0; i < data->count; ++i) {
+    for (int i = 0; i < data->count; ++i) {
         const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t),
                      c2 = t * t;
         const double value = 1.0 / (c0 * q[0] + c1 * q[1] + c2 * q[2]), residual = data->values[i] - value,
@@ -3196,20 +3156,19 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
     const double m = 1.0 / most, least = 1e-9 * m;
     ssgi__field_data data;
     double best = 1e300, u[3];
-    int start, i;
     data.radii = radii;
     data.values = values;
     data.w = NULL;
     data.count = count;
     data.chord = 0;
     data.most = most;
-    for (start = 0; start < 2; ++start) {
+    for (int start = 0; start < 2; ++start) {
         double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
         memset(a, 0, sizeof a);
         memset(b, 0, sizeof b);
         /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
         if (start == 0) {
-            for (i = 0; i < count; ++i) {
+            for (int i = 0; i < count; ++i) {
                 const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
                              y = values[i] > 0.0 ? values[i] : 0.0;
                 const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
@@ -3227,7 +3186,7 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
         u[2] = log(p[2] - m);
         p[1] += exp(0.5 * (u[0] + u[2])) - m;
         u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
-        for (i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
+        for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
         error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
         if (error < best) {
             best = error;
@@ -3242,20 +3201,19 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
 static double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
-    int i, k, n;
     if (!(ssgi__dot(c, data->w) < 0.999999 * data->radii[0])) return 1e300;
-    for (i = 0; i < data->count; ++i) {
+    for (int i = 0; i < data->count; ++i) {
         const double *y = data->values + 3 * i;
         double v[3], length, cosine, residual;
         if (!(ssgi__dot(y, y) > 0.25)) continue;
-        for (k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
+        for (int k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
         length = ssgi__normalise(v);
         cosine = ssgi__dot(v, y);
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
-        for (n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
+        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
-            for (k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k)
                 d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
             ssgi__field_equation(a, b, d, -r);
         }
@@ -3271,17 +3229,16 @@ static double ssgi__field_centre(double c[3], const double w[3], const double *r
 {
     ssgi__field_data data;
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
-    int polish, i;
     data.radii = radii;
     data.values = directions;
     data.w = w;
     data.count = count;
     data.chord = 0;
     data.most = 0.0;
-    for (i = 0; i < 3; ++i) c[i] = 0.0;
+    for (int i = 0; i < 3; ++i) c[i] = 0.0;
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
     if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
-    for (polish = 0; polish < 2; ++polish) {
+    for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
         data.chord = 0;
@@ -3311,7 +3268,7 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     struct { uint32_t child; double most; } stack[SSGI__TRACE_STACK];
     double best = -1e300, p[3];
-    int top = 0, i, k, c;
+    int top = 0;
     stack[top].child = 0;
     stack[top++].most = 1e300;
     while (top) {
@@ -3319,21 +3276,21 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
         if (stack[top].most <= best) continue;
         if (child & SSGI__TRACE_LEAF) {
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
-            for (k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
-                for (c = 0; c < 3; ++c) {
+            for (int k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
+                for (int c = 0; c < 3; ++c) {
                     double s;
-                    for (i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
+                    for (int i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
                     s = ssgi__dot(n, p);
                     if (s > best) { best = s; memcpy(out, p, sizeof p); }
                 }
         } else {
             const ssgi__trace_node *node = nodes + child;
             const int base = top;
-            for (k = 0; k < 4; ++k) {
+            for (int k = 0; k < 4; ++k) {
                 double most = 0.0;
                 int j;
                 if (node->bound[0][0][k] > node->bound[1][0][k]) continue;      /* empty */
-                for (i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
+                for (int i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
                 if (most <= best) continue;
                 for (j = top++; j > base && stack[j - 1].most > most; --j) stack[j] = stack[j - 1];
                 stack[j].child = node->child[k];
@@ -3351,11 +3308,8 @@ typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } 
 static void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
     double a[3], b[3];
-    int k;
-    for (k = 0; k < 3; ++k) {
-        a[k] = p->corner[1][k] - p->corner[0][k];
-        b[k] = p->corner[2][k] - p->corner[0][k];
-    }
+    ssgi__along(a, p->corner[1], -1.0, p->corner[0]);
+    ssgi__along(b, p->corner[2], -1.0, p->corner[0]);
     ssgi__cross(p->normal, a, b);
     ssgi__normalise(p->normal);
     p->distance = ssgi__dot(p->normal, p->corner[0]);
@@ -3369,27 +3323,26 @@ static double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->
    plane. */
 static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
 {
-    int step, i, k;
     double facing;
     memset(p, 0, sizeof *p);
-    for (i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
+    for (int i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
     if ((w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0))
-        for (k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k) {
             const double swap = p->corner[0][k];
             p->corner[0][k] = p->corner[1][k];
             p->corner[1][k] = swap;
         }
-    for (step = 0; step < 200; ++step) {
+    for (int step = 0; step < 200; ++step) {
         double farthest[3], inside = -1e300;
         ssgi__field_portal split[3];
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (i = 0; i < 3; ++i) {               /* of the three parts that which the ray is farthest within */
+        for (int i = 0; i < 3; ++i) {               /* of the three parts that which the ray is farthest within */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
-            for (k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3; ++k) {
                 double side[3], s;
                 ssgi__cross(side, split[i].corner[k], split[i].corner[(k + 1) % 3]);
                 s = ssgi__dot(side, w);
@@ -3403,7 +3356,7 @@ static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], s
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-static void ssgi__field_spiral(double w[3], int i, int n)       /* even over the sphere */
+static SSGI__NOINLINE void ssgi__field_spiral(double w[3], int i, int n)        /* even over the sphere */
 {
     const double z = 1.0 - (2.0 * i + 1.0) / n, r = sqrt(1.0 - z * z), angle = 2.39996322972865332 * i;
     w[0] = r * cos(angle);
@@ -3417,36 +3370,34 @@ static int ssgi__field_measure(ssgi__field_caster *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     double w[3], p[3], centre[3] = { 0.0, 0.0, 0.0 };
-    uint32_t i;
-    int n, k, c;
     if (!m->trace.node_count) return 0;
-    for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+    for (int n = 0; n < SSGI__FIELD_FEW; ++n) {
         ssgi__field_spiral(w, n, SSGI__FIELD_FEW);
         ssgi__field_farthest(m, w, m->few[n]);
-        for (k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
+        for (int k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         /* not (double)(float): gcc 12's vectoriser drops that, against the language */
         volatile float rounded = (float)centre[k];
         m->centre[k] = (double)rounded;
     }
-    for (n = 0; n < SSGI__FIELD_FEW; ++n)
-        for (k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
-    for (i = 0; i < m->trace.block_count; ++i)
-        for (n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
-            for (c = 0; c < 3; ++c) {
+    for (int n = 0; n < SSGI__FIELD_FEW; ++n)
+        for (int k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
+    for (uint32_t i = 0; i < m->trace.block_count; ++i)
+        for (int n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
+            for (int c = 0; c < 3; ++c) {
                 double square = 0.0;
-                for (k = 0; k < 3; ++k)
+                for (int k = 0; k < 3; ++k)
                     square += ((double)blocks[i].corner[c][k][n] - m->centre[k])
                             * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
                 if (square > m->radius) m->radius = square;
             }
     m->radius = sqrt(m->radius);
     if (!(m->radius > 1e-12)) return 0;
-    for (i = 0; i < 4 * SSGI__FIELD_FEW; ++i) {
+    for (uint32_t i = 0; i < 4 * SSGI__FIELD_FEW; ++i) {
         double most = -1e300, beyond;
         ssgi__field_spiral(w, (int)i, 4 * SSGI__FIELD_FEW);
-        for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+        for (int n = 0; n < SSGI__FIELD_FEW; ++n) {
             const double s = ssgi__dot(w, m->few[n]);
             if (s > most) most = s;
         }
@@ -3463,22 +3414,21 @@ static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const
                               const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
-    int i, k;
-    for (k = 0; k < 3; ++k) axis[k] = 0.0;
-    for (i = 0; i < SSGI__FIELD_FEW; ++i) {
-        for (k = 0; k < 3; ++k) d[i][k] = m->few[i][k] - point[k];
+    for (int k = 0; k < 3; ++k) axis[k] = 0.0;
+    for (int i = 0; i < SSGI__FIELD_FEW; ++i) {
+        for (int k = 0; k < 3; ++k) d[i][k] = m->few[i][k] - point[k];
         length[i] = ssgi__normalise(d[i]);
-        for (k = 0; k < 3; ++k) axis[k] += d[i][k];
+        for (int k = 0; k < 3; ++k) axis[k] += d[i][k];
     }
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
-    for (i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
+    for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
         const double c = ssgi__dot(d[i], axis), sine = m->loose / length[i];
         if (!(sine < 1.0)) { least = -1.0; break; }
         if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least)
             least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
     }
     if (least > 0.0) return (float)(least * (1.0 - 1e-6));
-    for (k = 0; k < 3; ++k) axis[k] = -normal[k];
+    for (int k = 0; k < 3; ++k) axis[k] = -normal[k];
     return 0.0f;
 }
 
@@ -3499,11 +3449,11 @@ static size_t ssgi__cube_texel(int face, int x, int y, int size)
     if (x < 0 || y < 0 || x >= size || y >= size) {
         double d[3];
         float w[3], at[2];
-        int k, place[2];
+        int place[2];
         ssgi__cube_direction(d, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
-        for (k = 0; k < 3; ++k) w[k] = (float)d[k];
+        for (int k = 0; k < 3; ++k) w[k] = (float)d[k];
         face = ssgi__cube_place(at, w);
-        for (k = 0; k < 2; ++k) {
+        for (int k = 0; k < 2; ++k) {
             place[k] = (int)((0.5f * at[k] + 0.5f) * (float)size);
             place[k] = place[k] < 0 ? 0 : place[k] >= size ? size - 1 : place[k];
         }
@@ -3513,10 +3463,7 @@ static size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-static double ssgi__field_most(int measure)
-{
-    return measure == SSGI_FIELD_VECTOR ? SSGI__PI : 4.0 * SSGI__PI;
-}
+static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
 
 static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
 
@@ -3531,14 +3478,13 @@ static void ssgi__field_texel(void *context, int job)
     float *out = b->fine + 8 * (size_t)texel;
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
-    int i, k;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    for (i = 0; i < b->radii; ++i) {
+    for (int i = 0; i < b->radii; ++i) {
         double at[3], axis[3], sum[4];
         float point[3], cosine;
         radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
-        for (k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k) {
             at[k] = radii[i] * w[k];
             point[k] = (float)(at[k] + b->caster.centre[k]);
         }
@@ -3555,7 +3501,7 @@ static void ssgi__field_texel(void *context, int job)
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
             seen += sum[0];
         }
-        for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
+        for (int k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
     }
     ssgi__field_fit(q, radii, values, b->radii, most);
     /* within the rays' noise, which a centre near the hull would follow */
@@ -3566,9 +3512,10 @@ static void ssgi__field_texel(void *context, int job)
     out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));
     out[2] = ssgi__log2(q[2]);
     out[3] = (float)hull;
-    for (k = 0; k < 3; ++k) out[4 + k] = (float)(length > b->caster.radius ? c[k] * b->caster.radius / length : c[k]);
+    if (length > b->caster.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->caster.radius / length;
+    ssgi__floats(out + 4, c);
     out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
-    for (k = 0; k < 3; ++k) out[k] = out[k] > 20.0f ? 20.0f : out[k];
+    for (int k = 0; k < 3; ++k) out[k] = out[k] > 20.0f ? 20.0f : out[k];
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
@@ -3576,16 +3523,15 @@ static void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
     const int size = b->field->resolution;
-    int face, x, y, i, k, n;
-    for (face = 0; face < 6; ++face)
-        for (y = 0; y < size; ++y)
-            for (x = 0; x < size; ++x) {
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
                 float *out = b->coarse + 8 * ssgi__cube_texel(face, x, y, size);
-                for (n = 0; n < 8; ++n) out[n] = 0.0f;
-                for (i = 0; i < 4; ++i)
-                    for (k = 0; k < 4; ++k) {
+                for (int n = 0; n < 8; ++n) out[n] = 0.0f;
+                for (int i = 0; i < 4; ++i)
+                    for (int k = 0; k < 4; ++k) {
                         const float *in = b->fine + 8 * ssgi__cube_texel(face, 2 * x - 1 + k, 2 * y - 1 + i, 2 * size);
-                        for (n = 0; n < 8; ++n) out[n] += weight[i] * weight[k] * in[n];
+                        for (int n = 0; n < 8; ++n) out[n] += weight[i] * weight[k] * in[n];
                     }
             }
 }
@@ -3599,25 +3545,24 @@ static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
     const int size = f->resolution, words = ssgi__field_words(f->bits);
     const float most = f->bits == 8 ? 255.0f : 65535.0f;
     float high[8];
-    int i, n, face, x, y;
-    for (n = 0; n < 8; ++n) {
+    for (int n = 0; n < 8; ++n) {
         f->low[n] = high[n] = b->coarse[n];
-        for (i = 1; i < 6 * size * size; ++i) {
+        for (int i = 1; i < 6 * size * size; ++i) {
             const float v = b->coarse[8 * i + n];
             if (v < f->low[n]) f->low[n] = v;
             if (v > high[n]) high[n] = v;
         }
         f->span[n] = high[n] - f->low[n];
     }
-    for (face = 0; face < 6; ++face)
-        for (y = -1; y <= size; ++y)
-            for (x = -1; x <= size; ++x) {
+    for (int face = 0; face < 6; ++face)
+        for (int y = -1; y <= size; ++y)
+            for (int x = -1; x <= size; ++x) {
                 uint32_t *out = texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
                 const int xi = x < 0 ? 0 : x < size ? x : size - 1, yi = y < 0 ? 0 : y < size ? y : size - 1;
                 /* three texels meet there, the border holds their mean [GL 8.14] */
                 const int corner = x != xi && y != yi;
                 memset(out, 0, (size_t)words * sizeof *out);
-                for (n = 0; n < 8; ++n) {
+                for (int n = 0; n < 8; ++n) {
                     float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
                     if (corner)
                         v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n]
@@ -3634,15 +3579,14 @@ static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 static float ssgi__field_inside(const ssgi__field_bake *b)
 {
     double sum = 0.0, weight = 0.0;
-    int i, k;
-    for (i = 0; i < 256; ++i) {
+    for (int i = 0; i < 256; ++i) {
         const double up[3] = { 0.0, 0.0, 1.0 };
         double w[3], out[4], r;
         float point[3];
         ssgi__field_portal portal;
         ssgi__field_spiral(w, i, 256);
         r = ssgi__field_turn((uint32_t)i);
-        for (k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k)
             point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
         ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
                            (uint32_t)i);
@@ -3660,28 +3604,27 @@ static void ssgi__field_held(void *context, int i)
     double w[3], at[3], axis[3], sum[4], occlusion[4], normal[4][3], hull, r;
     float point[3], cosine;
     ssgi__field_portal portal;
-    int k, n;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
     r = hull
       * pow((double)b->field->reach / hull,
             0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         at[k] = r * w[k];
         point[k] = (float)(at[k] + b->caster.centre[k]);
     }
-    for (n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
+    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
         const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                      angle = 2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4));
         normal[n][0] = sqrt(1.0 - z * z) * cos(angle);
         normal[n][1] = sqrt(1.0 - z * z) * sin(angle);
         normal[n][2] = z;
-        if (ssgi__dot(normal[n], w) > 0.5) for (k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
+        if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
     cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
     ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024,
                        (uint32_t)i ^ 0x55555555u);
-    for (n = 0; n < 4; ++n) {
+    for (int n = 0; n < 4; ++n) {
         const float facing[3] = { (float)normal[n][0], (float)normal[n][1], (float)normal[n][2] };
         b->error[4 * i + n] = fabsf(ssgi_field_occlusion(b->field, &limits, point, facing) - (float)occlusion[n]);
     }
@@ -3689,9 +3632,8 @@ static void ssgi__field_held(void *context, int i)
 
 static void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
-    int i;
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
-    else for (i = 0; i < count; ++i) job(context, i);
+    else for (int i = 0; i < count; ++i) job(context, i);
 }
 
 /* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
@@ -3699,15 +3641,15 @@ static void ssgi__field_errors(ssgi__field_bake *b)
 {
     const int all = 4 * SSGI__FIELD_HELD;
     unsigned short bin[SSGI__FIELD_BINS];
-    int i, below = 0;
+    int below = 0;
     memset(bin, 0, sizeof bin);
     ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
     b->field->median = b->field->p95 = b->field->most = 0.0f;
-    for (i = 0; i < all; ++i) {
+    for (int i = 0; i < all; ++i) {
         if (b->error[i] > b->field->most) b->field->most = b->error[i];
         ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
     }
-    for (i = 0; i < SSGI__FIELD_BINS; ++i) {
+    for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
         if (below < all / 2 && below + bin[i] >= all / 2) b->field->median = (float)(i + 1) / SSGI__FIELD_BINS;
         if (below < all * 19 / 20 && below + bin[i] >= all * 19 / 20) b->field->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
         below += bin[i];
@@ -3735,19 +3677,15 @@ static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 
 static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
 {
-    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
-    if (desc->resolution && (desc->resolution < 2 || desc->resolution > 128))
-        return ssgi__bad(why, "desc.resolution: must be 0 or 2..128");
-    if (desc->radii && (desc->radii < 4 || desc->radii > 64)) return ssgi__bad(why, "desc.radii: must be 0 or 4..64");
-    if (desc->rays && (desc->rays < 16 || desc->rays > 65536))
-        return ssgi__bad(why, "desc.rays: must be 0 or 16..65536");
-    if (desc->measure != SSGI_FIELD_VECTOR && desc->measure != SSGI_FIELD_SOLID_ANGLE)
-        return ssgi__bad(why, "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
-    if (desc->bits && desc->bits != 8 && desc->bits != 16) return ssgi__bad(why, "desc.bits: must be 0, 8 or 16");
-    if (!ssgi__finite(desc->reach) || (desc->reach != 0.0f && !(desc->reach >= 1.5f && desc->reach <= 64.0f)))
-        return ssgi__bad(why, "desc.reach: must be 0 or 1.5..64");
-    if (!ssgi__finite(desc->error) || !(desc->error >= 0.0f && desc->error <= 1.0f))
-        return ssgi__bad(why, "desc.error: must be 0..1");
+    SSGI__THERE(desc);
+    SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
+    SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
+    SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
+    SSGI__CHECK(desc->measure == SSGI_FIELD_VECTOR || desc->measure == SSGI_FIELD_SOLID_ANGLE,
+                "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
+    SSGI__CHECK(!desc->bits || desc->bits == 8 || desc->bits == 16, "desc.bits: must be 0, 8 or 16");
+    SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
+    SSGI__CHECK(ssgi__within(desc->error, 0.0f, 1.0f), "desc.error: must be 0..1");
     return SSGI_OK;
 }
 
@@ -3793,16 +3731,13 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     char *base;
     double total = 0.0, done = 0.0;
     float last = 2.0f;
-    int k;
-    if (!field) return ssgi__bad(why, "field: must not be NULL");
-    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
-    if (!work) return ssgi__bad(why, "work: must not be NULL");
+    SSGI__THERE3(field, texels, work);
     result = ssgi__field_check(desc, why);
     if (result != SSGI_OK) return result;
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
+    SSGI__THERE(position);
     if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
         return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
     if (work_size < ssgi_field_bake_size(desc, triangles)) {
         ssgi__bad(why, "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
         return SSGI_TOO_SMALL;
@@ -3819,12 +3754,12 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
                               position, stride_bytes, index, triangles, why);
     if (result != SSGI_OK) return result;
-    if (!ssgi__field_measure(&b.caster)) return ssgi__bad(why, "position: no triangle has an area");
+    SSGI__CHECK(ssgi__field_measure(&b.caster), "position: no triangle has an area");
     f.bits = d.bits;
     f.measure = d.measure;
     f.radius = (float)b.caster.radius;
     f.reach = d.reach * f.radius;
-    for (k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
+    for (int k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
     f.inside = ssgi__field_inside(&b);
     /* from small to large; when twice the resolution brings nothing, what is left is the model's */
     if (d.error > 0.0f) {
@@ -3885,21 +3820,21 @@ static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3
     const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
     const int face = ssgi__cube_place(at, w);
-    int i, k, n, cell[2];
-    for (k = 0; k < 2; ++k) {
+    int cell[2];
+    for (int k = 0; k < 2; ++k) {
         at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
         cell[k] = at[k] > 0.0f ? (int)at[k] : 0;
         cell[k] = cell[k] < f->resolution ? cell[k] : f->resolution;
         at[k] -= (float)cell[k];
     }
-    for (n = 0; n < 8; ++n) out[n] = 0.0f;
-    for (i = 0; i < 2; ++i)
-        for (k = 0; k < 2; ++k) {
+    for (int n = 0; n < 8; ++n) out[n] = 0.0f;
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k) {
             const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
-            for (n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
+            for (int n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
         }
-    for (n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
+    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
 }
 
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
@@ -3908,11 +3843,10 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     const float most = (float)ssgi__field_most(field->measure);
     double w[3], v[3];
     float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
-    int k;
-    for (k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
+    for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
-    for (k = 0; k < 3; ++k) direction[k] = (float)w[k];
+    for (int k = 0; k < 3; ++k) direction[k] = (float)w[k];
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
     t = r > hull ? r < field->reach ? (r - hull) / (field->reach - hull) : 1.0f : 0.0f;
@@ -3929,9 +3863,9 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
         value = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     }
     *solid_angle = value;
-    for (k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
-    if (!(ssgi__normalise(v) > 0.0)) for (k = 0; k < 3; ++k) v[k] = -w[k];
-    for (k = 0; k < 3; ++k) axis[k] = (float)v[k];
+    for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
+    if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
+    for (int k = 0; k < 3; ++k) axis[k] = (float)v[k];
     return r / hull;
 }
 
@@ -3940,8 +3874,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 {
     const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
     float solid_angle, fill, axis[3], d[3], hulls, r, a;
-    int k;
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
         d[k] = point[k] - field->centre[k];
     }
@@ -3960,12 +3893,11 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
 {
     const int size = field->resolution;
-    int x, y, n;
     if (face < 0 || face > 5) return;
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
             const uint32_t *texel = ssgi__field_at(field, face, x + 1, y + 1);
-            for (n = 0; n < 8; ++n) {
+            for (int n = 0; n < 8; ++n) {
                 const uint32_t v = ssgi__field_component(field, texel, n);
                 void *out = n < 4 ? distance : centre;
                 const int i = 4 * (y * size + x) + n % 4;
@@ -3982,8 +3914,7 @@ enum { SSGI__FIELD_HEAD = 32 };             /* words before the texels; after th
 
 static void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
-    int k;
-    for (k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
+    for (int k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
 }
 
 static uint32_t ssgi__field_get(const unsigned char *in, size_t i)
@@ -4004,9 +3935,8 @@ static void ssgi__field_numbers(float *out[25], ssgi_field *f)
 {
     float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
                             &f->inside,    &f->median,    &f->p95,       &f->most };
-    int i;
-    for (i = 0; i < 9; ++i) out[i] = ends[i];
-    for (i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
+    for (int i = 0; i < 9; ++i) out[i] = ends[i];
+    for (int i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
 }
 
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
@@ -4015,7 +3945,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     ssgi_field f;
     float *number[25];
     uint64_t h;
-    size_t i, words, size;
+    size_t words, size;
     if (!field) return 0;
     f = *field;
     words = ssgi_field_size(f.resolution, f.bits) / 4;
@@ -4029,12 +3959,12 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     ssgi__field_put(bytes, 4, (uint32_t)f.measure);
     ssgi__field_put(bytes, 5, (uint32_t)f.radii);
     ssgi__field_numbers(number, &f);
-    for (i = 0; i < 25; ++i) {
+    for (size_t i = 0; i < 25; ++i) {
         uint32_t word;
         memcpy(&word, number[i], sizeof word);
         ssgi__field_put(bytes, 6 + i, word);
     }
-    for (i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
+    for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
     ssgi__field_put(bytes, size / 4 - 1, (uint32_t)(h >> 32));
@@ -4045,9 +3975,9 @@ static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size
 {
     const unsigned char *bytes = (const unsigned char *)file;
     float *number[25];
-    size_t i, words;
+    size_t words;
     uint64_t h;
-    if (!file) return ssgi__bad(why, "file: must not be NULL");
+    SSGI__THERE(file);
     if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u)
         return ssgi__bad(why, "file: is not an ambient occlusion field");
     if (ssgi__field_get(bytes, 1) != 0x31464f41u) return ssgi__bad(why, "file: is of another version");
@@ -4069,17 +3999,16 @@ static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size
         || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32))
         return ssgi__bad(why, "file: is corrupt");
     ssgi__field_numbers(number, f);
-    for (i = 0; i < 25; ++i) {
+    for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 6 + i);
         memcpy(number[i], &word, sizeof word);
         if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f)))
             return ssgi__bad(why, "file: is corrupt");
     }
-    for (i = 0; i < 3; ++i)
-        if (!(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f)) return ssgi__bad(why, "file: is corrupt");
-    if (!(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f && f->inside >= 0.0f
-          && f->inside <= 1.0f))
-        return ssgi__bad(why, "file: is corrupt");
+    for (size_t i = 0; i < 3; ++i)
+        SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, "file: is corrupt");
+    SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f
+                && ssgi__within(f->inside, 0.0f, 1.0f), "file: is corrupt");
     return SSGI_OK;
 }
 
@@ -4087,7 +4016,7 @@ SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t fil
 {
     ssgi_field f;
     ssgi_result result;
-    if (!bytes) return ssgi__bad(why, "bytes: must not be NULL");
+    SSGI__THERE(bytes);
     result = ssgi__field_head(&f, file, file_size, why);
     if (result == SSGI_OK) *bytes = ssgi_field_size(f.resolution, f.bits);
     return result;
@@ -4098,9 +4027,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 {
     ssgi_field f;
     ssgi_result result;
-    size_t i, words;
-    if (!field) return ssgi__bad(why, "field: must not be NULL");
-    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
+    size_t words;
+    SSGI__THERE2(field, texels);
     result = ssgi__field_head(&f, file, file_size, why);
     if (result != SSGI_OK) return result;
     words = ssgi_field_size(f.resolution, f.bits) / 4;
@@ -4108,7 +4036,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
         ssgi__bad(why, "size: must be at least what ssgi_field_peek tells");
         return SSGI_TOO_SMALL;
     }
-    for (i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
+    for (size_t i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
     *field = f;
     return SSGI_OK;
@@ -4120,17 +4048,16 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
                                     const char **why)
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
-    size_t i, seen = 0, count;
-    int k;
+    size_t seen = 0, count;
     if (!survey || !rgba) return ssgi__bad(why, !survey ? "survey: must not be NULL" : "rgba: must not be NULL");
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         return ssgi__bad(why, "width, height: must be 1..65536");
-    if (points != 0 && (points < 2 || points > 64)) return ssgi__bad(why, "points: must be 0 or 2..64");
+    SSGI__ZERO_OR(points, "points", 2, 64);
     if (!points) points = 32;
     count = (size_t)width * (size_t)height;
-    for (i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count; ++i) {
         if (!ssgi__finite(rgba[4 * i]) || !(rgba[4 * i] >= 0.0f)) continue;
-        for (k = 0; k < 4; ++k) {
+        for (int k = 0; k < 4; ++k) {
             v = (double)rgba[4 * i + (size_t)k];
             sum[k] += v;
             square[k] += v * v - v * (1.0 - v) / (points - 1);       /* a share of a few points varies by chance */
@@ -4139,7 +4066,7 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
     }
     memset(survey, 0, sizeof *survey);
     survey->seen = (float)((double)seen / (double)count);
-    for (k = 0; k < 4 && seen; ++k) {
+    for (int k = 0; k < 4 && seen; ++k) {
         *(k < 3 ? &survey->blocked[k] : &survey->off) = (float)(sum[k] / (double)seen);
         survey->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
     }
@@ -4151,29 +4078,26 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
                                    const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
-    size_t i;
-    int k;
     if (!trial || !trace) return ssgi__bad(why, !trial ? "trial: must not be NULL" : "trace: must not be NULL");
     if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
-    if (!count) return ssgi__bad(why, "count: must not be 0");
-    if (rays < 2 || rays > 65536) return ssgi__bad(why, "rays: must be 2..65536");
-    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
-    for (i = 0; i < count; ++i) {
+    SSGI__CHECK(count, "count: must not be 0");
+    SSGI__RANGE(rays, 2, 65536);
+    SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
+    for (size_t i = 0; i < count; ++i) {
         double along[3], occlusion[2] = { 0.0, 0.0 };
         float axes[3][3], from[3], d[3];
         ssgi_hit hit;
-        for (k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
+        for (int k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
         ssgi__normalise(along);
         ssgi__field_axes(axes, along);
-        for (k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
-        for (k = 0; k < 2 * (rays / 2); ++k) {
+        for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
+        for (int k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
             const double turn = (2.0 * SSGI__PI)
                               * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
                                  + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
-            int c;
-            for (c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
+            for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
             if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit))
                 occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
@@ -4267,7 +4191,6 @@ static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    int l;
     if (s->survey.seen > 0.0f) {                    /* no more than a guess: the survey cannot see what is hidden */
         const float *square = s->survey.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
@@ -4277,7 +4200,7 @@ static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row
         open = (double)s->trial.open * (double)s->trial.open;
         picture = (double)s->trial.picture * (double)s->trial.picture;
     }
-    for (l = 1; l < 4 && s->wanted; ++l) {
+    for (int l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
         if (l >= row->bands) left += ratio;
@@ -4355,36 +4278,35 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
                                           "deep screen space", "fields" };
     ssgi_plan best, p;
     float cheaper = 0.0f, goal = 0.0f;
-    int i, tried = 0, found = 0;
-    if (!plan) return ssgi__bad(why, "plan: must not be NULL");
-    if (!s) return ssgi__bad(why, "scene: must not be NULL");
-    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS)
-        return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
+    int tried = 0, found = 0;
+    SSGI__THERE(plan);
+    SSGI__CHECK(s, "scene: must not be NULL");
+    SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
+                "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
     if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
         return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
     if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1)
         || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
         return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
-    if (!ssgi__positive(s->energy, 4)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
-    if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture))
-        return ssgi__bad(why, "scene.trial: must be finite");
-    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3)
-        || !ssgi__positive(&s->survey.off, 1) || !ssgi__positive(s->survey.square, 4))
-        return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__finite(s->trial.open) && ssgi__finite(s->trial.picture), "scene.trial: must be finite");
+    SSGI__CHECK(ssgi__positive(&s->survey.seen, 1) && ssgi__positive(s->survey.blocked, 3)
+                && ssgi__positive(&s->survey.off, 1) && ssgi__positive(s->survey.square, 4),
+                "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         best = p;
         found = 1;
     }
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
         if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper))
             cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
