@@ -787,16 +787,16 @@ extern "C" {
 
 #define SSGI__PI 3.14159265358979323846
 
-/* Before what is called from many places: copies of it would cost code and compile time only. */
+/* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
 #if defined(__GNUC__)
-#define SSGI__NOINLINE __attribute__((noinline))
+#define SSGI__FN static __attribute__((noinline))
 #elif defined(_MSC_VER)
-#define SSGI__NOINLINE __declspec(noinline)
+#define SSGI__FN static __declspec(noinline)
 #else
-#define SSGI__NOINLINE
+#define SSGI__FN static
 #endif
 
-static SSGI__NOINLINE ssgi_result ssgi__bad(const char **why, const char *sentence)
+SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 {
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
@@ -821,7 +821,7 @@ static int ssgi__finite(float x)
 }
 
 /* Whether all are there and finite. */
-static SSGI__NOINLINE int ssgi__finites(const float *v, int count)
+SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
     while (count > 0 && ssgi__finite(*v)) { ++v; --count; }
@@ -829,13 +829,13 @@ static SSGI__NOINLINE int ssgi__finites(const float *v, int count)
 }
 
 /* Whether all are finite and 0 or more. */
-static SSGI__NOINLINE int ssgi__positive(const float *v, int count)
+SSGI__FN int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
     return count == 0;
 }
 
-static SSGI__NOINLINE int ssgi__within(float x, float least, float most)
+SSGI__FN int ssgi__within(float x, float least, float most)
 {
     return ssgi__finite(x) && x >= least && x <= most;
 }
@@ -849,7 +849,7 @@ static double ssgi__light(float x, float least)
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
 /* rgb times a weight; returns the luminance of that */
-static SSGI__NOINLINE double ssgi__light3(double out[3], const float *rgb, float least, double weight)
+SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
 {
     for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
     return ssgi__luminance(out);
@@ -861,7 +861,7 @@ static float ssgi__abs(float a) { return ssgi__max(a, -a); }
 
 static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-static SSGI__NOINLINE void ssgi__cross(double out[3], const double a[3], const double b[3])
+SSGI__FN void ssgi__cross(double out[3], const double a[3], const double b[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
@@ -869,23 +869,23 @@ static SSGI__NOINLINE void ssgi__cross(double out[3], const double a[3], const d
 }
 
 /* a + s b */
-static SSGI__NOINLINE void ssgi__along(double out[3], const double a[3], double s, const double b[3])
+SSGI__FN void ssgi__along(double out[3], const double a[3], double s, const double b[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = a[i] + s * b[i];
 }
 
-static SSGI__NOINLINE void ssgi__doubles(double out[3], const float v[3])
+SSGI__FN void ssgi__doubles(double out[3], const float v[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = (double)v[i];
 }
 
-static SSGI__NOINLINE void ssgi__floats(float out[3], const double v[3])
+SSGI__FN void ssgi__floats(float out[3], const double v[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
 }
 
 /* returns the length that it had; 0 stays 0 */
-static SSGI__NOINLINE double ssgi__normalise(double v[3])
+SSGI__FN double ssgi__normalise(double v[3])
 {
     const double length = sqrt(ssgi__dot(v, v));
     for (int i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
@@ -1071,7 +1071,7 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
     return result < 1.0f ? result : 1.0f - FLT_EPSILON / 2;  /* 0.99999999 rounds up to 1 */
 }
 
-static float ssgi__fract(double x)
+SSGI__FN float ssgi__fract(double x)
 {
     float f = (float)(x - floor(x));
     return f < 1.0f ? f : 0.0f;
@@ -1083,7 +1083,7 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
 }
 
-static int ssgi__gcd(int a, int b)
+SSGI__FN int ssgi__gcd(int a, int b)
 {
     while (b) { int c = a % b; a = b; b = c; }
     return a;
@@ -1143,7 +1143,7 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 #define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
 
 /* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
-static SSGI__NOINLINE void ssgi__sh_basis(double *out, int bands, const double d[3])
+SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
     static const double norm[] = {
@@ -1170,7 +1170,7 @@ static SSGI__NOINLINE void ssgi__sh_basis(double *out, int bands, const double d
     }
 }
 
-static int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
+SSGI__FN int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
@@ -1189,14 +1189,14 @@ SSGI_DEF float ssgi_sh_cosine(int l)
 
 /* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is
    there. */
-static SSGI__NOINLINE double ssgi__equirect_row(double polar[2], double at, int width, int height)
+SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     polar[0] = sin(SSGI__PI * at / height);
     polar[1] = cos(SSGI__PI * at / height);
     return 4.0 * SSGI__PI / width * polar[0] * sin(0.5 * SSGI__PI / height);
 }
 
-static SSGI__NOINLINE void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
+SSGI__FN void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
     const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
     direction[0] = polar[0] * sin(longitude);
@@ -1204,7 +1204,7 @@ static SSGI__NOINLINE void ssgi__equirect(double direction[3], const double pola
     direction[2] = polar[0] * cos(longitude);
 }
 
-static SSGI__NOINLINE ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
+SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
 {
     SSGI__THERE(rgb);
     SSGI__SIZE(width, height);
@@ -1213,7 +1213,7 @@ static SSGI__NOINLINE ssgi_result ssgi__equirect_bad(const float *rgb, int width
 
 typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI__SH_MOST]; } ssgi__sh_sum;
 
-static void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
+SSGI__FN void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
 {
     double basis[SSGI__SH_MOST], light[3];
     ssgi__sh_basis(basis, sum->bands, direction);
@@ -1222,7 +1222,7 @@ static void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const flo
         for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
 }
 
-static SSGI__NOINLINE ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
 {
     SSGI__THERE(out);
     SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
@@ -1231,7 +1231,7 @@ static SSGI__NOINLINE ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float 
     return SSGI_OK;
 }
 
-static void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
+SSGI__FN void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
 {
     for (int i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
 }
@@ -1254,10 +1254,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 }
 
 /* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
-static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
+SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
 /* GL table 8.19, s and t in [-1,1] */
-static SSGI__NOINLINE void ssgi__cube_direction(double out[3], int face, double s, double t)
+SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
                                               { 1, 0, 0 },  { 1, 0, 0 }, { -1, 0, 0 } };
@@ -1268,7 +1268,7 @@ static SSGI__NOINLINE void ssgi__cube_direction(double out[3], int face, double 
     ssgi__normalise(out);
 }
 
-static int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
+SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
     if (x >= y && x >= z) { at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x; at[1] = -w[1] / x; return w[0] < 0.0f; }
@@ -1324,7 +1324,7 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 
 /* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
    that degree; returns its solid angle. */
-static double ssgi__sphere_node(double d[3], int degree, int i)
+SSGI__FN double ssgi__sphere_node(double d[3], int degree, int i)
 {
     const double pi = SSGI__PI;
     const int rows = degree / 2 + 1, columns = degree + 1;
@@ -1390,7 +1390,7 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
             }
 }
 
-static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
+SSGI__FN double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
 {
     double sum = 0.0;
     for (int l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
@@ -1398,8 +1398,8 @@ static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands,
 }
 
 /* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
-static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
-                          const double d[3], double s)
+SSGI__FN double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
+                            const double d[3], double s)
 {
     double basis[SSGI__SH_MOST];
     int i = 0;
@@ -1427,7 +1427,7 @@ SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float
 
 /* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
    cosine 1, as differences of polynomials would. */
-static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
+SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     mean[0] = 1.0;
     mean[1] = 0.5 + 0.5 * cosine;
@@ -1436,8 +1436,8 @@ static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 }
 
 /* adds factor[l] Y_i(d) times the colour of even or of odd bands */
-static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
-                               const double d[3], double colour[2][3])
+SSGI__FN void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
+                                 const double d[3], double colour[2][3])
 {
     double basis[SSGI__SH_MOST];
     int i = 0;
@@ -1448,14 +1448,14 @@ static void ssgi__sh_add_zonal(float *coefficients, int bands, const double fact
 }
 
 /* 0 if it is not a direction */
-static int ssgi__direction(double d[3], const float *v)
+SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
     ssgi__doubles(d, v);
     return ssgi__normalise(d) > 0.0;
 }
 
-static SSGI__NOINLINE ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
 {
     SSGI__THERE(coefficients);
     SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
@@ -1506,7 +1506,7 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
 
 /* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below
    0. */
-static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
+SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
 {
     double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
     int j, moved;
@@ -1589,7 +1589,7 @@ SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
 }
 
 /* The direction of texel number `texel` of a map. */
-static SSGI__NOINLINE void ssgi__octahedral_texel(float out[3], int texel, int size)
+SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
 {
     const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f,
                          (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
@@ -1598,8 +1598,8 @@ static SSGI__NOINLINE void ssgi__octahedral_texel(float out[3], int texel, int s
 
 /* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
    than a texel. */
-static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
-                                    int height)
+SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
+                                      int height)
 {
     const double pi = SSGI__PI;
     /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
@@ -1628,8 +1628,8 @@ static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3],
 
 /* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to
    least. */
-static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
-                                           float least, float slope, const char **why)
+SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
+                                             float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
     SSGI__THERE(out);
@@ -1701,8 +1701,8 @@ typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__reg
 #define SSGI__REGION_BINS 256
 
 /* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
-static SSGI__NOINLINE void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
-                                             const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
+                                               const float *rgb, int width, int height)
 {
     memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
     for (int y = r->lower[1]; y < r->upper[1]; ++y) {
@@ -1714,7 +1714,7 @@ static SSGI__NOINLINE void ssgi__region_bins(double bin[SSGI__REGION_BINS], cons
 }
 
 /* Cuts a region of at least two texels at its median along its wider side; the other half goes to *rest. */
-static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
 {
     double bin[SSGI__REGION_BINS], polar[2], before = 0.0;
     const double half = 0.5 * region->energy;
@@ -1744,7 +1744,7 @@ static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const f
     region->energy = before;
 }
 
-static void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
 {
     double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], light[3], energy = 0.0;
     for (int y = r->lower[1]; y < r->upper[1]; ++y) {
@@ -1880,7 +1880,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         } \
         return most ? 1 - a : a; \
     }
-static SSGI__NOINLINE SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
+SSGI__FN SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
 SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
 
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
@@ -1983,7 +1983,7 @@ static int ssgi__trace_sane(float x)
     return (bits & 0x7fffffffu) <= most;
 }
 
-static void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
+SSGI__FN void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
 {
     *blocks = (triangles + 3) / 4;
     *nodes = *blocks * 2 / 3 + 1;
@@ -2005,7 +2005,7 @@ static const float *ssgi__trace_corner(const ssgi__trace_job *job, uint32_t tria
     return (const float *)(const void *)(job->position + (job->index ? (size_t)job->index[k] : k) * job->stride);
 }
 
-static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
+SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
 {
     const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
                 *c = ssgi__trace_corner(job, triangle, 2);
@@ -2021,7 +2021,7 @@ static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, s
     return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
 }
 
-static void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
 {
     for (int i = 0; i < 3; i++) {
         range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
@@ -2044,7 +2044,7 @@ static float ssgi__trace_area(const float lower[3], const float upper[3])
 }
 
 /* puts the items with the smallest centres along axis into the first want of count places [Hoare 1961] */
-static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
+SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
 {
     int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
     while (lower < upper) {
@@ -2066,7 +2066,7 @@ static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t 
     }
 }
 
-static void ssgi__trace_empty(float lower[3], float upper[3])
+SSGI__FN void ssgi__trace_empty(float lower[3], float upper[3])
 {
     for (int i = 0; i < 3; i++) {
         lower[i] = 2.0f * SSGI__TRACE_LIMIT;
@@ -2074,7 +2074,7 @@ static void ssgi__trace_empty(float lower[3], float upper[3])
     }
 }
 
-static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
+SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
 {
     for (int i = 0; i < 3; i++) {
         lower[i] = ssgi__min(lower[i], l[i]);
@@ -2083,8 +2083,8 @@ static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], c
 }
 
 /* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
-static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
-                           int *axis, int *cut)
+SSGI__FN int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
+                             int *axis, int *cut)
 {
     float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
     uint32_t count[3][SSGI__TRACE_BINS];
@@ -2126,8 +2126,8 @@ static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range
 }
 
 /* splits a range of more than four in two, the first with a multiple of four items */
-static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
-                              ssgi__trace_range *right)
+SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
+                                ssgi__trace_range *right)
 {
     ssgi__trace_item *item = items + range->first;
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
@@ -2163,7 +2163,7 @@ static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *
 }
 
 /* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
-static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
+SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
     ssgi__trace_block *block = job->blocks + range->first / 4;
@@ -2181,7 +2181,7 @@ static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range 
     }
 }
 
-static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
+SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
     ssgi__trace_range range[4];
     const uint32_t self = job->node_count++;
@@ -2315,8 +2315,8 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
 }
 
 /* hit NULL: any hit will do */
-static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
-                            float tmax, ssgi_hit *hit)
+SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                              float tmax, ssgi_hit *hit)
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
@@ -2409,7 +2409,7 @@ SSGI_DEF int ssgi_tess_count(int level)
 }
 
 /* Point i of ring k, which has n - 2k segments a side: its place on the lattice of 1/n, from the ring's own corners. */
-static void ssgi__tess_lattice(int place[3], int segments, int i)
+SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
 {
     const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
     place[side] = segments - along;
@@ -2417,7 +2417,7 @@ static void ssgi__tess_lattice(int place[3], int segments, int i)
     place[(side + 2) % 3] = 0;
 }
 
-static uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
+SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
 {
     x = x * 747796405u + 2891336453u;
     x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
@@ -2433,13 +2433,13 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
 
 /* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
    tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
-static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
+SSGI__FN void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
 {
     out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
     out[1] = (double)ssgi_view_near(view);
 }
 
-static double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
+SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
 }
@@ -2470,7 +2470,7 @@ static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride,
 }
 
 /* The whole triangle in view space. 0: it gives no surfels. */
-static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
+SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
     const ssgi_surfel_source *s = m->source;
     double a[3], b[3], n[3], v[3];
@@ -2506,7 +2506,7 @@ static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, si
 }
 
 /* |depth| where it is nearest to the near plane, were it a segment */
-static double ssgi__nearest(const ssgi__patch *p)
+SSGI__FN double ssgi__nearest(const ssgi__patch *p)
 {
     double low = 1e300, high = -1e300;
     for (int k = 0; k < 3; ++k) {
@@ -2517,7 +2517,7 @@ static double ssgi__nearest(const ssgi__patch *p)
 }
 
 /* the least radius in it */
-static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+SSGI__FN double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
     double depth = ssgi__nearest(whole);
     if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
@@ -2525,7 +2525,7 @@ static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_m
 }
 
 /* Its middle, how far that is aside, and how far its corners are from there. */
-static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
+SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
     *extent = 0.0;
     for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
@@ -2538,14 +2538,14 @@ static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker 
     return ssgi_view_aside(m->view, middle);
 }
 
-static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
     const double r = ssgi__surfel_finest(whole, m),
                  n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
     return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
 }
 
-static SSGI__NOINLINE void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
+SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
     for (int i = 0; i < 3; ++i)
         out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
@@ -2553,7 +2553,7 @@ static SSGI__NOINLINE void ssgi__surfel_mix(double out[3], const double (*corner
 
 /* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
    Twin of the tessellation control shader. */
-static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
+SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place, c, i;
     double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent, aside, wanted, share, f;
@@ -2602,8 +2602,8 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
 }
 
 /* Twin of the tessellation evaluation shader. */
-static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
-                               const int place[3])
+SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
+                                 const int place[3])
 {
     const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
                    h2 = ssgi__hash(h);
@@ -2629,8 +2629,8 @@ static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, co
     out->unused = 0.0f;
 }
 
-static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
-                                     const char **why)
+SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why)
 {
     SSGI__THERE(desc);
     if (!view || view->width < 1 || view->height < 1)
@@ -2668,8 +2668,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
     return SSGI_OK;
 }
 
-static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
-                                     const ssgi_surfel_source *source, const char **why)
+SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const ssgi_surfel_source *source, const char **why)
 {
     const ssgi_surfel_source *s = source;
     double a[3][3], determinant;
@@ -2732,7 +2732,7 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 
 typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capacity, count; } ssgi__divider;
 
-static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
+SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
     ssgi__surfel_maker *m = &d->maker;
     ssgi_surfel_source one = *m->source;
@@ -2792,14 +2792,14 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 
 /* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends
    [DSS14 3.2, 4]. */
-static double ssgi__surfel_reach(double radius, double brightest, double epsilon)
+SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
 /* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
    l; no farther than `most`. */
-static void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
+SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
     shell[1] = ldexp(reach, level > 0 ? level : 0);
@@ -2810,7 +2810,8 @@ static void ssgi__surfel_shell(double shell[2], double reach, int level, double 
 /* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture,
    exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin:
    ssgi_sphere. */
-static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
+SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
+                                 float front)
 {
     const double z = -(double)centre[2], r = (double)radius, begin = (double)front,
                  chord = r * r - (begin - z) * (begin - z);
@@ -2839,7 +2840,7 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
     return 1;
 }
 
-static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
+SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
     SSGI__CHECK(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f),
@@ -2869,8 +2870,8 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
     return SSGI_OK;
 }
 
-static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
-                               const float centre[3], double radius, double brightest, double count)
+SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
+                                 const float centre[3], double radius, double brightest, double count)
 {
     const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
     for (int l = 0; l < s->levels; ++l) {
@@ -2995,10 +2996,10 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i)
 
 /* ---- samples */
 
-static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
+SSGI__FN double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 /* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
-static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
+SSGI__FN void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
     ssgi_r2((uint32_t)i, at);
@@ -3009,7 +3010,7 @@ static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, 
         direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
-static SSGI__NOINLINE void ssgi__field_axes(float axes[3][3], const double axis[3])
+SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
     int least = 0;
@@ -3026,9 +3027,9 @@ static SSGI__NOINLINE void ssgi__field_axes(float axes[3][3], const double axis[
 /* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
    trace) meets from a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four
    receivers there with these normals. */
-static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
-                               int (*hit)(void *, const float *, const float *), void *user, const float point[3],
-                               const double axis[3], float cosine, int rays, uint32_t seed)
+SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
+                                 int (*hit)(void *, const float *, const float *), void *user, const float point[3],
+                                 const double axis[3], float cosine, int rays, uint32_t seed)
 {
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
@@ -3052,7 +3053,7 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
 /* ---- fits */
 
 /* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
-static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
+SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
     for (int i = 0; i < 3; ++i) {
         int pivot = i;
@@ -3078,7 +3079,7 @@ static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 }
 
 /* One equation d . x = r, into the normal equations a x = b. */
-static SSGI__NOINLINE void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
+SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
 {
     for (int i = 0; i < 3; ++i) ssgi__along(a[i], a[i], d[i], d);
     ssgi__along(b, b, r, d);
@@ -3089,7 +3090,7 @@ static SSGI__NOINLINE void ssgi__field_equation(double a[3][3], double b[3], con
 typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
-static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
+SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
     for (int step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
@@ -3119,14 +3120,14 @@ static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssg
 
 /* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all
    of [0,1], for any u. */
-static void ssgi__field_bernstein(double q[3], const double u[3], double most)
+SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
     q[2] = 1.0 / most + exp(u[2]);
     q[1] = 1.0 / most - exp(0.5 * (u[0] + u[2])) + exp(u[1]);
 }
 
-static double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
+SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
@@ -3151,7 +3152,7 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
 /* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at
    the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
    Returns the sum of squared errors. */
-static double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
+SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, least = 1e-9 * m;
     ssgi__field_data data;
@@ -3198,7 +3199,7 @@ static double ssgi__field_fit(double q[3], const double *radii, const double *va
 
 /* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
    the first radius, where directions would flip, too far. */
-static double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
+SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
     if (!(ssgi__dot(c, data->w) < 0.999999 * data->radii[0])) return 1e300;
@@ -3224,8 +3225,8 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
 /* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
    0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
    least: the chord leads there, the error polishes. flat: an error that tells nothing. */
-static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
-                                 int count, double flat)
+SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
+                                   int count, double flat)
 {
     ssgi__field_data data;
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
@@ -3262,7 +3263,7 @@ typedef struct ssgi__field_caster {
 
 /* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not
    entered. */
-static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
+SSGI__FN double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -3305,7 +3306,7 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
    . x = distance. */
 typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
 
-static void ssgi__field_portal_plane(ssgi__field_portal *p)
+SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
     double a[3], b[3];
     ssgi__along(a, p->corner[1], -1.0, p->corner[0]);
@@ -3316,12 +3317,12 @@ static void ssgi__field_portal_plane(ssgi__field_portal *p)
 }
 
 /* How far beyond the hull samples begin, so that none begins in the matter. */
-static double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
+SSGI__FN double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
 
 /* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
    even flat casters have one: the farthest corner along the portal's normal splits it, until there is none beyond its
    plane. */
-static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
+SSGI__FN double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
 {
     double facing;
     memset(p, 0, sizeof *p);
@@ -3356,7 +3357,7 @@ static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], s
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-static SSGI__NOINLINE void ssgi__field_spiral(double w[3], int i, int n)        /* even over the sphere */
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)        /* even over the sphere */
 {
     const double z = 1.0 - (2.0 * i + 1.0) / n, r = sqrt(1.0 - z * z), angle = 2.39996322972865332 * i;
     w[0] = r * cos(angle);
@@ -3366,7 +3367,7 @@ static SSGI__NOINLINE void ssgi__field_spiral(double w[3], int i, int n)        
 
 /* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is
    no extent. */
-static int ssgi__field_measure(ssgi__field_caster *m)
+SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     double w[3], p[3], centre[3] = { 0.0, 0.0, 0.0 };
@@ -3410,8 +3411,8 @@ static int ssgi__field_measure(ssgi__field_caster *m)
 
 /* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners,
    wider by what they lack; or the half space below the hull's plane. */
-static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
-                              const double normal[3])
+SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
+                                const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
     for (int k = 0; k < 3; ++k) axis[k] = 0.0;
@@ -3444,7 +3445,7 @@ typedef struct ssgi__field_bake {
 } ssgi__field_bake;
 
 /* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
-static size_t ssgi__cube_texel(int face, int x, int y, int size)
+SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
         double d[3];
@@ -3468,7 +3469,7 @@ static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECT
 static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
 
 /* One texel of the fine map: samples along its direction, and what they fit. */
-static void ssgi__field_texel(void *context, int job)
+SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
@@ -3519,7 +3520,7 @@ static void ssgi__field_texel(void *context, int job)
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
-static void ssgi__field_reduce(const ssgi__field_bake *b)
+SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
     const int size = b->field->resolution;
@@ -3539,7 +3540,7 @@ static void ssgi__field_reduce(const ssgi__field_bake *b)
 static int ssgi__field_words(int bits) { return bits == 8 ? 2 : 4; }
 
 /* Ranges, integers, borders. */
-static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
+SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
     const int size = f->resolution, words = ssgi__field_words(f->bits);
@@ -3576,7 +3577,7 @@ static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 }
 
 /* What walled-in points are not counted in: the mean occlusion of points in the hull. */
-static float ssgi__field_inside(const ssgi__field_bake *b)
+SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     double sum = 0.0, weight = 0.0;
     for (int i = 0; i < 256; ++i) {
@@ -3597,7 +3598,7 @@ static float ssgi__field_inside(const ssgi__field_bake *b)
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
 }
 
-static void ssgi__field_held(void *context, int i)
+SSGI__FN void ssgi__field_held(void *context, int i)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const ssgi_field_limits limits = { 2.0f * b->field->reach, 2.0f * b->field->reach, b->field->inside, 1.0f };
@@ -3630,14 +3631,14 @@ static void ssgi__field_held(void *context, int i)
     }
 }
 
-static void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
+SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
     else for (int i = 0; i < count; ++i) job(context, i);
 }
 
 /* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
-static void ssgi__field_errors(ssgi__field_bake *b)
+SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
 {
     const int all = 4 * SSGI__FIELD_HELD;
     unsigned short bin[SSGI__FIELD_BINS];
@@ -3664,7 +3665,7 @@ SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
     return (size_t)(6 * (resolution + 2) * (resolution + 2) * ssgi__field_words(bits)) * sizeof(uint32_t);
 }
 
-static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
+SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 {
     ssgi_field_desc d = *desc;
     if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
@@ -3675,7 +3676,7 @@ static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
     return d;
 }
 
-static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
+SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
 {
     SSGI__THERE(desc);
     SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
@@ -3689,7 +3690,7 @@ static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **w
     return SSGI_OK;
 }
 
-static size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
+SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3704,7 +3705,8 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
 }
 
 /* One resolution, one number of radii; done, share: what of the whole it is. */
-static ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share, const char **why)
+SSGI__FN ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share,
+                                      const char **why)
 {
     const int all = 24 * b->field->resolution * b->field->resolution, block = (all + 23) / 24;
     for (b->first = 0; b->first < all; b->first += block) {
@@ -3815,7 +3817,7 @@ static uint32_t ssgi__field_component(const ssgi_field *f, const uint32_t *texel
 }
 
 /* The components along w, bilinear between texels. */
-static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
+SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
@@ -3912,18 +3914,18 @@ SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance,
 
 enum { SSGI__FIELD_HEAD = 32 };             /* words before the texels; after them two of checksum */
 
-static void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
+SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
     for (int k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
 }
 
-static uint32_t ssgi__field_get(const unsigned char *in, size_t i)
+SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
 {
     return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16
          | (uint32_t)in[4 * i + 3] << 24;
 }
 
-static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
+SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
 {
     uint64_t h = 14695981039346656037u;
     for (; size; --size) h = (h ^ *data++) * 1099511628211u;
@@ -3931,7 +3933,7 @@ static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)    
 }
 
 /* The floats of a field in the order of the file. */
-static void ssgi__field_numbers(float *out[25], ssgi_field *f)
+SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
 {
     float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
                             &f->inside,    &f->median,    &f->p95,       &f->most };
@@ -3971,7 +3973,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
-static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
+SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     const unsigned char *bytes = (const unsigned char *)file;
     float *number[25];
@@ -4184,9 +4186,9 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-static double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+SSGI__FN double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
 
-static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
+SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
@@ -4216,7 +4218,7 @@ static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row
 }
 
 /* Whether a scene has what a choice needs, and enough of it to be worth that. */
-static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
+SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
                     | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
