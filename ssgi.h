@@ -810,7 +810,7 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 #define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
 #define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
 #define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
-#define SSGI__BAD(call)                do { if ((call) != SSGI_OK) return SSGI_BAD_ARGUMENT; } while (0)
+#define SSGI__TRY(call)                do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
@@ -977,19 +977,18 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
 SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
-    double most = 0.0, d;
-    for (int axis = 0; axis < 2; ++axis)
-        for (int side = 0; side < 2; ++side) {
-            /* per depth */
-            const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
-            const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
-            const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
-            d = view->orthographic ? sign * (point[axis] - edge)
-                                   : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
-            if (d > most) most = d;
-        }
-    d = (double)ssgi_view_near(view) - z;
-    return d > most ? d : most;
+    double most = (double)ssgi_view_near(view) - z;
+    if (!(most > 0.0)) most = 0.0;
+    for (int k = 0; k < 4; ++k) {                   /* left, right, lower, upper */
+        const int axis = k / 2, side = k % 2;
+        const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
+        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];  /* per depth */
+        const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
+        const double d = view->orthographic ? sign * (point[axis] - edge)
+                                            : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
+        if (d > most) most = d;
+    }
+    return most;
 }
 
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
@@ -1240,8 +1239,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
                                               const char **why)
 {
     ssgi__sh_sum sum;
-    SSGI__BAD(ssgi__sh_begin(&sum, out, bands, why));
-    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
+    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     for (int y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
         for (int x = 0; x < width; ++x, rgb += 3) {
@@ -1282,7 +1281,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
                                           const char **why)
 {
     ssgi__sh_sum sum;
-    SSGI__BAD(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
     SSGI__THERE(faces);
     for (int face = 0; face < 6; ++face)
         SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
@@ -1467,7 +1466,7 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
-    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
     SSGI__CHECK(ssgi__direction(d, direction), "direction: must be there, finite and not 0");
     SSGI__CHECK(ssgi__within(sine, 0.0f, 1.0f), "sine: must be 0..1");
     SSGI__CHECK(ssgi__finites(irradiance, 3), "irradiance: must be there and finite");
@@ -1488,7 +1487,7 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
                                  const float below[3], const char **why)
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
-    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
     SSGI__CHECK(ssgi__direction(d, up), "up: must be there, finite and not 0");
     SSGI__CHECK(ssgi__finites(above, 3), "above: must be there and finite");
     SSGI__CHECK(ssgi__finites(below, 3), "below: must be there and finite");
@@ -1538,7 +1537,7 @@ SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *stren
 {
     double s = 0.0, part[SSGI_SH_MAX_BANDS];
     int i, c, l, raised;
-    SSGI__BAD(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
     for (i = 0; i < 3 * bands * bands; ++i)
         SSGI__CHECK(ssgi__finite(coefficients[i]), "coefficients: must be finite");
     /* s rises until the direction that is lowest is not below 0, until none is */
@@ -1634,7 +1633,7 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
     SSGI__THERE(out);
     SSGI__RANGE(size, 8, 256);
-    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     ssgi__environment_cells(cell, rgb, width, height);
     for (int i = 0; i < SSGI__CELLS_Y; ++i) {
         double p[2];
@@ -1774,7 +1773,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     int n;
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
-    SSGI__BAD(ssgi__equirect_bad(rgb, width, height, why));
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     region[0].lower[0] = region[0].lower[1] = 0;
     region[0].upper[0] = width;
     region[0].upper[1] = height;
@@ -1802,27 +1801,29 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why)
 {
-    const double pi = SSGI__PI;
     SSGI__THERE(map);
     SSGI__RANGE(size, 8, 256);
-    SSGI__THERE(coefficients);
-    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
-    if (count < 0 || (count && !suns)) return ssgi__bad(why, "suns: must not be NULL when count is not 0");
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(count >= 0 && (!count || suns), "suns: must not be NULL when count is not 0");
     for (int texel = 0; texel < size * size; ++texel, map += 3) {
         float n[3], basis[SSGI__SH_MOST];
-        double sum[3] = { 0, 0, 0 };
+        double sum[3] = { 0, 0, 0 }, normal[3], v[3];
         ssgi__octahedral_texel(n, texel, size);
+        ssgi__doubles(normal, n);
         ssgi_sh_basis(basis, bands, n);
         for (int l = 0, i = 0; l < bands; ++l)
-            for (; i < (l + 1) * (l + 1); ++i)
-                for (int c = 0; c < 3; ++c)
-                    sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
+            for (; i < (l + 1) * (l + 1); ++i) {
+                ssgi__doubles(v, coefficients + 3 * i);
+                ssgi__along(sum, sum, -((double)ssgi_sh_cosine(l) * (double)basis[i]), v);
+            }
         for (int i = 0; i < count; ++i) {
-            double cosine = 0.0;
-            for (int c = 0; c < 3; ++c) cosine += (double)n[c] * (double)suns[i].direction[c];
-            for (int c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
+            double cosine;
+            ssgi__doubles(v, suns[i].direction);
+            cosine = ssgi__dot(normal, v);
+            ssgi__doubles(v, suns[i].irradiance);
+            ssgi__along(sum, sum, cosine > 0.0 ? cosine : 0.0, v);
         }
-        for (int c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
+        for (int c = 0; c < 3; ++c) map[c] += (float)(sum[c] / SSGI__PI);
     }
     return SSGI_OK;
 }
@@ -2021,20 +2022,32 @@ SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle,
     return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
 }
 
-SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+SSGI__FN void ssgi__trace_empty(float lower[3], float upper[3])
 {
     for (int i = 0; i < 3; i++) {
-        range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
-        range->upper[i] = range->cupper[i] = -4.0f * SSGI__TRACE_LIMIT;
+        lower[i] = 4.0f * SSGI__TRACE_LIMIT;
+        upper[i] = -4.0f * SSGI__TRACE_LIMIT;
     }
-    for (uint32_t k = range->first; k < range->first + range->count; k++)
-        for (int i = 0; i < 3; i++) {
-            const float lower = items[k].lower[i], upper = items[k].upper[i], centre = lower + upper;
-            range->lower[i] = ssgi__min(range->lower[i], lower);
-            range->upper[i] = ssgi__max(range->upper[i], upper);
-            range->clower[i] = ssgi__min(range->clower[i], centre);
-            range->cupper[i] = ssgi__max(range->cupper[i], centre);
-        }
+}
+
+SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
+{
+    for (int i = 0; i < 3; i++) {
+        lower[i] = ssgi__min(lower[i], l[i]);
+        upper[i] = ssgi__max(upper[i], u[i]);
+    }
+}
+
+SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+{
+    ssgi__trace_empty(range->lower, range->upper);
+    ssgi__trace_empty(range->clower, range->cupper);
+    for (uint32_t k = range->first; k < range->first + range->count; k++) {
+        float centre[3];
+        for (int i = 0; i < 3; i++) centre[i] = items[k].lower[i] + items[k].upper[i];
+        ssgi__trace_grow(range->lower, range->upper, items[k].lower, items[k].upper);
+        ssgi__trace_grow(range->clower, range->cupper, centre, centre);
+    }
 }
 
 static float ssgi__trace_area(const float lower[3], const float upper[3])
@@ -2063,22 +2076,6 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
         if (goal <= j) upper = j;
         else if (goal >= i) lower = i;
         else return;
-    }
-}
-
-SSGI__FN void ssgi__trace_empty(float lower[3], float upper[3])
-{
-    for (int i = 0; i < 3; i++) {
-        lower[i] = 2.0f * SSGI__TRACE_LIMIT;
-        upper[i] = -2.0f * SSGI__TRACE_LIMIT;
-    }
-}
-
-SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
-{
-    for (int i = 0; i < 3; i++) {
-        lower[i] = ssgi__min(lower[i], l[i]);
-        upper[i] = ssgi__max(upper[i], u[i]);
     }
 }
 
@@ -2473,35 +2470,33 @@ static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride,
 SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
     const ssgi_surfel_source *s = m->source;
-    double a[3], b[3], n[3], v[3];
+    double a[3], b[3], v[3];
     uint32_t id[3];
     for (int corner = 0; corner < 3; ++corner) {
-        const size_t vertex = s->index ? s->index[3 * triangle + (size_t)corner] : 3 * triangle + (size_t)corner;
+        const size_t k = 3 * triangle + (size_t)corner, vertex = s->index ? s->index[k] : k;
         id[corner] = (uint32_t)vertex & 0xffffffu;
         ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
         for (int i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
-            for (int k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
+            for (int n = 0; n < 3; ++n) p->at[corner][i] += (double)s->to_view[4 * n + i] * v[n];
             if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
+            p->colour[corner][i] = 1.0;
         }
-        for (int i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
         if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
         if (s->normal) {
-            ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
+            const float *normal = ssgi__surfel_at(s->normal, s->normal_stride, vertex);
+            ssgi__doubles(v, normal);
             for (int i = 0; i < 3; ++i)
-                p->normal[corner][i] = ssgi__finites(ssgi__surfel_at(s->normal, s->normal_stride, vertex), 3)
-                                         ? ssgi__dot(m->normals[i], v)
-                                         : 0.0;
+                p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
     /* of vertices: numbers of primitives are not to be relied on */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
-    for (int i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
-    ssgi__cross(n, a, b);
-    p->area = 0.5 * ssgi__normalise(n);
-    memcpy(p->face, n, sizeof n);
-    for (int corner = 0; corner < 3 && !s->normal; ++corner)
-        for (int i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
+    ssgi__along(a, p->at[1], -1.0, p->at[0]);
+    ssgi__along(b, p->at[2], -1.0, p->at[0]);
+    ssgi__cross(p->face, a, b);
+    p->area = 0.5 * ssgi__normalise(p->face);
+    for (int i = 0; i < 9 && !s->normal; ++i) p->normal[i / 3][i % 3] = m->side * p->face[i % 3];
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
@@ -2531,18 +2526,18 @@ SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_make
     for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
     for (int c = 0; c < 3; ++c) {
         double d[3], length;
-        for (int i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
+        ssgi__along(d, p->at[c], -1.0, middle);
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
     return ssgi_view_aside(m->view, middle);
 }
 
-SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
     const double r = ssgi__surfel_finest(whole, m),
                  n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
-    return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
+    return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
 SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
@@ -2555,11 +2550,12 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
    Twin of the tessellation control shader. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
-    int row = (int)sqrt((double)part), place, c, i;
-    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent, aside, wanted, share, f;
+    const int published = m->desc.shrink == SSGI_SHRINK_CENTROID;
+    int row = (int)sqrt((double)part), place;
+    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], d[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
     place = part - row * row;
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const int down = row + (place % 2 ? c != 2 && c != 0 : c > 0), across = place / 2 + (place % 2 ? c > 0 : c > 1);
         const double w[3] = { 1.0 - (double)down / n, (double)(down - across) / n, (double)across / n };
         ssgi__surfel_mix(p->at[c], whole->at, w);
@@ -2575,28 +2571,28 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
-    /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
-    for (c = 0, p->alive = 0; c < 3; ++c)
+    p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
     p->radius = sqrt(p->area / (share * SSGI__PI * ssgi_tess_count(p->level)));
     if (!((float)p->radius > 0.0f)) return 0;
-    for (c = 0; c < 3; ++c) {
-        double d[3];
-        for (i = 0; i < 3; ++i) d[i] = p->at[(c + 2) % 3][i] - p->at[(c + 1) % 3][i];
-        edge[c] = m->desc.shrink == SSGI_SHRINK_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d));
+    for (int c = 0; c < 3; ++c) {
+        ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
+        edge[c] = published ? 1.0 : sqrt(ssgi__dot(d, d));
         perimeter += edge[c];
     }
-    for (c = 0; c < 3; ++c) for (i = 0; i < 3; ++i) centre[i] += edge[c] / perimeter * p->at[c][i];
+    for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, edge[c] / perimeter, p->at[c]);
     f = 1.0 - p->radius * perimeter / (2.0 * p->area);
     if (f < 0.25) f = 0.25;
-    for (c = 0; c < 3; ++c) {
-        double d[3], length;
-        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - centre[i];
-        length = sqrt(ssgi__dot(d, d));
-        if (m->desc.shrink == SSGI_SHRINK_CENTROID) f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
-        for (i = 0; i < 3; ++i) p->at[c][i] = centre[i] + f * d[i];
+    for (int c = 0; c < 3; ++c) {
+        ssgi__along(d, p->at[c], -1.0, centre);
+        if (published) {
+            const double length = sqrt(ssgi__dot(d, d));
+            f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
+        }
+        ssgi__along(p->at[c], centre, f, d);
     }
     return 1;
 }
@@ -2608,22 +2604,20 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
                    h2 = ssgi__hash(h);
     const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
-                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0;
+                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0, c = cos(angle), s = sin(angle);
     double u[3], v[3], at[3], normal[3], colour[3], w[3];
     for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    for (int i = 0; i < 3; ++i) u[i] = p->at[1][i] - p->at[0][i];
+    ssgi__along(u, p->at[1], -1.0, p->at[0]);
     ssgi__normalise(u);
     ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
         for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
-    for (int i = 0; i < 3; ++i) {
-        out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
-        out->normal[i] = (float)normal[i];
-        out->colour[i] = (float)colour[i];
-    }
+    for (int i = 0; i < 3; ++i) out->position[i] = (float)(at[i] + away * (c * u[i] + s * v[i]));
+    ssgi__floats(out->normal, normal);
+    ssgi__floats(out->colour, colour);
     out->radius = (float)p->radius;
     out->seed = (float)(h >> 8) / 16777216.0f;
     out->unused = 0.0f;
@@ -2656,7 +2650,7 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
 {
     ssgi_surfel_desc d;
     double s[2];
-    SSGI__BAD(ssgi__surfel_desc(&d, desc, view, why));
+    SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
     SSGI__CHECK(scale && more, "scale, more: must not be NULL");
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
@@ -2702,15 +2696,11 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
     size_t n = 0;
-    int splits;
-    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
     SSGI__THERE(count);
-    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
+    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
     for (size_t t = 0; t < source->triangles; ++t) {
-        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
-        splits = ssgi__surfel_splits(&whole, &m);
-        if (splits > m.desc.splits) splits = m.desc.splits;
+        const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
         for (int part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
             if (n >= capacity) { n += (size_t)p.count; continue; }
@@ -2734,7 +2724,7 @@ typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capa
 
 SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
-    ssgi__surfel_maker *m = &d->maker;
+    const ssgi__surfel_maker *m = &d->maker;
     ssgi_surfel_source one = *m->source;
     ssgi__surfel_maker sub = *m;
     ssgi__patch p;
@@ -2753,12 +2743,12 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c) {       /* a corner and the middles of its edges, or the middles alone */
         float child[27];
-        for (int k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
-            for (int i = 0; i < 9; ++i)
-                child[9 * k + i] =
-                    0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
+        for (int i = 0; i < 27; ++i) {
+            const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
+            child[i] = 0.5f * (v[9 * a + i % 9] + v[9 * b + i % 9]);
+        }
         ssgi__surfel_divide(d, child, depth + 1);
     }
 }
@@ -2767,21 +2757,20 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__divider d;
-    ssgi_result result = ssgi__surfel_open(&d.maker, desc, view, source, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__surfel_open(&d.maker, desc, view, source, why));
     SSGI__THERE(count);
-    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
+    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
     d.out = out;
     d.capacity = capacity;
     d.count = 0;
-    for (size_t t = 0; t < source->triangles; ++t) {
+    for (size_t i = 0; i < 3 * source->triangles; i += 3) {
         float v[27];
         for (size_t c = 0; c < 3; ++c) {
-            const size_t i = source->index ? source->index[3 * t + c] : 3 * t + c;
+            const size_t vertex = source->index ? source->index[i + c] : i + c;
             const float *part[3];
-            part[0] = ssgi__surfel_at(source->position, source->position_stride, i);
-            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, i) : NULL;
-            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, i) : NULL;
+            part[0] = ssgi__surfel_at(source->position, source->position_stride, vertex);
+            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, vertex) : NULL;
+            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, vertex) : NULL;
             for (size_t k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
         }
         ssgi__surfel_divide(&d, v, 0);
@@ -2890,16 +2879,13 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
     ssgi_splat s;
-    int n;
-    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
-    if (result == SSGI_OK) result = ssgi__splat_open(&s, splat, view, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
+    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
     SSGI__THERE(cost);
     memset(cost, 0, sizeof *cost);
     cost->splits = 1;
     for (size_t t = 0; t < source->triangles; ++t) {
-        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
-        n = ssgi__surfel_splits(&whole, &m);
+        int n = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, 1000000) : 0;
         if (n > cost->splits) cost->splits = n;
         if (n > m.desc.splits) n = m.desc.splits;
         for (int part = 0; part < n * n; ++part) {
@@ -2917,10 +2903,9 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
                                         const ssgi_surfel *surfels, size_t count, const char **why)
 {
     ssgi_splat s;
-    ssgi_result result = ssgi__splat_open(&s, splat, view, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
     SSGI__THERE(cost);
-    if (!surfels && count) return ssgi__bad(why, "surfels: must not be NULL");
+    SSGI__CHECK(surfels || !count, "surfels: must not be NULL");
     memset(cost, 0, sizeof *cost);
     cost->surfels = count;
     cost->splits = 1;
