@@ -1595,29 +1595,34 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(e, out);
 }
 
+/* What the spans from a and from b, as long as la and lb, share. */
+SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
+{
+    *begin = a > b ? a : b;
+    *end = a + la < b + lb ? a + la : b + lb;
+}
+
 /* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
    than a texel. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
-    const double pi = SSGI__PI;
     /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
     for (int i = 0; i < SSGI__CELLS_Y; ++i) {
-        double sum[SSGI__CELLS_X][3] = { { 0.0 } }, area = 0.0;
+        const double unit = (double)height * SSGI__CELLS_Y;
+        double sum[SSGI__CELLS_X][3] = { { 0.0 } }, light[3], area = 0.0;
         for (int y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
-            const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
-            const int bottom = (y + 1) * SSGI__CELLS_Y < (i + 1) * height ? (y + 1) * SSGI__CELLS_Y : (i + 1) * height;
-            const double weight =
-                cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
             const float *row = rgb + 3 * (size_t)y * (size_t)width;
+            int top, bottom, left, right;
+            double weight;
+            ssgi__overlap(&top, &bottom, y * SSGI__CELLS_Y, SSGI__CELLS_Y, i * height, height);
+            weight = cos(SSGI__PI * top / unit) - cos(SSGI__PI * bottom / unit);
             area += weight * width;
             for (int j = 0; j < SSGI__CELLS_X; ++j)
                 for (int x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
-                    const int left = x * SSGI__CELLS_X > j * width ? x * SSGI__CELLS_X : j * width;
-                    const int right =
-                        (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
-                    for (int c = 0; c < 3; ++c)
-                        sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
+                    ssgi__overlap(&left, &right, x * SSGI__CELLS_X, SSGI__CELLS_X, j * width, width);
+                    ssgi__light3(light, row + 3 * x, 0.0f, 1.0);
+                    ssgi__along(sum[j], sum[j], weight * (right - left), light);
                 }
         }
         for (int j = 0; j < SSGI__CELLS_X; ++j)
@@ -3079,25 +3084,21 @@ SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, s
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
     for (int step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
-        double a[3][3], b[3], m[3][3], v[3], x[3], next = error;
-        memset(a, 0, sizeof a);
-        memset(b, 0, sizeof b);
+        double a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, m[3][3], v[3], x[3], next = error;
         f(data, u, a, b);
         for (; damping < 1e12; damping *= 8.0) {
-            for (int i = 0; i < 3; ++i) {
-                for (int k = 0; k < 3; ++k) m[i][k] = a[i][k];
-                m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
-                v[i] = b[i];
-            }
+            memcpy(m, a, sizeof m);
+            memcpy(v, b, sizeof v);
+            for (int i = 0; i < 3; ++i) m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
             if (!ssgi__field_solve(x, m, v)) continue;
-            for (int i = 0; i < 3; ++i) x[i] += u[i];
+            ssgi__along(x, x, 1.0, u);
             next = f(data, x, NULL, NULL);
             if (next < error) break;
         }
         if (!(damping < 1e12)) break;
         memcpy(u, x, sizeof x);
         damping *= 0.1;
-        if (error - next < 1e-12 * error && damping < 1e-2) { error = next; break; }
+        if (error - next < 1e-12 * error && damping < 1e-2) return next;
         error = next;
     }
     return error;
@@ -3140,20 +3141,11 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, least = 1e-9 * m;
-    ssgi__field_data data;
+    const ssgi__field_data data = { radii, values, NULL, count, 0, most };
     double best = 1e300, u[3];
-    data.radii = radii;
-    data.values = values;
-    data.w = NULL;
-    data.count = count;
-    data.chord = 0;
-    data.most = most;
     for (int start = 0; start < 2; ++start) {
-        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
-        memset(a, 0, sizeof a);
-        memset(b, 0, sizeof b);
-        /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
-        if (start == 0) {
+        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, error;
+        if (start == 0) {       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
             for (int i = 0; i < count; ++i) {
                 const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
                              y = values[i] > 0.0 ? values[i] : 0.0;
@@ -3161,23 +3153,22 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
                 ssgi__field_equation(a, b, c, y);
             }
             if (!ssgi__field_solve(p, a, b)) continue;
-        } else {                                /* through the ends */
+        } else {                /* through the ends */
             p[0] = values[0] > 1e-9 * most ? 1.0 / values[0] : 1e9 * m;
             p[2] = values[count - 1] > 1e-9 * most ? 1.0 / values[count - 1] : 1e9 * m;
             p[1] = sqrt(p[0] * p[2]);
         }
-        p[0] = p[0] - m > least ? p[0] : m + 1e-6 * m;
-        p[2] = p[2] - m > least ? p[2] : m + 1e-6 * m;
-        u[0] = log(p[0] - m);
-        u[2] = log(p[2] - m);
+        for (int i = 0; i < 3; i += 2) {
+            p[i] = p[i] - m > least ? p[i] : m + 1e-6 * m;
+            u[i] = log(p[i] - m);
+        }
         p[1] += exp(0.5 * (u[0] + u[2])) - m;
         u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
         for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
         error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
-        if (error < best) {
-            best = error;
-            ssgi__field_bernstein(q, u, most);
-        }
+        if (error >= best) continue;
+        best = error;
+        ssgi__field_bernstein(q, u, most);
     }
     return best;
 }
@@ -3213,15 +3204,9 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
                                    int count, double flat)
 {
-    ssgi__field_data data;
+    ssgi__field_data data = { radii, directions, w, count, 0, 0.0 };
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
-    data.radii = radii;
-    data.values = directions;
-    data.w = w;
-    data.count = count;
-    data.chord = 0;
-    data.most = 0.0;
-    for (int i = 0; i < 3; ++i) c[i] = 0.0;
+    memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
     if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
     for (int polish = 0; polish < 2; ++polish) {
@@ -3229,10 +3214,9 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
         data.chord = 0;
         error = ssgi__field_centre_error(&data, at, NULL, NULL);
-        if (error < best) {
-            best = error;
-            memcpy(c, at, sizeof at);
-        }
+        if (error >= best) continue;
+        best = error;
+        memcpy(c, at, sizeof at);
     }
     return best;
 }
@@ -3309,22 +3293,18 @@ SSGI__FN double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m
    plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
 {
+    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
     double facing;
     memset(p, 0, sizeof *p);
-    for (int i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
-    if ((w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0))
-        for (int k = 0; k < 3; ++k) {
-            const double swap = p->corner[0][k];
-            p->corner[0][k] = p->corner[1][k];
-            p->corner[1][k] = swap;
-        }
+    for (int i = 0; i < 3; ++i)
+        p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
     for (int step = 0; step < 200; ++step) {
         double farthest[3], inside = -1e300;
         ssgi__field_portal split[3];
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) {               /* of the three parts that which the ray is farthest within */
+        for (int i = 0; i < 3; ++i) {           /* of the three parts that which the ray is farthest within */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -3400,18 +3380,17 @@ SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, con
                                 const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
-    for (int k = 0; k < 3; ++k) axis[k] = 0.0;
+    memset(axis, 0, 3 * sizeof *axis);
     for (int i = 0; i < SSGI__FIELD_FEW; ++i) {
-        for (int k = 0; k < 3; ++k) d[i][k] = m->few[i][k] - point[k];
+        ssgi__along(d[i], m->few[i], -1.0, point);
         length[i] = ssgi__normalise(d[i]);
-        for (int k = 0; k < 3; ++k) axis[k] += d[i][k];
+        ssgi__along(axis, axis, 1.0, d[i]);
     }
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
     for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
-        const double c = ssgi__dot(d[i], axis), sine = m->loose / length[i];
-        if (!(sine < 1.0)) { least = -1.0; break; }
-        if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least)
-            least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
+        const double c = ssgi__dot(d[i], axis), s = m->loose / length[i],
+                     wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
+        if (wide < least) least = wide;
     }
     if (least > 0.0) return (float)(least * (1.0 - 1e-6));
     for (int k = 0; k < 3; ++k) axis[k] = -normal[k];
@@ -3626,22 +3605,23 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
 SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
 {
     const int all = 4 * SSGI__FIELD_HELD;
+    ssgi_field *f = b->field;
     unsigned short bin[SSGI__FIELD_BINS];
     int below = 0;
     memset(bin, 0, sizeof bin);
     ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    b->field->median = b->field->p95 = b->field->most = 0.0f;
+    f->median = f->p95 = f->most = 0.0f;
     for (int i = 0; i < all; ++i) {
-        if (b->error[i] > b->field->most) b->field->most = b->error[i];
+        f->most = ssgi__max(f->most, b->error[i]);
         ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
     }
     for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
-        if (below < all / 2 && below + bin[i] >= all / 2) b->field->median = (float)(i + 1) / SSGI__FIELD_BINS;
-        if (below < all * 19 / 20 && below + bin[i] >= all * 19 / 20) b->field->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
+        if (below < all / 2) f->median = (float)(i + 1) / SSGI__FIELD_BINS;
+        if (below < all * 19 / 20) f->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
         below += bin[i];
     }
-    if (b->field->p95 > b->field->most) b->field->p95 = b->field->most;
-    if (b->field->median > b->field->p95) b->field->median = b->field->p95;
+    f->p95 = ssgi__min(f->p95, f->most);
+    f->median = ssgi__min(f->median, f->p95);
 }
 
 SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
@@ -3781,11 +3761,7 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
 {
-    ssgi_field_limits l;
-    l.ramp = 0.75f * field->reach;
-    l.reach = field->reach;
-    l.inside = field->inside;
-    l.power = 1.0f;
+    const ssgi_field_limits l = { 0.75f * field->reach, field->reach, field->inside, 1.0f };
     return l;
 }
 
@@ -4101,17 +4077,8 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
 /* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
    (examples/fit.c): squares of the trial's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
-enum {
-    SSGI__PLAN_OPEN,
-    SSGI__PLAN_PICTURE,
-    SSGI__PLAN_COARSE,
-    SSGI__PLAN_COARSER,
-    SSGI__PLAN_UNEVEN,
-    SSGI__PLAN_LEFT_OUT,
-    SSGI__PLAN_BOUNCED,
-    SSGI__PLAN_CONSTANT,
-    SSGI__PLAN_TERMS
-};
+enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
+       SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
 /* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms'
@@ -4224,27 +4191,19 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const ssgi_plan settings = { row->method, row->half, row->directions, row->samples, row->steps, row->bands,
+                                 row->layers, row->cameras, 0, row->filter, row->resolution, row->size, row->cost,
+                                 0.0f, 0, "" };
     double term[SSGI__PLAN_TERMS], square = 0.0;
+    const float *energy;
     int k;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
-    memset(plan, 0, sizeof *plan);
-    plan->method = row->method;
-    plan->half = row->half;
-    plan->directions = row->directions;
-    plan->samples = row->samples;
-    plan->steps = row->steps;
-    plan->bands = row->bands;
-    plan->layers = row->layers;
-    plan->cameras = row->cameras;
-    plan->filter = row->filter;
-    plan->resolution = row->resolution;
-    plan->size = row->size;
-    plan->cost = row->cost;
+    *plan = settings;
     for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
+    energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     while (plan->bands > 1 /* bands whose energy is negligible */
            && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
