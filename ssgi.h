@@ -143,8 +143,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float displacement[3], const char **why);
 
 /* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
-   two radii away (the sphere then is 60 degrees wide) they keep that distance and turn about the centre: by 60 degrees
-   to either side and 20 up, 75 up, and to the far side, 50 up. */
+   two radii away they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and
+   to the far side, 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
@@ -163,8 +163,7 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
                 low-discrepancy in each set, the sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
-                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius; sqrt and cbrt
-                of it to 1 - (t/r)^2 and 1 - (t/r)^3.
+                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see README, differences from the papers] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
@@ -184,8 +183,7 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* What band l of radiance is multiplied by to become irradiance: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 for any other l.
-   [RAM01] */
+/* What band l of radiance is multiplied by to become irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
@@ -212,8 +210,7 @@ SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
    sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) gives the clamped cosine about a normal, which is the transfer of an open
-   point: its dot product with radiance is irradiance. */
+   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an open point. */
 SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w
@@ -229,9 +226,8 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
    [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
 SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
 
-/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels; bands
-   floats [limit: bands as ssgi_sh_basis; channels below 1 give zeros]. A pure sum: what is not finite makes its band
-   so. */
+/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
+   bands as ssgi_sh_basis; channels below 1 give zeros]. What is not finite makes its band so. */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
@@ -246,28 +242,24 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why);
 
-/* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its
-   irradiance is exactly the engines' hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands
-   those that the cosine sees are empty.
+/* ADDS a sky of two constant radiances that meet at the horizon. From 2 bands on its irradiance is exactly the engines'
+   hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): the cosine sees none of the other bands.
      bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
 SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
                                  const float below[3], const char **why);
 
 /* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
-   no channel below 0 in any direction, but for 1e-3 of its mean. Finds the lowest by descent from 200 fixed directions.
-   Band 0 stays as it is, and so does all that is nowhere below 0: s = 0.
+   no channel below 0 in any direction, but for 1e-3 of its mean; band 0 stays. Takes a few milliseconds: descends from
+   200 fixed directions.
      bands         [limit: 1..SSGI_SH_MAX_BANDS]
-     coefficients  [limit: finite] a channel whose mean (band 0) is not above 0 has no s: it does not count, but is
-                   weakened as the others
-     strength      receives s, at most 1e30; may be NULL
-   A few milliseconds. */
+     coefficients  [limit: finite] a channel whose mean is not above 0 does not count, but is weakened as the others
+     strength      receives s, at most 1e30; may be NULL */
 SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions on the square [-1,1]^2 about +z. Any length but 0 (which becomes +z); decoding gives a
-   unit vector. GLSL twin of decode: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t;
-   normalize(n). */
+/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z; decoding gives a
+   unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
 SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
 SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
 
@@ -286,10 +278,8 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 
 /* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
    bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
-     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi, the same as ssgi_environment_map with
-              solid angle 0
-   A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90
-   degrees), so that cells do not show. Otherwise, and in its cost, as ssgi_environment_map. */
+     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
+   The rim is a ramp as wide as a cell, 3.75 degrees, to either side (less below cosine 0.07: it ends before 90). */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
@@ -322,12 +312,11 @@ typedef struct ssgi_vpl {
 } ssgi_vpl;
 
 /* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
-   flux, stratified along the map.
+   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
+   * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
      count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
      position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all;
-                              where it is negative or not finite it counts as 0
-   Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's.
-   Same input, same output. A map without flux is SSGI_BAD_ARGUMENT. */
+                              where it is negative or not finite it counts as 0 */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
@@ -346,13 +335,11 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
 /* ==== >>bias =================================================================================================== */
 
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two
-   axes. */
+/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* How far HSAO lifts the receiver along its normal so that nearest depth fetches of its own plane stay below it: half a
-   pixel's footprint [HSAO08 eq. 13, with positive view depth]; corners of a pixel need sqrt(2) times as much. GLSL
-   twin: ssgi_lift (times u_ssgi_offset). */
+/* How far HSAO lifts the receiver along its normal, so that nearest depth fetches of its own plane stay below it: half
+   a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
 /* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
@@ -366,10 +353,9 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const 
      resolution  [units: texels] [limit: >= 1] */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light. The
-   paper's patch / 2 holds only for slopes along a texel's side; a slope along its diagonal needs sqrt(2) times that. At
-   most `most`, which is also what cos_alpha <= 0 gets; never below 0; finite for all finite input. [limit: patch, most
-   >= 0] */
+/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light: the
+   paper's patch / 2 holds only for slopes along a texel's side. At most `most`, which is also what cos_alpha <= 0 gets;
+   never below 0; finite for all finite input. [limit: patch, most >= 0] */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
 
 /* ==== >>trace ================================================================================================== */
@@ -406,20 +392,18 @@ typedef struct ssgi_hit {
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
-   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are
-   memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it where it is.
-               position and index are not needed afterwards.
+   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are [limit: 12 or more,
+               a multiple of 4]
+   memory      size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
+               it: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
-   than about 1e-18 may be missed. SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside
-   1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below 12 or no multiple of 4. Then *why names the argument, and trace
-   and memory are untouched. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion at
-   most 62 deep, whatever the input. */
+   than about 1e-18 may be missed. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion
+   at most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
-/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be
-   unit: t counts in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without
-   direction hits nothing. */
+/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction of any length:
+   t counts in it. tmin below 0 is 0. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                                 float tmax, ssgi_hit *hit);
 
@@ -444,9 +428,8 @@ typedef struct ssgi_surfel {
 /* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
    i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
 SSGI_DEF int ssgi_tess_count(int level);
-/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0].
-   Clamped to 1 at least: level 0 makes the tessellator cull the patch. More than 3169 discs need triangles split
-   (ssgi_surfel_desc.splits). */
+/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0]:
+   at least 1, for level 0 culls. Beyond 3169 discs triangles want splits. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
 /* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them. INCENTRE: scaled about the
@@ -486,7 +469,7 @@ typedef struct ssgi_surfel_source {
 } ssgi_surfel_source;
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
-   splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
+   splits, defaults in place; and ssgi_gl_frame.more: aside, every. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
                                        const ssgi_view *view, const char **why);
 
@@ -501,7 +484,7 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
    are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
    a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
-   vertices and the place in it alone. Outputs are untouched when something is wrong. */
+   vertices and the place in it alone. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -519,10 +502,8 @@ typedef struct ssgi_splat {
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout: width and height rounded up to 2^(levels - 1); all levels
-   lie below each other in one texture: size[0] x (levels * size[1]).
-     width, height  [units: pixels] [limit: 1..65536] of the picture
-     levels         [limit: 1..7] */
+/* Texels along x and y of one level in the shuffled layout: width and height [limit: 1..65536] rounded up to 2^(levels
+   - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* What a picture will cost, before anything is drawn. surfels: how many. splits: what the triangles ask for
@@ -530,8 +511,7 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
    overlapping ones counted each. */
 typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
 /* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
-   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. SSGI_BAD_ARGUMENT
-   names what is wrong, and cost is untouched. */
+   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
@@ -540,15 +520,13 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
 /* ==== >>dipole ================================================================================================= */
 
 /* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
-   ssgi_dipole_set was given. */
-/* z_r, z_v, sigma_tr, alpha' */
+   ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
 typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;
-/* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: > 0; >= 0]; eta: refraction [limit:
-   1..3] */
+/* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0
-   for a channel outside 0..2. */
+/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0], and over a whole plane; 0 for a channel outside
+   0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 /* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
@@ -570,10 +548,9 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
       free(work);                                                  field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the caster, besides where it is. VECTOR: the length of its vector irradiance, and how densely
-   it fills its cap (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon,
-   and 1/length of a ball is exactly quadratic. SOLID_ANGLE: its solid angle, as published: the cap is as large as the
-   caster. */
+/* What a field keeps of the caster. VECTOR: the length of its vector irradiance, and how densely it fills its cap
+   (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon, and 1/length of a
+   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the caster. */
 enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
 
 /* How a field is baked. Zero is the default everywhere. */
@@ -653,9 +630,8 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3]);
 
 /* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
-   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Occlusion is
-   fill * ssgi_cap_occlusionf(solid_angle, cosine of axis and normal). Returns the point's distance from the centre over
-   the hull's. */
+   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
+   point's distance from the centre over the hull's. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
@@ -664,11 +640,11 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
    RGBA8 cube maps, LINEAR, seamless. Either may be NULL. */
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
 
-/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size in bytes, writes only
-   when out is not NULL and capacity suffices. 0: field is NULL, or no field. */
+/* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
+   0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 /* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
-   version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
+   version or corrupt. Then loads it. size: of texels, in bytes. */
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
@@ -760,9 +736,9 @@ typedef struct ssgi_plan {
 /* Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, with its predicted error and cost for a scene, why empty: 1 and *plan filled; 0 and
-   *plan untouched past the last, for NULL, or where the choice is not for what is wanted or needs what the scene does
-   not give. The scene's numbers are not checked. */
+/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), why
+   empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
+   wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 enum { SSGI_PLAN_CHOICES = 39 };
 
@@ -810,6 +786,8 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 #define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
 #define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
 #define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
+#define SSGI__ENOUGH(size, least, sentence) \
+    do { if ((size) < (least)) { ssgi__bad(why, sentence); return SSGI_TOO_SMALL; } } while (0)
 #define SSGI__TRY(call)                do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
@@ -2221,49 +2199,48 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
     return self;
 }
 
+SSGI__FN ssgi_result ssgi__trace_bad(size_t stride_bytes, size_t triangles, const char **why)
+{
+    SSGI__CHECK(stride_bytes >= 3 * sizeof(float) && stride_bytes % sizeof(float) == 0,
+                "stride_bytes: must be 12 or more, a multiple of 4");
+    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    return SSGI_OK;
+}
+
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
+    ssgi__trace_job job;
+    ssgi__trace_range all;
+    size_t blocks, nodes;
+    uint32_t count = 0;
+    char *base;
     SSGI__THERE3(trace, memory, position);
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
-        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
-    if (size < ssgi_trace_size(triangles)) {
-        ssgi__bad(why, "size: must be at least ssgi_trace_size(triangles)");
-        return SSGI_TOO_SMALL;
-    }
-    {
-        ssgi__trace_job job;
-        ssgi__trace_range all;
-        size_t blocks, nodes;
-        uint32_t count = 0;
-        char *base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
-        ssgi__trace_layout(triangles, &blocks, &nodes);
-        job.blocks = (ssgi__trace_block *)(void *)base;
-        job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
-        /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller
-           than a block, no item is overwritten before it is spent */
-        job.items =
-            (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
-        job.node_count = 0;
-        job.position = (const char *)position;
-        job.stride = stride_bytes;
-        job.index = index;
-        for (size_t k = 0; k < triangles; k++)
-            count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
-        if (count) {
-            all.first = all.depth = 0;
-            all.count = count;
-            ssgi__trace_bound(job.items, &all);
-            ssgi__trace_node_set(&job, &all);
-        }
-        trace->nodes = job.nodes;
-        trace->blocks = job.blocks;
-        trace->node_count = job.node_count;
-        trace->block_count = (count + 3) / 4;
-        trace->triangles = (uint32_t)triangles;
-        trace->skipped = (uint32_t)triangles - count;
-    }
+    SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
+    SSGI__ENOUGH(size, ssgi_trace_size(triangles), "size: must be at least ssgi_trace_size(triangles)");
+    ssgi__trace_layout(triangles, &blocks, &nodes);
+    base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
+    job.blocks = (ssgi__trace_block *)(void *)base;
+    job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
+    /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a
+       block, no item is overwritten before it is spent */
+    job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof *job.blocks - 4 * sizeof *job.items));
+    job.node_count = 0;
+    job.position = (const char *)position;
+    job.stride = stride_bytes;
+    job.index = index;
+    for (size_t k = 0; k < triangles; k++)
+        count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
+    all.first = all.depth = 0;
+    all.count = count;
+    ssgi__trace_bound(job.items, &all);
+    if (count) ssgi__trace_node_set(&job, &all);
+    trace->nodes = job.nodes;
+    trace->blocks = job.blocks;
+    trace->node_count = job.node_count;
+    trace->block_count = (count + 3) / 4;
+    trace->triangles = (uint32_t)triangles;
+    trace->skipped = (uint32_t)triangles - count;
     return SSGI_OK;
 }
 
@@ -2540,8 +2517,7 @@ SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_make
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
-    const double r = ssgi__surfel_finest(whole, m),
-                 n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
+    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
     return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
@@ -2671,20 +2647,18 @@ SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_
                                        const ssgi_surfel_source *source, const char **why)
 {
     const ssgi_surfel_source *s = source;
-    double a[3][3], determinant;
-    const ssgi_result r = ssgi__surfel_desc(&m->desc, desc, view, why);
-    if (r != SSGI_OK) return r;
-    SSGI__CHECK(s, "source: must not be NULL");
+    double a[3][3], c[3], determinant;
+    SSGI__TRY(ssgi__surfel_desc(&m->desc, desc, view, why));
+    SSGI__THERE(source);
     SSGI__CHECK(s->position, "source.position: must not be NULL");
     SSGI__CHECK((s->position_stride | s->normal_stride | s->colour_stride) % 4 == 0,
                 "source: strides must be multiples of 4");
     SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
-    for (int i = 0; i < 3; ++i) for (int k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
     m->view = view;
     m->source = source;
     ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
+    for (int k = 0; k < 3; ++k) ssgi__doubles(a[k], s->to_view + 4 * k);
     for (int k = 0; k < 3; ++k) {
-        double c[3];
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
         for (int i = 0; i < 3; ++i) m->normals[i][k] = c[i];
     }
@@ -3571,8 +3545,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    r = hull
-      * pow((double)b->field->reach / hull,
+    r = hull * pow((double)b->field->reach / hull,
             0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
     for (int k = 0; k < 3; ++k) {
         at[k] = r * w[k];
@@ -3694,63 +3667,50 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     ssgi__field_bake b;
     ssgi_field_desc d;
     ssgi_field f;
-    ssgi_result result;
-    char *base;
     double total = 0.0, done = 0.0;
     float last = 2.0f;
     SSGI__THERE3(field, texels, work);
-    result = ssgi__field_check(desc, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__field_check(desc, why));
     SSGI__THERE(position);
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
-        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
-    if (work_size < ssgi_field_bake_size(desc, triangles)) {
-        ssgi__bad(why, "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
-        return SSGI_TOO_SMALL;
-    }
+    SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
+    SSGI__ENOUGH(work_size, ssgi_field_bake_size(desc, triangles),
+                 "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
     d = ssgi__field_resolve(desc);
     memset(&b, 0, sizeof b);
     memset(&f, 0, sizeof f);
     b.desc = &d;
     b.field = &f;
     b.rays = d.rays;
-    base = (char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64;
-    b.fine = b.error = (float *)(void *)base;
+    b.fine = b.error = (float *)(void *)((char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64);
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
-    result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
-                              position, stride_bytes, index, triangles, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
+                               position, stride_bytes, index, triangles, why));
     SSGI__CHECK(ssgi__field_measure(&b.caster), "position: no triangle has an area");
     f.bits = d.bits;
     f.measure = d.measure;
     f.radius = (float)b.caster.radius;
     f.reach = d.reach * f.radius;
-    for (int k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
+    ssgi__floats(f.centre, b.caster.centre);
     f.inside = ssgi__field_inside(&b);
-    /* from small to large; when twice the resolution brings nothing, what is left is the model's */
-    if (d.error > 0.0f) {
-        for (f.resolution = d.resolution < 4 ? d.resolution : 4; f.resolution <= d.resolution; f.resolution *= 2)
-            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2)
-                total += (double)(f.resolution * f.resolution * f.radii);
-        for (f.resolution = d.resolution < 4 ? d.resolution : 4; ; f.resolution *= 2) {
-            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) {
+    f.resolution = d.resolution;
+    f.radii = b.radii = d.radii;
+    if (!(d.error > 0.0f)) SSGI__TRY(ssgi__field_once(&b, texels, 0.0, 1.0, why));
+    else {          /* from small to large; when twice the resolution brings nothing, what is left is the model's */
+        const int resolution = d.resolution < 4 ? d.resolution : 4, radii = d.radii < 6 ? d.radii : 6;
+        for (int n = resolution; n <= d.resolution; n *= 2)
+            for (int k = radii; k <= d.radii; k *= 2) total += (double)(n * n * k);
+        for (f.resolution = resolution; ; f.resolution *= 2) {
+            for (f.radii = radii; f.radii <= d.radii; f.radii *= 2) {
                 const double share = (double)(f.resolution * f.resolution * f.radii) / total;
                 b.radii = f.radii;
-                result = ssgi__field_once(&b, texels, done, share, why);
-                if (result != SSGI_OK) return result;
+                SSGI__TRY(ssgi__field_once(&b, texels, done, share, why));
                 done += share;
                 if (f.p95 <= d.error) break;
             }
             if (f.p95 <= d.error || 2 * f.resolution > d.resolution || f.p95 > 0.98f * last) break;
             last = f.p95;
         }
-        if (f.radii > d.radii) f.radii = b.radii;
-    } else {
-        f.resolution = d.resolution;
-        f.radii = b.radii = d.radii;
-        result = ssgi__field_once(&b, texels, 0.0, 1.0, why);
-        if (result != SSGI_OK) return result;
+        f.radii = b.radii;
     }
     if (d.progress) d.progress(d.user, 1.0f);
     *field = f;
@@ -3873,7 +3833,9 @@ SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance,
 
 /* ---- files: 32-bit words, lowest byte first */
 
-enum { SSGI__FIELD_HEAD = 32 };             /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_HEAD    32              /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
+#define SSGI__FIELD_VERSION 0x31464f41u     /* "AOF1" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3905,18 +3867,16 @@ SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
     unsigned char *bytes = (unsigned char *)out;
+    const size_t words = field ? ssgi_field_size(field->resolution, field->bits) / 4 : 0,
+                 size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
     ssgi_field f;
     float *number[25];
     uint64_t h;
-    size_t words, size;
-    if (!field) return 0;
+    if (!words || capacity < size || !out) return size;
     f = *field;
-    words = ssgi_field_size(f.resolution, f.bits) / 4;
-    size = 4 * (SSGI__FIELD_HEAD + words + 2);
-    if (!words || capacity < size || !out) return words ? size : 0;
     memset(out, 0, 4 * SSGI__FIELD_HEAD);
-    ssgi__field_put(bytes, 0, 0x69677373u);         /* "ssgi" */
-    ssgi__field_put(bytes, 1, 0x31464f41u);         /* "AOF1" */
+    ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
+    ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
     ssgi__field_put(bytes, 3, (uint32_t)f.bits);
     ssgi__field_put(bytes, 4, (uint32_t)f.measure);
@@ -3936,70 +3896,62 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
 
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
+    static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
     float *number[25];
-    size_t words;
+    uint32_t head[6] = { 0 };
+    size_t words = 0;
     uint64_t h;
     SSGI__THERE(file);
-    if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u)
-        return ssgi__bad(why, "file: is not an ambient occlusion field");
-    if (ssgi__field_get(bytes, 1) != 0x31464f41u) return ssgi__bad(why, "file: is of another version");
-    if (size < 4 * SSGI__FIELD_HEAD) return ssgi__bad(why, "file: is cut short");
+    for (size_t i = 0; i < 6 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
+    SSGI__CHECK(head[0] == SSGI__FIELD_MAGIC && (head[1] & 0xffffffu) == (SSGI__FIELD_VERSION & 0xffffffu),
+                "file: is not an ambient occlusion field");
+    SSGI__CHECK(head[1] == SSGI__FIELD_VERSION, "file: is of another version");
+    SSGI__CHECK(size >= 4 * SSGI__FIELD_HEAD, "file: is cut short");
     memset(f, 0, sizeof *f);
-    words = ssgi__field_get(bytes, 2) <= 128u && ssgi__field_get(bytes, 3) <= 16u
-              ? ssgi_field_size((int)ssgi__field_get(bytes, 2), (int)ssgi__field_get(bytes, 3)) / 4
-              : 0;
-    if (!words || ssgi__field_get(bytes, 4) > 1u || ssgi__field_get(bytes, 5) > 64u)
-        return ssgi__bad(why, "file: is corrupt");
-    f->resolution = (int)ssgi__field_get(bytes, 2);
-    f->bits = (int)ssgi__field_get(bytes, 3);
-    f->measure = (int)ssgi__field_get(bytes, 4);
-    f->radii = (int)ssgi__field_get(bytes, 5);
-    if (size < 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is cut short");
-    if (size > 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is longer than its field");
+    if (head[2] <= 128u && head[3] <= 16u) words = ssgi_field_size((int)head[2], (int)head[3]) / 4;
+    SSGI__CHECK(words && head[4] <= 1u && head[5] <= 64u, corrupt);
+    f->resolution = (int)head[2];
+    f->bits = (int)head[3];
+    f->measure = (int)head[4];
+    f->radii = (int)head[5];
+    SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
+    SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
     h = ssgi__field_checksum(bytes, size - 8);
-    if (ssgi__field_get(bytes, size / 4 - 2) != (uint32_t)h
-        || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32))
-        return ssgi__bad(why, "file: is corrupt");
+    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 2) == (uint32_t)h, corrupt);
+    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
     ssgi__field_numbers(number, f);
     for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 6 + i);
         memcpy(number[i], &word, sizeof word);
-        if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f)))
-            return ssgi__bad(why, "file: is corrupt");
+        SSGI__CHECK(ssgi__within(*number[i], i < 17 ? -1e15f : 0.0f, 1e15f), corrupt);
     }
-    for (size_t i = 0; i < 3; ++i)
-        SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, "file: is corrupt");
-    SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f
-                && ssgi__within(f->inside, 0.0f, 1.0f), "file: is corrupt");
+    for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
+    SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
+    SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why)
 {
     ssgi_field f;
-    ssgi_result result;
     SSGI__THERE(bytes);
-    result = ssgi__field_head(&f, file, file_size, why);
-    if (result == SSGI_OK) *bytes = ssgi_field_size(f.resolution, f.bits);
-    return result;
+    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
+    *bytes = ssgi_field_size(f.resolution, f.bits);
+    return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why)
 {
     ssgi_field f;
-    ssgi_result result;
     size_t words;
     SSGI__THERE2(field, texels);
-    result = ssgi__field_head(&f, file, file_size, why);
-    if (result != SSGI_OK) return result;
+    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
     words = ssgi_field_size(f.resolution, f.bits) / 4;
-    if (size < 4 * words) {
-        ssgi__bad(why, "size: must be at least what ssgi_field_peek tells");
-        return SSGI_TOO_SMALL;
-    }
-    for (size_t i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
+    SSGI__ENOUGH(size, 4 * words, "size: must be at least what ssgi_field_peek tells");
+    for (size_t i = 0; i < words; ++i)
+        texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
     *field = f;
     return SSGI_OK;
@@ -4056,8 +4008,7 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
         for (int k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = (2.0 * SSGI__PI)
-                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
+            const double turn = (2.0 * SSGI__PI) * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
                                  + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
             for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
