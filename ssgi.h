@@ -39,7 +39,7 @@
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>cap        spherical caps under the cosine: closed form, table
-      >>bias       pixel footprint, normal offset, radius guess, shadow map bias
+      >>bias       pixel footprint, normal offset, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
       >>dipole     multiple scattering under surfaces, and materials
@@ -342,10 +342,6 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
    a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
-/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
-   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
-   alone. Always > 0. */
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
      depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
@@ -380,8 +376,7 @@ typedef struct ssgi_trace {
 
 typedef struct ssgi_hit {
     float    t;                       /* origin + t * direction is the point hit */
-    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1]; the first has 1 -
-                                         u - v */
+    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1] */
     uint32_t triangle;
 } ssgi_hit;
 
@@ -421,8 +416,8 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 typedef struct ssgi_surfel {
     float position[3], radius;      /* view space */
     float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* what it sends: nothing for occlusion, outgoing radiance for a bounce, irradiance
-                                       for scattering; the source's own until someone shades it */
+    float colour[3], unused;        /* what it sends, the source's own until someone shades it: nothing for occlusion,
+                                       outgoing radiance for a bounce, irradiance for scattering */
 } ssgi_surfel;
 
 /* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
@@ -439,21 +434,16 @@ SSGI_DEF int ssgi_tess_level(double area, double radius);
 enum { SSGI_SHRINK_INCENTRE = 0, SSGI_SHRINK_CENTROID };
 
 typedef struct ssgi_surfel_desc {
-    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the
-                       viewer: the paper's s */
-    float jitter;   /* [units: radii] [limit: 0..1]  surfels are moved by up to so much, which hides the tessellator's
-                       pattern [DSS14 3.1: 1] */
-    int   splits;   /* [limit: 0..32] [default: 8]  most parts of an edge: for parts finer than level 64, or of a near
-                       and a far end */
+    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
+    float jitter;   /* [units: radii] [limit: 0..1] how far surfels are moved, to hide the tessellator's pattern */
+    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
     int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
-    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1]  radius added per distance outside the
-                       frustum: no visible pixel is close to such surfels, so they may be coarser; below 1e-3: none, as
-                       published */
-    int   every;    /* [limit: 0..1]  0: triangles smaller than three surfels keep each of theirs with the probability
-                       area / (3 pi r^2), as large as wanted: cost and reach do not follow how fine a mesh is; 1: all
-                       three, as published */
-    float most;     /* [units: view] [limit: >= 0] [default: no end]  triangles farther outside the frustum give no
-                       surfels: a radius of occlusion */
+    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
+                       frustum, where no visible pixel is close; below 1e-3: none, as published */
+    int   every;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
+                       area / (3 pi r^2): cost and reach do not follow how fine a mesh is; 1: all, as published */
+    float most;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
+                       radius of occlusion */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -464,8 +454,7 @@ typedef struct ssgi_surfel_source {
     size_t position_stride, normal_stride, colour_stride;
     const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
-    float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's
-                                       transpose */
+    float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
@@ -490,15 +479,11 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
-    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or
-                                       out */
-    float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts:
-                                       a radius of occlusion */
-    float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything
-                                       nearer */
-    int   levels;                   /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same
-                                       cost */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
+    float most;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
+    float brightest;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
+    float front;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
+    int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
 
@@ -555,53 +540,44 @@ enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
-    int   resolution;       /* [limit: 0, 2..128] [default: 16; with error 64]  texels along a side of the cube map's
-                               faces; with error the most that may be taken */
-    int   radii;            /* [limit: 0, 4..64] [default: 12; with error 24]  distances sampled along each direction;
-                               likewise */
-    int   rays;             /* [limit: 0, 16..65536] [default: 128]  a sample */
-    int   measure;          /* SSGI_FIELD_VECTOR .. */
-    int   bits;             /* [limit: 0, 8, 16] [default: 16]  a component */
-    float reach;            /* [units: radii of the caster's bounding sphere] [limit: 0, 1.5..64] [default: 8]  how far
-                               the field goes from the centre */
-    float error;            /* [units: occlusion] [limit: 0..1]  above 0: the smallest resolution of 4, 8, 16 .. and the
-                               fewest radii of 6, 12, 24 .. are taken with which 95 % of receivers that took no part in
-                               the bake are within it */
-    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the convex hull in any
-       case. */
+    int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
+    int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
+    int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
+    int   measure;      /* SSGI_FIELD_VECTOR .. */
+    int   bits;         /* [limit: 0, 8, 16] [default: 16] a component */
+    float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
+    float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
+                           radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
+                           it; resolution [default: 64] and radii [default: 24] are then the most that may be taken */
+    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the hull in any case. */
     int  (*hit)(void *user, const float origin[3], const float direction[3]);
-    /* Your threads: calls job(context, i) for every i in [0, count), in any order, and returns when all are done; NULL:
-       one by one. */
+    /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
     int  (*progress)(void *user, float done);
-    void *user;             /* handed to the three; hit must be reentrant if parallel has threads */
+    void *user;         /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
     const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
                                border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
-                               bits first: three logarithms of the distance function, the hull's distance, the
-                               characteristic centre's x y z, the share of the cap that is covered. Upload as RGBA32UI
-                               or RG32UI */
+                               first: three logarithms of the distance function, the hull's distance, the characteristic
+                               centre's x y z, the covered share of the cap. Upload as RGBA32UI or RG32UI */
     int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
     int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
     float reach;            /* [units: the mesh's] the field's end, from the centre */
-    float inside;           /* A_0: the occlusion that points inside of the hull go to; measured: the mean at those that
-                               are not walled in */
+    float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
     float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
-    float median, p95, most;/* error of occlusion, as stored, of receivers that took no part in the bake: directions
-                               between texels, radii between those sampled, any normal; without ramp */
+    float median, p95, most;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
+                               directions between texels, radii between those sampled, any normal */
 } ssgi_field;
 
 /* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion goes down to 0
-                               from ramp to reach, from the centre */
-    float inside, power;    /* [limit: 0..1; > 0] in the hull occlusion is mix(inside, that at the hull,
-                               (r/hull)^power) */
+    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
+    float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
 /* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
@@ -705,19 +681,15 @@ typedef struct ssgi_plan_scene {
                                is seen [limit: >= 0] [default: 0.15] */
     ssgi_survey survey;
     ssgi_trial  trial;      /* OBJECTS: only open is read */
-    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the environment's (and lights') first four bands; all 0:
-                               one as the built-in sky */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up; 0:
-                               harmonics and lights alone */
+    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   layers, cameras;  /* as many as may be used: depth layers [limit: 0..4], extra cameras [limit: 0..4]; both
-                               want closed solids. 0: none beside the picture's own */
+    int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; both want closed solids */
     double triangles;       /* that may become surfels; 0: none may */
     float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
                                [default: 170] */
     int   casters;          /* OBJECTS: with fields */
-    float cover;            /* OBJECTS: pixels within a caster's reach over all, its mean [limit: >= 0] [default:
-                               0.1] */
+    float cover;            /* OBJECTS: mean share of pixels in a caster's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
@@ -728,8 +700,7 @@ typedef struct ssgi_plan {
     float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes
                                layers, cameras' pictures and fields */
     float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.1 x the error asked for (predictions are accurate to about 10 %), and cost
-                               within the budget */
+    int   meets;            /* 1: error <= 1.1 x that asked for (predictions' accuracy), and cost within the budget */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
@@ -973,9 +944,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    /* half of 100 degrees: sine and cosine change places */
-    const double cos40 = 0.76604444311897803520, r = (double)radius;
-    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
+    const double cos40 = 0.76604444311897803520;        /* half of 100 degrees: sine and cosine change places */
+    const double r = (double)radius;
+    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
     SSGI__THERE3(world_to_view, projection, main_world_to_view);
@@ -992,7 +963,6 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__THERE(displacement);
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be finite");
-
     for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -1014,10 +984,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);
     }
     view[15] = 1.0f;
-    cotangent = distance * cos40 > r ? sqrt((distance - r) * (distance + r)) / r : 0.83909963117728001176;
     near_plane = 0.02 * r;
     far_plane = distance + r;
-    clip[0] = clip[5] = (float)cotangent;
+    clip[0] = clip[5] = (float)(distance * cos40 > r ? sqrt((distance - r) * far_plane) / r : 0.83909963117728001176);
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
@@ -1147,6 +1116,9 @@ SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
     }
 }
 
+static const signed char ssgi__sh_band[SSGI__SH_MOST] = { 0, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 4, 4,
+                                                          4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5 };
+
 SSGI__FN int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
@@ -1164,8 +1136,7 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is
-   there. */
+/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel there. */
 SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
     polar[0] = sin(SSGI__PI * at / height);
@@ -1261,8 +1232,7 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
     ssgi__sh_sum sum;
     SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
     SSGI__THERE(faces);
-    for (int face = 0; face < 6; ++face)
-        SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
+    for (int face = 0; face < 6; ++face) SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
     SSGI__RANGE(size, 1, 65536);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
@@ -1292,11 +1262,10 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
 
 SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3])
 {
-    int i = 0;
     bands = ssgi__sh_limit(bands);
     ssgi_sh_basis(out, bands, direction);
-    for (int l = 0; l < bands; ++l)
-        for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt((4.0 * SSGI__PI) / (2 * l + 1));
+    for (int i = 0; i < bands * bands; ++i)
+        out[i] *= zonal[ssgi__sh_band[i]] * (float)sqrt((4.0 * SSGI__PI) / (2 * ssgi__sh_band[i] + 1));
 }
 
 /* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
@@ -1328,43 +1297,42 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
     /* bands do not mix: of a row, its own */
-    double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];
+    double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], of[SSGI__SH_MOST], here[SSGI__SH_MOST];
+    double there[SSGI__SH_MOST], view[3], world[3], weight;
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
     for (int node = 0; node < bands * (2 * bands - 1); ++node) {
-        double here[SSGI__SH_MOST], there[SSGI__SH_MOST];
-        double view[3], world[3], weight;
         weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
         for (int i = 0; i < 3; ++i)
             world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
         ssgi__sh_basis(there, bands, world);
-        for (int l = 0, i = 0; l < bands; ++l)
-            for (; i < (l + 1) * (l + 1); ++i)
-                for (int j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
-    }
-    for (int c = 0; c < channels; ++c)
-        for (int l = 0, i = 0; l < bands; ++l) {
-            for (int j = 0; j < 2 * l + 1; ++j)
-                band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
-            for (; i < (l + 1) * (l + 1); ++i) {
-                double sum = 0.0;
-                for (int j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
-                out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
-            }
+        for (int i = 0; i < bands * bands; ++i) {
+            const int l = ssgi__sh_band[i];
+            for (int j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
         }
+    }
+    for (int c = 0; c < channels; ++c) {
+        for (int i = 0; i < bands * bands; ++i) of[i] = (double)coefficients[(size_t)channels * (size_t)i + (size_t)c];
+        for (int i = 0; i < bands * bands; ++i) {
+            const int l = ssgi__sh_band[i];
+            double sum = 0.0;
+            for (int j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * of[l * l + j];
+            out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
+        }
+    }
 }
 
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
 {
     bands = ssgi__sh_limit(bands);
-    for (int l = 0, i = 0; l < bands; ++l)
-        for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
-            for (int c = 0; c < channels; ++c) {
-                const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
-                out[l] += k * k;
-            }
+    for (int l = 0; l < bands; ++l) out[l] = 0.0f;
+    for (int i = 0; i < bands * bands; ++i)
+        for (int c = 0; c < channels; ++c) {
+            const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
+            out[ssgi__sh_band[i]] += k * k;
+        }
 }
 
 SSGI__FN double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
@@ -1379,10 +1347,10 @@ SSGI__FN double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const flo
                             const double d[3], double s)
 {
     double basis[SSGI__SH_MOST];
-    int i = 0;
     ssgi__sh_basis(basis, bands, d);
-    for (int l = 0; l < bands; ++l)
-        for (part[l] = 0.0; i < (l + 1) * (l + 1); ++i) part[l] += basis[i] * (double)coefficients[channels * i];
+    for (int l = 0; l < bands; ++l) part[l] = 0.0;
+    for (int i = 0; i < bands * bands; ++i)
+        part[ssgi__sh_band[i]] += basis[i] * (double)coefficients[channels * i];
     return ssgi__sh_weakened(part, bands, s);
 }
 
@@ -1417,11 +1385,11 @@ SSGI__FN void ssgi__sh_add_zonal(float *coefficients, int bands, const double fa
                                  const double d[3], double colour[2][3])
 {
     double basis[SSGI__SH_MOST];
-    int i = 0;
     ssgi__sh_basis(basis, bands, d);
-    for (int l = 0; l < bands; ++l)
-        for (; i < (l + 1) * (l + 1); ++i)
-            for (int c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
+    for (int i = 0; i < 3 * bands * bands; ++i) {
+        const int l = ssgi__sh_band[i / 3];
+        coefficients[i] += (float)(factor[l] * basis[i / 3] * colour[l & 1][i % 3]);
+    }
 }
 
 /* 0 if it is not a direction */
@@ -1481,8 +1449,7 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
     return SSGI_OK;
 }
 
-/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below
-   0. */
+/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when none is below 0. */
 SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
 {
     double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
@@ -1514,30 +1481,30 @@ SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const
 SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why)
 {
     double s = 0.0, part[SSGI_SH_MAX_BANDS];
-    int i, c, l, raised;
+    int raised;
     SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
-    for (i = 0; i < 3 * bands * bands; ++i)
-        SSGI__CHECK(ssgi__finite(coefficients[i]), "coefficients: must be finite");
-    /* s rises until the direction that is lowest is not below 0, until none is */
-    do
-        for (raised = c = 0; c < 3; ++c) {
+    SSGI__CHECK(ssgi__finites(coefficients, 3 * bands * bands), "coefficients: must be finite");
+    do {            /* s rises until the direction that is lowest is not below 0, until none is */
+        raised = 0;
+        for (int c = 0; c < 3; ++c) {
             double least = s, most = -1.0;
             if (!(coefficients[c] > 0.0f)
                 || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c])
                 continue;
-            for (l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
-            /* at most, the higher bands do not reach band 0 even if all are against it */
-            for (most = 0.25 * most, i = 0; i < 100; ++i) {
+            for (int l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
+            most *= 0.25;       /* there the higher bands do not reach band 0 even if all are against it */
+            for (int i = 0; i < 100; ++i) {
                 s = 0.5 * (least + most);
                 if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
             }
             s = most;
             raised = 1;
         }
-    while (raised);
-    for (l = i = 0; l < bands; ++l)
-        for (; i < 3 * (l + 1) * (l + 1); ++i)
-            coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+    } while (raised);
+    for (int i = 0; i < 3 * bands * bands; ++i) {
+        const int l = ssgi__sh_band[i / 3];
+        coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+    }
     if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
     return SSGI_OK;
 }
@@ -1580,8 +1547,7 @@ SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
     *end = a + la < b + lb ? a + la : b + lb;
 }
 
-/* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
-   than a texel. */
+/* The picture as cells, which may be smaller than texels: averages over their exact solid angle, of constant texels. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
@@ -1608,8 +1574,7 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
     }
 }
 
-/* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to
-   least. */
+/* Weights: exp(kappa (cosine - 1)), or for kappa 0 the cosine, ramped up by slope; nothing for cosines up to least. */
 SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
                                              float least, float slope, const char **why)
 {
@@ -1619,10 +1584,9 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     ssgi__environment_cells(cell, rgb, width, height);
     for (int i = 0; i < SSGI__CELLS_Y; ++i) {
-        double p[2];
-        polar[i][2] = (float)ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
-        polar[i][0] = (float)p[0];
-        polar[i][1] = (float)p[1];
+        double p[3];
+        p[2] = ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
+        ssgi__floats(polar[i], p);
     }
     for (int j = 0; j < SSGI__CELLS_X; ++j) {
         const double level[2] = { 1.0, 0.0 };
@@ -1684,7 +1648,7 @@ typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__reg
 
 /* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
 SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
-                                               const float *rgb, int width, int height)
+                                const float *rgb, int width, int height)
 {
     memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
     for (int y = r->lower[1]; y < r->upper[1]; ++y) {
@@ -1794,17 +1758,16 @@ SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coeffici
         ssgi__octahedral_texel(n, texel, size);
         ssgi__doubles(normal, n);
         ssgi_sh_basis(basis, bands, n);
-        for (int l = 0, i = 0; l < bands; ++l)
-            for (; i < (l + 1) * (l + 1); ++i) {
-                ssgi__doubles(v, coefficients + 3 * i);
-                ssgi__along(sum, sum, -((double)ssgi_sh_cosine(l) * (double)basis[i]), v);
-            }
+        for (int i = 0; i < bands * bands; ++i) {
+            ssgi__doubles(v, coefficients + 3 * i);
+            ssgi__along(sum, sum, -((double)ssgi_sh_cosine(ssgi__sh_band[i]) * (double)basis[i]), v);
+        }
         for (int i = 0; i < count; ++i) {
             double cosine;
             ssgi__doubles(v, suns[i].direction);
             cosine = ssgi__dot(normal, v);
             ssgi__doubles(v, suns[i].irradiance);
-            ssgi__along(sum, sum, cosine > 0.0 ? cosine : 0.0, v);
+            if (cosine > 0.0) ssgi__along(sum, sum, cosine, v);
         }
         for (int c = 0; c < 3; ++c) map[c] += (float)(sum[c] / SSGI__PI);
     }
@@ -1887,18 +1850,6 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
 }
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f * ssgi_pixel_footprint(view, z); }
-
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
-{
-    float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
-    for (int i = 0; i < 3; ++i) {
-        float d = upper[i] - lower[i];
-        if (!ssgi__finite(d) || d < 0.0f) return most;
-        sum += d * d;
-    }
-    guess = 0.1f * (float)sqrt((double)sum);
-    return guess > 0.0f && guess < most ? guess : most;
-}
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
 {
@@ -2275,8 +2226,7 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in the plane; in double, or a ball on a wide floor would
-   sink in */
+/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, or a ball on a wide floor would sink */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -3204,8 +3154,7 @@ typedef struct ssgi__field_caster {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_caster;
 
-/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not
-   entered. */
+/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found stay closed. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -3245,8 +3194,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_caster *m, const double n
     return best;
 }
 
-/* A triangle of hull corners through which the ray from the centre along w goes: it leaves the hull on the plane normal
-   . x = distance. */
+/* A triangle of hull corners that the ray from the centre crosses: it leaves on the plane normal . x = distance. */
 typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
 
 SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
@@ -3304,8 +3252,7 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)        /* even over 
     w[2] = z;
 }
 
-/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is
-   no extent. */
+/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -4032,8 +3979,7 @@ enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSE
        SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
-/* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms'
-   numbers. */
+/* A choice: what it is for, what it needs besides layers and cameras, its settings, its cost, its terms' numbers. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
     float size, cost, term[SSGI__PLAN_TERMS];
