@@ -807,6 +807,7 @@ SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, doubl
 static float ssgi__min(float a, float b) { return a < b ? a : b; }
 static float ssgi__max(float a, float b) { return a > b ? a : b; }
 static float ssgi__abs(float a) { return ssgi__max(a, -a); }
+static int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
 
 static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -3244,12 +3245,17 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_caster *m, const double w[3],
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)        /* even over the sphere */
+SSGI__FN void ssgi__polar(double w[3], double z, double angle)
 {
-    const double z = 1.0 - (2.0 * i + 1.0) / n, r = sqrt(1.0 - z * z), angle = 2.39996322972865332 * i;
+    const double r = sqrt(1.0 - z * z);
     w[0] = r * cos(angle);
     w[1] = r * sin(angle);
     w[2] = z;
+}
+
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
+{
+    ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
 /* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
@@ -3264,20 +3270,15 @@ SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
         for (int k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
     for (int k = 0; k < 3; ++k) {
-        /* not (double)(float): gcc 12's vectoriser drops that, against the language */
-        volatile float rounded = (float)centre[k];
+        volatile float rounded = (float)centre[k];      /* gcc 12's vectoriser drops (double)(float) */
         m->centre[k] = (double)rounded;
     }
-    for (int n = 0; n < SSGI__FIELD_FEW; ++n)
-        for (int k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
+    for (int n = 0; n < SSGI__FIELD_FEW; ++n) ssgi__along(m->few[n], m->few[n], -1.0, m->centre);
     for (uint32_t i = 0; i < m->trace.block_count; ++i)
         for (int n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
             for (int c = 0; c < 3; ++c) {
-                double square = 0.0;
-                for (int k = 0; k < 3; ++k)
-                    square += ((double)blocks[i].corner[c][k][n] - m->centre[k])
-                            * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
-                if (square > m->radius) m->radius = square;
+                for (int k = 0; k < 3; ++k) p[k] = (double)blocks[i].corner[c][k][n] - m->centre[k];
+                if (ssgi__dot(p, p) > m->radius) m->radius = ssgi__dot(p, p);
             }
     m->radius = sqrt(m->radius);
     if (!(m->radius > 1e-12)) return 0;
@@ -3335,23 +3336,32 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     if (x < 0 || y < 0 || x >= size || y >= size) {
         double d[3];
         float w[3], at[2];
-        int place[2];
         ssgi__cube_direction(d, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
-        for (int k = 0; k < 3; ++k) w[k] = (float)d[k];
+        ssgi__floats(w, d);
         face = ssgi__cube_place(at, w);
-        for (int k = 0; k < 2; ++k) {
-            place[k] = (int)((0.5f * at[k] + 0.5f) * (float)size);
-            place[k] = place[k] < 0 ? 0 : place[k] >= size ? size - 1 : place[k];
-        }
-        x = place[0];
-        y = place[1];
+        x = ssgi__clamp((int)((0.5f * at[0] + 0.5f) * (float)size), 0, size - 1);
+        y = ssgi__clamp((int)((0.5f * at[1] + 0.5f) * (float)size), 0, size - 1);
     }
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
 static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
 
-static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
+/* What a point at r along w from the centre sees of the caster, by rays in the cone that holds it; and that point. */
+SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
+                               const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
+                               int rays, uint32_t seed)
+{
+    double at[3], axis[3];
+    float cosine;
+    for (int k = 0; k < 3; ++k) {
+        at[k] = r * w[k];
+        point[k] = (float)(at[k] + b->caster.centre[k]);
+    }
+    cosine = ssgi__field_cone(axis, &b->caster, at, portal->normal);
+    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, rays,
+                       seed);
+}
 
 /* One texel of the fine map: samples along its direction, and what they fit. */
 SSGI__FN void ssgi__field_texel(void *context, int job)
@@ -3361,47 +3371,36 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
               y = texel / size % size, x = texel % size;
     const int vector = b->field->measure == SSGI_FIELD_VECTOR;
     const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
-    float *out = b->fine + 8 * (size_t)texel;
+    float *out = b->fine + 8 * (size_t)texel, point[3];
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
     for (int i = 0; i < b->radii; ++i) {
-        double at[3], axis[3], sum[4];
-        float point[3], cosine;
+        double sum[4];
         radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
-        for (int k = 0; k < 3; ++k) {
-            at[k] = radii[i] * w[k];
-            point[k] = (float)(at[k] + b->caster.centre[k]);
-        }
-        cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-        ssgi__field_sample(sum, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, b->rays,
-                           (uint32_t)(texel * 64 + i));
+        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = vector ? length : sum[0];
         if (values[i] > most) values[i] = most;
-        /* the cap of this vector irradiance whose covered share brings this solid angle */
-        if (sum[0] > 0.0) {
+        if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
             seen += sum[0];
         }
-        for (int k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
+        memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
     ssgi__field_fit(q, radii, values, b->radii, most);
     /* within the rays' noise, which a centre near the hull would follow */
     ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
     length = sqrt(ssgi__dot(c, c));
-    out[0] = ssgi__log2(q[0]);
-    /* positive for any q that is above 0 in between: blends of logarithms stay so */
-    out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));
-    out[2] = ssgi__log2(q[2]);
-    out[3] = (float)hull;
     if (length > b->caster.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->caster.radius / length;
+    q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
+    out[3] = (float)hull;
     ssgi__floats(out + 4, c);
     out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
-    for (int k = 0; k < 3; ++k) out[k] = out[k] > 20.0f ? 20.0f : out[k];
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
@@ -3434,50 +3433,45 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
     for (int n = 0; n < 8; ++n) {
         f->low[n] = high[n] = b->coarse[n];
         for (int i = 1; i < 6 * size * size; ++i) {
-            const float v = b->coarse[8 * i + n];
-            if (v < f->low[n]) f->low[n] = v;
-            if (v > high[n]) high[n] = v;
+            f->low[n] = ssgi__min(f->low[n], b->coarse[8 * i + n]);
+            high[n] = ssgi__max(high[n], b->coarse[8 * i + n]);
         }
         f->span[n] = high[n] - f->low[n];
     }
+    f->texels = texels;
     for (int face = 0; face < 6; ++face)
         for (int y = -1; y <= size; ++y)
-            for (int x = -1; x <= size; ++x) {
-                uint32_t *out = texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
-                const int xi = x < 0 ? 0 : x < size ? x : size - 1, yi = y < 0 ? 0 : y < size ? y : size - 1;
-                /* three texels meet there, the border holds their mean [GL 8.14] */
-                const int corner = x != xi && y != yi;
-                memset(out, 0, (size_t)words * sizeof *out);
+            for (int x = -1; x <= size; ++x, texels += words) {
+                const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
+                const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
+                const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
+                            *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
+                            *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
+                memset(texels, 0, (size_t)words * sizeof *texels);
                 for (int n = 0; n < 8; ++n) {
-                    float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
-                    if (corner)
-                        v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n]
-                             + b->coarse[8 * ssgi__cube_texel(face, xi, yi, size) + (size_t)n])
-                          / 3.0f;
+                    float v = corner ? (a[n] + up[n] + own[n]) / 3.0f : a[n];
                     v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
-                    out[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
+                    texels[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
                 }
             }
-    f->texels = texels;
 }
 
 /* What walled-in points are not counted in: the mean occlusion of points in the hull. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
-    double sum = 0.0, weight = 0.0;
+    const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
+    double sum = 0.0, weight = 0.0, w[3], out[4];
+    ssgi__field_portal portal;
+    float point[3];
     for (int i = 0; i < 256; ++i) {
-        const double up[3] = { 0.0, 0.0, 1.0 };
-        double w[3], out[4], r;
-        float point[3];
-        ssgi__field_portal portal;
+        const double r = ssgi__field_turn((uint32_t)i);
         ssgi__field_spiral(w, i, 256);
-        r = ssgi__field_turn((uint32_t)i);
-        for (int k = 0; k < 3; ++k)
-            point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
+        ssgi__along(w, b->caster.centre, r * ssgi__field_exit(&b->caster, w, &portal), w);
+        ssgi__floats(point, w);
         ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
                            (uint32_t)i);
-        if (out[0] > 0.95 * 4.0 * SSGI__PI) continue;
-        sum += out[0] / (4.0 * SSGI__PI) * (1.0 - r);
+        if (out[0] > 0.95 * sphere) continue;
+        sum += out[0] / sphere * (1.0 - r);
         weight += 1.0 - r;
     }
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
@@ -3487,30 +3481,21 @@ SSGI__FN void ssgi__field_held(void *context, int i)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const ssgi_field_limits limits = { 2.0f * b->field->reach, 2.0f * b->field->reach, b->field->inside, 1.0f };
-    double w[3], at[3], axis[3], sum[4], occlusion[4], normal[4][3], hull, r;
-    float point[3], cosine;
+    const double share = 0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD);
+    double w[3], sum[4], occlusion[4], normal[4][3], hull;
+    float point[3], facing[3];
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    r = hull * pow((double)b->field->reach / hull,
-            0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
-    for (int k = 0; k < 3; ++k) {
-        at[k] = r * w[k];
-        point[k] = (float)(at[k] + b->caster.centre[k]);
-    }
     for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
-        const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
-                     angle = 2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4));
-        normal[n][0] = sqrt(1.0 - z * z) * cos(angle);
-        normal[n][1] = sqrt(1.0 - z * z) * sin(angle);
-        normal[n][2] = z;
+        ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
+                    2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
-    cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024,
-                       (uint32_t)i ^ 0x55555555u);
+    ssgi__field_look(sum, occlusion, normal, point, b, w, hull * pow((double)b->field->reach / hull, share), &portal,
+                     1024, (uint32_t)i ^ 0x55555555u);
     for (int n = 0; n < 4; ++n) {
-        const float facing[3] = { (float)normal[n][0], (float)normal[n][1], (float)normal[n][2] };
+        ssgi__floats(facing, normal[n]);
         b->error[4 * i + n] = fabsf(ssgi_field_occlusion(b->field, &limits, point, facing) - (float)occlusion[n]);
     }
 }
