@@ -807,9 +807,9 @@ SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, doubl
 static float ssgi__min(float a, float b) { return a < b ? a : b; }
 static float ssgi__max(float a, float b) { return a > b ? a : b; }
 static float ssgi__abs(float a) { return ssgi__max(a, -a); }
-static int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
+SSGI__FN int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
 
-static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+SSGI__FN double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 SSGI__FN void ssgi__cross(double out[3], const double a[3], const double b[3])
 {
