@@ -4152,6 +4152,16 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     return SSGI_OK;
 }
 
+#undef SSGI__CHECK
+#undef SSGI__RANGE
+#undef SSGI__ZERO_OR
+#undef SSGI__SIZE
+#undef SSGI__THERE
+#undef SSGI__THERE2
+#undef SSGI__THERE3
+#undef SSGI__ENOUGH
+#undef SSGI__TRY
+
 #ifdef __cplusplus
 }
 #endif
