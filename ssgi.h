@@ -39,7 +39,7 @@
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>cap        spherical caps under the cosine: closed form, table
-      >>bias       pixel footprint, normal offset, radius guess, shadow map bias
+      >>bias       pixel footprint, normal offset, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
       >>dipole     multiple scattering under surfaces, and materials
@@ -143,8 +143,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float displacement[3], const char **why);
 
 /* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
-   two radii away (the sphere then is 60 degrees wide) they keep that distance and turn about the centre: by 60 degrees
-   to either side and 20 up, 75 up, and to the far side, 50 up. */
+   two radii away they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and
+   to the far side, 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
@@ -163,8 +163,7 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
                 low-discrepancy in each set, the sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
-                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius; sqrt and cbrt
-                of it to 1 - (t/r)^2 and 1 - (t/r)^3.
+                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see README, differences from the papers] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
@@ -184,8 +183,7 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* What band l of radiance is multiplied by to become irradiance: pi, 2 pi/3, pi/4, 0, -pi/24, 0; 0 for any other l.
-   [RAM01] */
+/* What band l of radiance is multiplied by to become irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
@@ -212,8 +210,7 @@ SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
    sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) gives the clamped cosine about a normal, which is the transfer of an open
-   point: its dot product with radiance is irradiance. */
+   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an open point. */
 SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w
@@ -229,9 +226,8 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
    [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
 SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
 
-/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels; bands
-   floats [limit: bands as ssgi_sh_basis; channels below 1 give zeros]. A pure sum: what is not finite makes its band
-   so. */
+/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
+   bands as ssgi_sh_basis; channels below 1 give zeros]. What is not finite makes its band so. */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
@@ -246,28 +242,24 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why);
 
-/* ADDS a sky of two constant radiances that meet at the horizon; equal ones add a constant. From 2 bands on its
-   irradiance is exactly the engines' hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): of the other bands
-   those that the cosine sees are empty.
+/* ADDS a sky of two constant radiances that meet at the horizon. From 2 bands on its irradiance is exactly the engines'
+   hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): the cosine sees none of the other bands.
      bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
 SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
                                  const float below[3], const char **why);
 
 /* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
-   no channel below 0 in any direction, but for 1e-3 of its mean. Finds the lowest by descent from 200 fixed directions.
-   Band 0 stays as it is, and so does all that is nowhere below 0: s = 0.
+   no channel below 0 in any direction, but for 1e-3 of its mean; band 0 stays. Takes a few milliseconds: descends from
+   200 fixed directions.
      bands         [limit: 1..SSGI_SH_MAX_BANDS]
-     coefficients  [limit: finite] a channel whose mean (band 0) is not above 0 has no s: it does not count, but is
-                   weakened as the others
-     strength      receives s, at most 1e30; may be NULL
-   A few milliseconds. */
+     coefficients  [limit: finite] a channel whose mean is not above 0 does not count, but is weakened as the others
+     strength      receives s, at most 1e30; may be NULL */
 SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions on the square [-1,1]^2 about +z. Any length but 0 (which becomes +z); decoding gives a
-   unit vector. GLSL twin of decode: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t;
-   normalize(n). */
+/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z; decoding gives a
+   unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
 SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
 SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
 
@@ -286,10 +278,8 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 
 /* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
    bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
-     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi, the same as ssgi_environment_map with
-              solid angle 0
-   A cell is 3.75 degrees wide: the rim is a ramp that wide to either side (less below cosine 0.07: it ends before 90
-   degrees), so that cells do not show. Otherwise, and in its cost, as ssgi_environment_map. */
+     cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
+   The rim is a ramp as wide as a cell, 3.75 degrees, to either side (less below cosine 0.07: it ends before 90). */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
@@ -322,12 +312,11 @@ typedef struct ssgi_vpl {
 } ssgi_vpl;
 
 /* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
-   flux, stratified along the map.
+   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
+   * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
      count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
      position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all;
-                              where it is negative or not finite it counts as 0
-   Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi * intensity) sum to the map's.
-   Same input, same output. A map without flux is SSGI_BAD_ARGUMENT. */
+                              where it is negative or not finite it counts as 0 */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
@@ -346,19 +335,13 @@ SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
 
 /* ==== >>bias =================================================================================================== */
 
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of the picture's two
-   axes. */
+/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* How far HSAO lifts the receiver along its normal so that nearest depth fetches of its own plane stay below it: half a
-   pixel's footprint [HSAO08 eq. 13, with positive view depth]; corners of a pixel need sqrt(2) times as much. GLSL
-   twin: ssgi_lift (times u_ssgi_offset). */
+/* How far HSAO lifts the receiver along its normal, so that nearest depth fetches of its own plane stay below it: half
+   a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
-/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
-   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
-   alone. Always > 0. */
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
      depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
@@ -366,10 +349,9 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const 
      resolution  [units: texels] [limit: >= 1] */
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
 
-/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light. The
-   paper's patch / 2 holds only for slopes along a texel's side; a slope along its diagonal needs sqrt(2) times that. At
-   most `most`, which is also what cos_alpha <= 0 gets; never below 0; finite for all finite input. [limit: patch, most
-   >= 0] */
+/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light: the
+   paper's patch / 2 holds only for slopes along a texel's side. At most `most`, which is also what cos_alpha <= 0 gets;
+   never below 0; finite for all finite input. [limit: patch, most >= 0] */
 SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
 
 /* ==== >>trace ================================================================================================== */
@@ -394,8 +376,7 @@ typedef struct ssgi_trace {
 
 typedef struct ssgi_hit {
     float    t;                       /* origin + t * direction is the point hit */
-    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1]; the first has 1 -
-                                         u - v */
+    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1] */
     uint32_t triangle;
 } ssgi_hit;
 
@@ -406,20 +387,18 @@ typedef struct ssgi_hit {
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
-   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are
-   memory      size >= ssgi_trace_size(triangles) bytes of any alignment; the trace points into it: keep it where it is.
-               position and index are not needed afterwards.
+   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are [limit: 12 or more,
+               a multiple of 4]
+   memory      size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
+               it: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
-   than about 1e-18 may be missed. SSGI_TOO_SMALL when size is; SSGI_BAD_ARGUMENT for NULL, triangles outside
-   1..SSGI_TRACE_MAX_TRIANGLES or a stride that is below 12 or no multiple of 4. Then *why names the argument, and trace
-   and memory are untouched. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion at
-   most 62 deep, whatever the input. */
+   than about 1e-18 may be missed. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion
+   at most 62 deep, whatever the input. */
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why);
 
-/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction need not be
-   unit: t counts in its lengths. tmin below 0 is taken as 0. A ray that is not finite, beyond 1e12, or without
-   direction hits nothing. */
+/* The hit with the smallest t in tmin < t < tmax: 1 and *hit filled, or 0 and *hit untouched. direction of any length:
+   t counts in it. tmin below 0 is 0. A ray that is not finite, beyond 1e12, or without direction hits nothing. */
 SSGI_DEF int ssgi_trace_closest(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                                 float tmax, ssgi_hit *hit);
 
@@ -437,16 +416,15 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 typedef struct ssgi_surfel {
     float position[3], radius;      /* view space */
     float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* what it sends: nothing for occlusion, outgoing radiance for a bounce, irradiance
-                                       for scattering; the source's own until someone shades it */
+    float colour[3], unused;        /* what it sends, the source's own until someone shades it: nothing for occlusion,
+                                       outgoing radiance for a bounce, irradiance for scattering */
 } ssgi_surfel;
 
 /* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
    i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
 SSGI_DEF int ssgi_tess_count(int level);
-/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0].
-   Clamped to 1 at least: level 0 makes the tessellator cull the patch. More than 3169 discs need triangles split
-   (ssgi_surfel_desc.splits). */
+/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0]:
+   at least 1, for level 0 culls. Beyond 3169 discs triangles want splits. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
 /* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them. INCENTRE: scaled about the
@@ -456,21 +434,16 @@ SSGI_DEF int ssgi_tess_level(double area, double radius);
 enum { SSGI_SHRINK_INCENTRE = 0, SSGI_SHRINK_CENTROID };
 
 typedef struct ssgi_surfel_desc {
-    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015]  diameter of a surfel facing the
-                       viewer: the paper's s */
-    float jitter;   /* [units: radii] [limit: 0..1]  surfels are moved by up to so much, which hides the tessellator's
-                       pattern [DSS14 3.1: 1] */
-    int   splits;   /* [limit: 0..32] [default: 8]  most parts of an edge: for parts finer than level 64, or of a near
-                       and a far end */
+    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
+    float jitter;   /* [units: radii] [limit: 0..1] how far surfels are moved, to hide the tessellator's pattern */
+    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
     int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
-    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1]  radius added per distance outside the
-                       frustum: no visible pixel is close to such surfels, so they may be coarser; below 1e-3: none, as
-                       published */
-    int   every;    /* [limit: 0..1]  0: triangles smaller than three surfels keep each of theirs with the probability
-                       area / (3 pi r^2), as large as wanted: cost and reach do not follow how fine a mesh is; 1: all
-                       three, as published */
-    float most;     /* [units: view] [limit: >= 0] [default: no end]  triangles farther outside the frustum give no
-                       surfels: a radius of occlusion */
+    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
+                       frustum, where no visible pixel is close; below 1e-3: none, as published */
+    int   every;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
+                       area / (3 pi r^2): cost and reach do not follow how fine a mesh is; 1: all, as published */
+    float most;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
+                       radius of occlusion */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -481,12 +454,11 @@ typedef struct ssgi_surfel_source {
     size_t position_stride, normal_stride, colour_stride;
     const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
-    float  to_view[16];             /* [limit: finite, invertible] mesh to view space; normals go by its inverse's
-                                       transpose */
+    float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
-   splits, defaults in place; and ssgi_gl_frame.more: aside, every. Outputs are untouched when something is wrong. */
+   splits, defaults in place; and ssgi_gl_frame.more: aside, every. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
                                        const ssgi_view *view, const char **why);
 
@@ -501,28 +473,22 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 /* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
    are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
    a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
-   vertices and the place in it alone. Outputs are untouched when something is wrong. */
+   vertices and the place in it alone. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
-    float epsilon;                  /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or
-                                       out */
-    float most;                     /* [units: view] [limit: >= 0] [default: no end] the farthest distance that counts:
-                                       a radius of occlusion */
-    float brightest;                /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float front;                    /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything
-                                       nearer */
-    int   levels;                   /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same
-                                       cost */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
+    float most;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
+    float brightest;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
+    float front;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
+    int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout: width and height rounded up to 2^(levels - 1); all levels
-   lie below each other in one texture: size[0] x (levels * size[1]).
-     width, height  [units: pixels] [limit: 1..65536] of the picture
-     levels         [limit: 1..7] */
+/* Texels along x and y of one level in the shuffled layout: width and height [limit: 1..65536] rounded up to 2^(levels
+   - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* What a picture will cost, before anything is drawn. surfels: how many. splits: what the triangles ask for
@@ -530,8 +496,7 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
    overlapping ones counted each. */
 typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
 /* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
-   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. SSGI_BAD_ARGUMENT
-   names what is wrong, and cost is untouched. */
+   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
@@ -540,15 +505,13 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
 /* ==== >>dipole ================================================================================================= */
 
 /* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
-   ssgi_dipole_set was given. */
-/* z_r, z_v, sigma_tr, alpha' */
+   ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
 typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;
-/* sigma_s, sigma_a: reduced scattering and absorption [units: 1/unit] [limit: > 0; >= 0]; eta: refraction [limit:
-   1..3] */
+/* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: distance >= 0], and over a whole plane [units: none]; 0
-   for a channel outside 0..2. */
+/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0], and over a whole plane; 0 for a channel outside
+   0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 /* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
@@ -570,61 +533,51 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
       free(work);                                                  field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the caster, besides where it is. VECTOR: the length of its vector irradiance, and how densely
-   it fills its cap (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon,
-   and 1/length of a ball is exactly quadratic. SOLID_ANGLE: its solid angle, as published: the cap is as large as the
-   caster. */
+/* What a field keeps of the caster. VECTOR: the length of its vector irradiance, and how densely it fills its cap
+   (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon, and 1/length of a
+   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the caster. */
 enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
-    int   resolution;       /* [limit: 0, 2..128] [default: 16; with error 64]  texels along a side of the cube map's
-                               faces; with error the most that may be taken */
-    int   radii;            /* [limit: 0, 4..64] [default: 12; with error 24]  distances sampled along each direction;
-                               likewise */
-    int   rays;             /* [limit: 0, 16..65536] [default: 128]  a sample */
-    int   measure;          /* SSGI_FIELD_VECTOR .. */
-    int   bits;             /* [limit: 0, 8, 16] [default: 16]  a component */
-    float reach;            /* [units: radii of the caster's bounding sphere] [limit: 0, 1.5..64] [default: 8]  how far
-                               the field goes from the centre */
-    float error;            /* [units: occlusion] [limit: 0..1]  above 0: the smallest resolution of 4, 8, 16 .. and the
-                               fewest radii of 6, 12, 24 .. are taken with which 95 % of receivers that took no part in
-                               the bake are within it */
-    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the convex hull in any
-       case. */
+    int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
+    int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
+    int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
+    int   measure;      /* SSGI_FIELD_VECTOR .. */
+    int   bits;         /* [limit: 0, 8, 16] [default: 16] a component */
+    float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
+    float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
+                           radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
+                           it; resolution [default: 64] and radii [default: 24] are then the most that may be taken */
+    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the hull in any case. */
     int  (*hit)(void *user, const float origin[3], const float direction[3]);
-    /* Your threads: calls job(context, i) for every i in [0, count), in any order, and returns when all are done; NULL:
-       one by one. */
+    /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
     int  (*progress)(void *user, float done);
-    void *user;             /* handed to the three; hit must be reentrant if parallel has threads */
+    void *user;         /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
     const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
                                border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
-                               bits first: three logarithms of the distance function, the hull's distance, the
-                               characteristic centre's x y z, the share of the cap that is covered. Upload as RGBA32UI
-                               or RG32UI */
+                               first: three logarithms of the distance function, the hull's distance, the characteristic
+                               centre's x y z, the covered share of the cap. Upload as RGBA32UI or RG32UI */
     int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
     int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
     float reach;            /* [units: the mesh's] the field's end, from the centre */
-    float inside;           /* A_0: the occlusion that points inside of the hull go to; measured: the mean at those that
-                               are not walled in */
+    float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
     float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
-    float median, p95, most;/* error of occlusion, as stored, of receivers that took no part in the bake: directions
-                               between texels, radii between those sampled, any normal; without ramp */
+    float median, p95, most;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
+                               directions between texels, radii between those sampled, any normal */
 } ssgi_field;
 
 /* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion goes down to 0
-                               from ramp to reach, from the centre */
-    float inside, power;    /* [limit: 0..1; > 0] in the hull occlusion is mix(inside, that at the hull,
-                               (r/hull)^power) */
+    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
+    float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
 /* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
@@ -653,9 +606,8 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
                                     const float normal[3]);
 
 /* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
-   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Occlusion is
-   fill * ssgi_cap_occlusionf(solid_angle, cosine of axis and normal). Returns the point's distance from the centre over
-   the hull's. */
+   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
+   point's distance from the centre over the hull's. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
@@ -664,11 +616,11 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
    RGBA8 cube maps, LINEAR, seamless. Either may be NULL. */
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
 
-/* A file: versioned, the same on every machine, with a checksum. snprintf's law: returns its size in bytes, writes only
-   when out is not NULL and capacity suffices. 0: field is NULL, or no field. */
+/* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
+   0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 /* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
-   version or corrupt. Then loads it. size: of texels, in bytes. All that passes gives occlusions in [0,1]. */
+   version or corrupt. Then loads it. size: of texels, in bytes. */
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
@@ -729,19 +681,15 @@ typedef struct ssgi_plan_scene {
                                is seen [limit: >= 0] [default: 0.15] */
     ssgi_survey survey;
     ssgi_trial  trial;      /* OBJECTS: only open is read */
-    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the environment's (and lights') first four bands; all 0:
-                               one as the built-in sky */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up; 0:
-                               harmonics and lights alone */
+    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   layers, cameras;  /* as many as may be used: depth layers [limit: 0..4], extra cameras [limit: 0..4]; both
-                               want closed solids. 0: none beside the picture's own */
+    int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; both want closed solids */
     double triangles;       /* that may become surfels; 0: none may */
     float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
                                [default: 170] */
     int   casters;          /* OBJECTS: with fields */
-    float cover;            /* OBJECTS: pixels within a caster's reach over all, its mean [limit: >= 0] [default:
-                               0.1] */
+    float cover;            /* OBJECTS: mean share of pixels in a caster's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
@@ -752,17 +700,16 @@ typedef struct ssgi_plan {
     float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes
                                layers, cameras' pictures and fields */
     float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.1 x the error asked for (predictions are accurate to about 10 %), and cost
-                               within the budget */
+    int   meets;            /* 1: error <= 1.1 x that asked for (predictions' accuracy), and cost within the budget */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
 /* Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, with its predicted error and cost for a scene, why empty: 1 and *plan filled; 0 and
-   *plan untouched past the last, for NULL, or where the choice is not for what is wanted or needs what the scene does
-   not give. The scene's numbers are not checked. */
+/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), why
+   empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
+   wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 enum { SSGI_PLAN_CHOICES = 39 };
 
@@ -787,11 +734,32 @@ extern "C" {
 
 #define SSGI__PI 3.14159265358979323846
 
-static ssgi_result ssgi__bad(const char **why, const char *sentence)
+/* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
+#if defined(__GNUC__)
+#define SSGI__FN static __attribute__((noinline))
+#elif defined(_MSC_VER)
+#define SSGI__FN static __declspec(noinline)
+#else
+#define SSGI__FN static
+#endif
+
+SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 {
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
 }
+
+/* Of the arguments of a function that has `why`. */
+#define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
+#define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
+#define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
+#define SSGI__SIZE(width, height)      SSGI__RANGE(width, 1, 65536); SSGI__RANGE(height, 1, 65536)
+#define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
+#define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
+#define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
+#define SSGI__ENOUGH(size, least, sentence) \
+    do { if ((size) < (least)) { ssgi__bad(why, sentence); return SSGI_TOO_SMALL; } } while (0)
+#define SSGI__TRY(call)                do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
@@ -801,39 +769,76 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-static int ssgi__finite3(const float *v) { return v && ssgi__finite(v[0]) && ssgi__finite(v[1]) && ssgi__finite(v[2]); }
+/* Whether all are there and finite. */
+SSGI__FN int ssgi__finites(const float *v, int count)
+{
+    if (!v) return 0;
+    while (count > 0 && ssgi__finite(*v)) { ++v; --count; }
+    return count == 0;
+}
 
 /* Whether all are finite and 0 or more. */
-static int ssgi__positive(const float *v, int count)
+SSGI__FN int ssgi__positive(const float *v, int count)
 {
     while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
     return count == 0;
 }
 
+SSGI__FN int ssgi__within(float x, float least, float most)
+{
+    return ssgi__finite(x) && x >= least && x <= most;
+}
+
 /* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
 static double ssgi__light(float x, float least)
 {
-    if (!ssgi__finite(x)) return 0.0;
-    return (double)(x < least ? least : x > 1e24f ? 1e24f : x);
+    return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
 }
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-static double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+/* rgb times a weight; returns the luminance of that */
+SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
+{
+    for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
+    return ssgi__luminance(out);
+}
 
-static void ssgi__cross(double out[3], const double a[3], const double b[3])
+static float ssgi__min(float a, float b) { return a < b ? a : b; }
+static float ssgi__max(float a, float b) { return a > b ? a : b; }
+static float ssgi__abs(float a) { return ssgi__max(a, -a); }
+SSGI__FN int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
+
+SSGI__FN double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+SSGI__FN void ssgi__cross(double out[3], const double a[3], const double b[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* returns the length that it had; 0 stays 0 */
-static double ssgi__normalise(double v[3])
+/* a + s b */
+SSGI__FN void ssgi__along(double out[3], const double a[3], double s, const double b[3])
 {
-    double length = sqrt(ssgi__dot(v, v));
-    int i;
-    for (i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
+    for (int i = 0; i < 3; ++i) out[i] = a[i] + s * b[i];
+}
+
+SSGI__FN void ssgi__doubles(double out[3], const float v[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = (double)v[i];
+}
+
+SSGI__FN void ssgi__floats(float out[3], const double v[3])
+{
+    for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
+}
+
+/* returns the length that it had; 0 stays 0 */
+SSGI__FN double ssgi__normalise(double v[3])
+{
+    const double length = sqrt(ssgi__dot(v, v));
+    for (int i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
     return length;
 }
 
@@ -844,25 +849,19 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
 {
     double m[16], w, scale, shift;
     ssgi_view v;
-    int i, perspective;
-    if (!view) return ssgi__bad(why, "view: must not be NULL");
-    if (!projection) return ssgi__bad(why, "projection: must not be NULL");
-    if (clip != SSGI_CLIP_GL && clip != SSGI_CLIP_ZERO)
-        return ssgi__bad(why, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
-    for (i = 0; i < 16; ++i) {
-        if (!ssgi__finite(projection[i])) return ssgi__bad(why, "projection: must be finite");
-        m[i] = (double)projection[i];
-    }
+    int perspective;
+    SSGI__THERE2(view, projection);
+    SSGI__CHECK(clip == SSGI_CLIP_GL || clip == SSGI_CLIP_ZERO, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
+    SSGI__SIZE(width, height);
+    SSGI__CHECK(ssgi__finites(projection, 16), "projection: must be finite");
     perspective = projection[11] < 0.0f;
     if (projection[3] != 0.0f || projection[7] != 0.0f
         || (perspective ? projection[15] != 0.0f : projection[11] != 0.0f || !(projection[15] > 0.0f)))
         return ssgi__bad(why, "projection: its w row must be (0,0,-1,0) or (0,0,0,1): right-handed, camera along -z");
     if (projection[1] != 0.0f || projection[4] != 0.0f || projection[2] != 0.0f || projection[6] != 0.0f)
         return ssgi__bad(why, "projection: must not be skewed (elements 1, 2, 4, 6 are 0)");
-    w = perspective ? -m[11] : m[15];
-    for (i = 0; i < 16; ++i) m[i] /= w;
+    w = perspective ? -(double)projection[11] : (double)projection[15];
+    for (int i = 0; i < 16; ++i) m[i] = (double)projection[i] / w;
     if (projection[0] == 0.0f || projection[5] == 0.0f)
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
@@ -871,7 +870,7 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
     v.width = width; v.height = height; v.orthographic = !perspective;
-    for (i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2; ++i) {
         double size = i ? height : width, gain = m[i * 5], centre = perspective ? -m[8 + i] : m[12 + i];
         v.project[i] = (float)(gain * 0.5 * size);
         v.project[2 + i] = (float)((centre * 0.5 + 0.5) * size);
@@ -889,9 +888,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         v.depth[1] = (float)(-scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
     }
-    for (i = 0; i < 4; ++i)
-        if (!ssgi__finite(v.project[i]) || !ssgi__finite(v.unproject[i]) || !ssgi__finite(v.depth[i & 1]))
-            return ssgi__bad(why, "projection: its elements are too large or too small for float arithmetic");
+    SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2),
+                "projection: its elements are too large or too small for float arithmetic");
     *view = v;
     return SSGI_OK;
 }
@@ -929,53 +927,45 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
 SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
-    double most = 0.0, d;
-    int axis, side;
-    for (axis = 0; axis < 2; ++axis)
-        for (side = 0; side < 2; ++side) {
-            /* per depth */
-            const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
-            const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];
-            const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
-            d = view->orthographic ? sign * (point[axis] - edge)
-                                   : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
-            if (d > most) most = d;
-        }
-    d = (double)ssgi_view_near(view) - z;
-    return d > most ? d : most;
+    double most = (double)ssgi_view_near(view) - z;
+    if (!(most > 0.0)) most = 0.0;
+    for (int k = 0; k < 4; ++k) {                   /* left, right, lower, upper */
+        const int axis = k / 2, side = k % 2;
+        const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
+        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];  /* per depth */
+        const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
+        const double d = view->orthographic ? sign * (point[axis] - edge)
+                                            : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
+        if (d > most) most = d;
+    }
+    return most;
 }
 
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    /* half of 100 degrees: sine and cosine change places */
-    const double cos40 = 0.76604444311897803520, r = (double)radius;
-    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, cotangent, near_plane, far_plane;
+    const double cos40 = 0.76604444311897803520;        /* half of 100 degrees: sine and cosine change places */
+    const double r = (double)radius;
+    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
-    int i, k;
-    if (!world_to_view) return ssgi__bad(why, "world_to_view: must not be NULL");
-    if (!projection) return ssgi__bad(why, "projection: must not be NULL");
-    if (!main_world_to_view) return ssgi__bad(why, "main_world_to_view: must not be NULL");
-    for (i = 0; i < 16; ++i) {
-        if (!ssgi__finite(main_world_to_view[i])) return ssgi__bad(why, "main_world_to_view: must be finite");
-        if (i % 4 < 3 && i < 12) was[i % 4][i / 4] = (double)main_world_to_view[i];
-    }
-    for (i = 0; i < 9; ++i)
+    SSGI__THERE3(world_to_view, projection, main_world_to_view);
+    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
+    for (int i = 0; i < 9; ++i) was[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
+    for (int i = 0; i < 9; ++i)
         if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
             return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
-    for (i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i)
         if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
             return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
-    if (!centre) return ssgi__bad(why, "centre: must not be NULL");
-    if (!ssgi__finite3(centre)) return ssgi__bad(why, "centre: must be finite");
-    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
-    if (!displacement) return ssgi__bad(why, "displacement: must not be NULL");
-    if (!ssgi__finite3(displacement)) return ssgi__bad(why, "displacement: must be finite");
-
-    for (k = 0; k < 3; ++k) {                       /* the main eye stands at minus the translation, in its own axes */
-        for (i = 0; i < 3; ++i)
+    SSGI__THERE(centre);
+    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be finite");
+    SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
+    SSGI__THERE(displacement);
+    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be finite");
+    for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
+        for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
@@ -990,22 +980,20 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
         ssgi__normalise(axis[0]);
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
-    for (i = 0; i < 3; ++i) {
-        for (k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);
     }
     view[15] = 1.0f;
-    cotangent = distance * cos40 > r ? sqrt((distance - r) * (distance + r)) / r : 0.83909963117728001176;
     near_plane = 0.02 * r;
     far_plane = distance + r;
-    clip[0] = clip[5] = (float)cotangent;
+    clip[0] = clip[5] = (float)(distance * cos40 > r ? sqrt((distance - r) * far_plane) / r : 0.83909963117728001176);
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
-    for (i = 0; i < 16; ++i)
-        if (!ssgi__finite(view[i])) return ssgi__bad(why, "radius: too large for float arithmetic");
-    if (ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) != SSGI_OK)
-        return ssgi__bad(why, "radius: too small or too large for float arithmetic");
+    SSGI__CHECK(ssgi__finites(view, 16), "radius: too large for float arithmetic");
+    SSGI__CHECK(ssgi_view_from_projection(&seen, clip, SSGI_CLIP_GL, 65536, 65536, NULL) == SSGI_OK,
+                "radius: too small or too large for float arithmetic");
     memcpy(world_to_view, view, sizeof view);
     memcpy(projection, clip, sizeof clip);
     return SSGI_OK;
@@ -1030,7 +1018,7 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
     return result < 1.0f ? result : 1.0f - FLT_EPSILON / 2;  /* 0.99999999 rounds up to 1 */
 }
 
-static float ssgi__fract(double x)
+SSGI__FN float ssgi__fract(double x)
 {
     float f = (float)(x - floor(x));
     return f < 1.0f ? f : 0.0f;
@@ -1042,7 +1030,7 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
     out[1] = ssgi__fract(0.5 + 0.56984029099805326591 * (double)i);
 }
 
-static int ssgi__gcd(int a, int b)
+SSGI__FN int ssgi__gcd(int a, int b)
 {
     while (b) { int c = a % b; a = b; b = c; }
     return a;
@@ -1051,17 +1039,17 @@ static int ssgi__gcd(int a, int b)
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why)
 {
     const double two_pi = 2.0 * SSGI__PI, golden = 0.61803398874989484820;
-    int set, i, step;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (sets < 1 || sets > 4096) return ssgi__bad(why, "sets: must be 1..4096");
-    if (samples < 1 || samples > 4096) return ssgi__bad(why, "samples: must be 1..4096");
+    int step;
+    SSGI__THERE(out);
+    SSGI__RANGE(sets, 1, 4096);
+    SSGI__RANGE(samples, 1, 4096);
     /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow
        neither u nor the azimuth. */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
-    for (set = 0; set < sets; ++set) {
+    for (int set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
                slide = 1.0 - (double)ssgi_radical_inverse(3, (uint32_t)set + 1);
-        for (i = 0; i < samples; ++i) {
+        for (int i = 0; i < samples; ++i) {
             /* u stratified at midpoints; azimuth by the golden angle, a spiral in which no two samples line up */
             double u = ((double)i + 0.5) / samples, phi = two_pi * (fmod((double)i * golden, 1.0) + turn);
             float *o = out + 4 * ((size_t)set * (size_t)samples + (size_t)i);
@@ -1077,16 +1065,16 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
 {
     const double two_pi = 2.0 * SSGI__PI;
-    int i, n, m;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 1 || size > 64) return ssgi__bad(why, "size: must be 1..64");
-    if (directions < 1 || directions > 1024) return ssgi__bad(why, "directions: must be 1..1024");
+    int n, m;
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 1, 64);
+    SSGI__RANGE(directions, 1, 1024);
     n = size * size;
     /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours
        far apart when m is not 0. */
     for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
     if (m >= size) m = 0;
-    for (i = 0; i < n; ++i) {
+    for (int i = 0; i < n; ++i) {
         int x = i % size, y = i / size, a = (m * x + y) % size, b = (x + m * y) % size;
         double turn = two_pi / directions * ((double)(a * size + b) + 0.5) / n;
         float *o = out + 4 * (size_t)i;
@@ -1099,8 +1087,10 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 
 /* ==== >>sh (implementation) ==================================================================================== */
 
+#define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
+
 /* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
-static void ssgi__sh_basis(double *out, int bands, const double d[3])
+SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
     static const double norm[] = {
@@ -1110,10 +1100,9 @@ static void ssgi__sh_basis(double *out, int bands, const double d[3])
         0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
         0.00069458418713245 };
     double real = 1.0, imaginary = 0.0, top = 1.0;
-    int l, m;
-    for (m = 0; m < bands; ++m) {
+    for (int m = 0; m < bands; ++m) {
         double q = top, before = 0.0, turned;
-        for (l = m; l < bands; ++l) {
+        for (int l = m; l < bands; ++l) {
             const double k = norm[l * (l + 1) / 2 + m] * q,
                          next = ((2 * l + 1) * d[2] * q - (l + m) * before) / (l + 1 - m);
             out[l * l + l - m] = k * imaginary;
@@ -1128,16 +1117,18 @@ static void ssgi__sh_basis(double *out, int bands, const double d[3])
     }
 }
 
-static int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
+static const signed char ssgi__sh_band[SSGI__SH_MOST] = { 0, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 4, 4,
+                                                          4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5 };
+
+SSGI__FN int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
-    const double d[3] = { (double)direction[0], (double)direction[1], (double)direction[2] };
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int i;
+    double d[3], basis[SSGI__SH_MOST];
     bands = ssgi__sh_limit(bands);
+    ssgi__doubles(d, direction);
     ssgi__sh_basis(basis, bands, d);
-    for (i = 0; i < bands * bands; ++i) out[i] = (float)basis[i];
+    for (int i = 0; i < bands * bands; ++i) out[i] = (float)basis[i];
 }
 
 SSGI_DEF float ssgi_sh_cosine(int l)
@@ -1146,17 +1137,15 @@ SSGI_DEF float ssgi_sh_cosine(int l)
     return l >= 0 && l < 5 ? a[l] : 0.0f;
 }
 
-/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel whose centre is
-   there. */
-static double ssgi__equirect_row(double polar[2], double at, int width, int height)
+/* Sine and cosine of a row's angle from +y, at rows from the top; returns the solid angle of a texel there. */
+SSGI__FN double ssgi__equirect_row(double polar[2], double at, int width, int height)
 {
-    const double pi = SSGI__PI;
-    polar[0] = sin(pi * at / height);
-    polar[1] = cos(pi * at / height);
-    return 4.0 * pi / width * polar[0] * sin(0.5 * pi / height);
+    polar[0] = sin(SSGI__PI * at / height);
+    polar[1] = cos(SSGI__PI * at / height);
+    return 4.0 * SSGI__PI / width * polar[0] * sin(0.5 * SSGI__PI / height);
 }
 
-static void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
+SSGI__FN void ssgi__equirect(double direction[3], const double polar[2], double at, int width)
 {
     const double longitude = SSGI__PI * (1.0 - 2.0 * at / width);
     direction[0] = polar[0] * sin(longitude);
@@ -1164,51 +1153,47 @@ static void ssgi__equirect(double direction[3], const double polar[2], double at
     direction[2] = polar[0] * cos(longitude);
 }
 
-static ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
+SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height, const char **why)
 {
-    if (!rgb) return ssgi__bad(why, "rgb: must not be NULL");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
+    SSGI__THERE(rgb);
+    SSGI__SIZE(width, height);
     return SSGI_OK;
 }
 
-typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS]; } ssgi__sh_sum;
+typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI__SH_MOST]; } ssgi__sh_sum;
 
-static void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
+SSGI__FN void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], light[3];
-    int i, c;
+    double basis[SSGI__SH_MOST], light[3];
     ssgi__sh_basis(basis, sum->bands, direction);
-    for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(rgb[c], -1e24f);
-    for (i = 0; i < sum->bands * sum->bands; ++i)
-        for (c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
+    ssgi__light3(light, rgb, -1e24f, weight);
+    for (int i = 0; i < sum->bands * sum->bands; ++i)
+        for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
 }
 
-static ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
 {
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    SSGI__THERE(out);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
     memset(sum, 0, sizeof *sum);
     sum->bands = bands;
     return SSGI_OK;
 }
 
-static void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
+SSGI__FN void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
 {
-    int i;
-    for (i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
+    for (int i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
 }
 
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why)
 {
     ssgi__sh_sum sum;
-    int x, y;
-    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK || ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK)
-        return SSGI_BAD_ARGUMENT;
-    for (y = 0; y < height; ++y) {
+    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
+    for (int y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = 0; x < width; ++x, rgb += 3) {
+        for (int x = 0; x < width; ++x, rgb += 3) {
             ssgi__equirect(direction, polar, x + 0.5, width);
             ssgi__sh_add(&sum, direction, rgb, weight);
         }
@@ -1218,22 +1203,21 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 }
 
 /* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
-static double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
+SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
 /* GL table 8.19, s and t in [-1,1] */
-static void ssgi__cube_direction(double out[3], int face, double s, double t)
+SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
                                               { 1, 0, 0 },  { 1, 0, 0 }, { -1, 0, 0 } };
     static const signed char down[6][3] = { { 0, -1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
                                             { 0, 0, -1 }, { 0, -1, 0 }, { 0, -1, 0 } };
-    int i;
-    for (i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
+    for (int i = 0; i < 3; ++i) out[i] = s * across[face][i] + t * down[face][i];
     out[face / 2] = face & 1 ? -1.0 : 1.0;
     ssgi__normalise(out);
 }
 
-static int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
+SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
     if (x >= y && x >= z) { at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x; at[1] = -w[1] / x; return w[0] < 0.0f; }
@@ -1247,18 +1231,16 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
                                           const char **why)
 {
     ssgi__sh_sum sum;
-    int x, y, face;
-    if (ssgi__sh_begin(&sum, out, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!faces) return ssgi__bad(why, "faces: must not be NULL");
-    for (face = 0; face < 6; ++face)
-        if (!faces[face]) return ssgi__bad(why, "faces: all six must be there, none NULL");
-    if (size < 1 || size > 65536) return ssgi__bad(why, "size: must be 1..65536");
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) {
+    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    SSGI__THERE(faces);
+    for (int face = 0; face < 6; ++face) SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
+    SSGI__RANGE(size, 1, 65536);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
             const double s = (2 * x + 1.0) / size - 1.0, t = (2 * y + 1.0) / size - 1.0, h = 1.0 / size;
             const double weight = ssgi__rectangle(s + h, t + h) - ssgi__rectangle(s - h, t + h)
                                 - ssgi__rectangle(s + h, t - h) + ssgi__rectangle(s - h, t - h);
-            for (face = 0; face < 6; ++face) {
+            for (int face = 0; face < 6; ++face) {
                 double direction[3];
                 ssgi__cube_direction(direction, face, s, t);
                 ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
@@ -1271,9 +1253,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
 {
     double positive = 1.0;
-    int l;
     bands = ssgi__sh_limit(bands);
-    for (l = 0; l < bands; ++l) {
+    for (int l = 0; l < bands; ++l) {
         const double hann = 0.5 + 0.5 * cos(SSGI__PI * l / bands);
         out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? hann : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
         positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
@@ -1282,25 +1263,23 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
 
 SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3])
 {
-    int l, i = 0;
     bands = ssgi__sh_limit(bands);
     ssgi_sh_basis(out, bands, direction);
-    for (l = 0; l < bands; ++l)
-        for (; i < (l + 1) * (l + 1); ++i) out[i] *= zonal[l] * (float)sqrt((4.0 * SSGI__PI) / (2 * l + 1));
+    for (int i = 0; i < bands * bands; ++i)
+        out[i] *= zonal[ssgi__sh_band[i]] * (float)sqrt((4.0 * SSGI__PI) / (2 * ssgi__sh_band[i] + 1));
 }
 
 /* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
    that degree; returns its solid angle. */
-static double ssgi__sphere_node(double d[3], int degree, int i)
+SSGI__FN double ssgi__sphere_node(double d[3], int degree, int i)
 {
     const double pi = SSGI__PI;
     const int rows = degree / 2 + 1, columns = degree + 1;
     const double azimuth = 2.0 * pi * (i % columns) / columns;
     double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
-    int step, l;
-    for (step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
+    for (int step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
         double p = 1.0, before = 0.0;
-        for (l = 0; l < rows; ++l) {
+        for (int l = 0; l < rows; ++l) {
             const double next = ((2 * l + 1) * z * p - l * before) / (l + 1);
             before = p;
             p = next;
@@ -1319,119 +1298,113 @@ SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, i
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
     /* bands do not mix: of a row, its own */
-    double matrix[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS][2 * SSGI_SH_MAX_BANDS - 1], band[2 * SSGI_SH_MAX_BANDS - 1];
-    int l, i, j, c, node;
+    double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], of[SSGI__SH_MOST], here[SSGI__SH_MOST];
+    double there[SSGI__SH_MOST], view[3], world[3], weight;
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
-    for (node = 0; node < bands * (2 * bands - 1); ++node) {
-        double here[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], there[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-        double view[3], world[3], weight;
+    for (int node = 0; node < bands * (2 * bands - 1); ++node) {
         weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
-        for (i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i)
             world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
         ssgi__sh_basis(there, bands, world);
-        for (l = i = 0; l < bands; ++l)
-            for (; i < (l + 1) * (l + 1); ++i)
-                for (j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
-    }
-    for (c = 0; c < channels; ++c)
-        for (l = i = 0; l < bands; ++l) {
-            for (j = 0; j < 2 * l + 1; ++j)
-                band[j] = (double)coefficients[(size_t)channels * (size_t)(l * l + j) + (size_t)c];
-            for (; i < (l + 1) * (l + 1); ++i) {
-                double sum = 0.0;
-                for (j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * band[j];
-                out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
-            }
+        for (int i = 0; i < bands * bands; ++i) {
+            const int l = ssgi__sh_band[i];
+            for (int j = 0; j < 2 * l + 1; ++j) matrix[i][j] += weight * here[i] * there[l * l + j];
         }
+    }
+    for (int c = 0; c < channels; ++c) {
+        for (int i = 0; i < bands * bands; ++i) of[i] = (double)coefficients[(size_t)channels * (size_t)i + (size_t)c];
+        for (int i = 0; i < bands * bands; ++i) {
+            const int l = ssgi__sh_band[i];
+            double sum = 0.0;
+            for (int j = 0; j < 2 * l + 1; ++j) sum += matrix[i][j] * of[l * l + j];
+            out[(size_t)channels * (size_t)i + (size_t)c] = (float)sum;
+        }
+    }
 }
 
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels)
 {
-    int l, i, c;
     bands = ssgi__sh_limit(bands);
-    for (l = i = 0; l < bands; ++l)
-        for (out[l] = 0.0f; i < (l + 1) * (l + 1); ++i)
-            for (c = 0; c < channels; ++c) {
-                const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
-                out[l] += k * k;
-            }
+    for (int l = 0; l < bands; ++l) out[l] = 0.0f;
+    for (int i = 0; i < bands * bands; ++i)
+        for (int c = 0; c < channels; ++c) {
+            const float k = coefficients[(size_t)channels * (size_t)i + (size_t)c];
+            out[ssgi__sh_band[i]] += k * k;
+        }
 }
 
-static double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
+SSGI__FN double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
 {
     double sum = 0.0;
-    int l;
-    for (l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
+    for (int l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
     return sum;
 }
 
 /* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
-static double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
-                          const double d[3], double s)
+SSGI__FN double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
+                            const double d[3], double s)
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int l, i = 0;
+    double basis[SSGI__SH_MOST];
     ssgi__sh_basis(basis, bands, d);
-    for (l = 0; l < bands; ++l)
-        for (part[l] = 0.0; i < (l + 1) * (l + 1); ++i) part[l] += basis[i] * (double)coefficients[channels * i];
+    for (int l = 0; l < bands; ++l) part[l] = 0.0;
+    for (int i = 0; i < bands * bands; ++i)
+        part[ssgi__sh_band[i]] += basis[i] * (double)coefficients[channels * i];
     return ssgi__sh_weakened(part, bands, s);
 }
 
 SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
 {
-    double sum[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS] = { 0.0 }, basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
+    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST];
     double part[SSGI_SH_MAX_BANDS], d[3];
-    int i, node, degree;
+    int degree;
     bands = ssgi__sh_limit(bands);
     degree = 3 * (bands - 1);
-    for (node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
+    for (int node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
         const double weight = ssgi__sphere_node(d, degree, node),
                      value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
         ssgi__sh_basis(basis, bands, d);
-        for (i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
+        for (int i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
     }
-    for (i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
+    for (int i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
 }
 
 /* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
    cosine 1, as differences of polynomials would. */
-static void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
+SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
-    int l;
     mean[0] = 1.0;
     mean[1] = 0.5 + 0.5 * cosine;
-    for (l = 2; l < SSGI_SH_MAX_BANDS; ++l)
+    for (int l = 2; l < SSGI_SH_MAX_BANDS; ++l)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
 /* adds factor[l] Y_i(d) times the colour of even or of odd bands */
-static void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
-                               const double d[3], double colour[2][3])
+SSGI__FN void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
+                                 const double d[3], double colour[2][3])
 {
-    double basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-    int l, i = 0, c;
+    double basis[SSGI__SH_MOST];
     ssgi__sh_basis(basis, bands, d);
-    for (l = 0; l < bands; ++l)
-        for (; i < (l + 1) * (l + 1); ++i)
-            for (c = 0; c < 3; ++c) coefficients[3 * i + c] += (float)(factor[l] * basis[i] * colour[l & 1][c]);
+    for (int i = 0; i < 3 * bands * bands; ++i) {
+        const int l = ssgi__sh_band[i / 3];
+        coefficients[i] += (float)(factor[l] * basis[i / 3] * colour[l & 1][i % 3]);
+    }
 }
 
 /* 0 if it is not a direction */
-static int ssgi__direction(double d[3], const float *v)
+SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
-    int i;
-    if (!ssgi__finite3(v)) return 0;
-    for (i = 0; i < 3; ++i) d[i] = (double)v[i];
+    if (!ssgi__finites(v, 3)) return 0;
+    ssgi__doubles(d, v);
     return ssgi__normalise(d) > 0.0;
 }
 
-static ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
 {
-    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
+    SSGI__THERE(coefficients);
+    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
     return SSGI_OK;
 }
 
@@ -1440,20 +1413,19 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
-    int l, c;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!ssgi__direction(d, direction)) return ssgi__bad(why, "direction: must be there, finite and not 0");
-    if (!ssgi__finite(sine) || !(sine >= 0.0f && sine <= 1.0f)) return ssgi__bad(why, "sine: must be 0..1");
-    if (!ssgi__finite3(irradiance)) return ssgi__bad(why, "irradiance: must be there and finite");
-    if (window < SSGI_SH_WINDOW_NONE || window > SSGI_SH_WINDOW_POSITIVE)
-        return ssgi__bad(why, "window: must be one of SSGI_SH_WINDOW_");
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(ssgi__direction(d, direction), "direction: must be there, finite and not 0");
+    SSGI__CHECK(ssgi__within(sine, 0.0f, 1.0f), "sine: must be 0..1");
+    SSGI__CHECK(ssgi__finites(irradiance, 3), "irradiance: must be there and finite");
+    SSGI__CHECK(window >= SSGI_SH_WINDOW_NONE && window <= SSGI_SH_WINDOW_POSITIVE,
+                "window: must be one of SSGI_SH_WINDOW_");
     ssgi_sh_window(weight, bands, window);
     ssgi__sh_cap(factor, sqrt(1.0 - (double)sine * (double)sine));
-    for (l = 0; l < bands; ++l) {
+    for (int l = 0; l < bands; ++l) {
         factor[l] *= (double)weight[l];
         facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
-    for (c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
+    for (int c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
     ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
     return SSGI_OK;
 }
@@ -1462,14 +1434,13 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
                                  const float below[3], const char **why)
 {
     double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
-    int c;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    if (!ssgi__direction(d, up)) return ssgi__bad(why, "up: must be there, finite and not 0");
-    if (!ssgi__finite3(above)) return ssgi__bad(why, "above: must be there and finite");
-    if (!ssgi__finite3(below)) return ssgi__bad(why, "below: must be there and finite");
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(ssgi__direction(d, up), "up: must be there, finite and not 0");
+    SSGI__CHECK(ssgi__finites(above, 3), "above: must be there and finite");
+    SSGI__CHECK(ssgi__finites(below, 3), "below: must be there and finite");
     ssgi__sh_cap(factor, 0.0);
     /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const double a = 2.0 * SSGI__PI * ssgi__light(above[c], -1e24f),
                      b = 2.0 * SSGI__PI * ssgi__light(below[c], -1e24f);
         colour[0][c] = a + b;
@@ -1479,13 +1450,12 @@ SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[
     return SSGI_OK;
 }
 
-/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when it is nowhere below
-   0. */
-static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
+/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when none is below 0. */
+SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
 {
     double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
-    int node, j, moved;
-    for (node = 0; node < 10 * 20; ++node) {
+    int j, moved;
+    for (int node = 0; node < 10 * 20; ++node) {
         ssgi__sphere_node(d, 19, node);
         value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
         /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
@@ -1512,30 +1482,30 @@ static double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const f
 SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why)
 {
     double s = 0.0, part[SSGI_SH_MAX_BANDS];
-    int i, c, l, raised;
-    if (ssgi__sh_bad(coefficients, bands, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
-    for (i = 0; i < 3 * bands * bands; ++i)
-        if (!ssgi__finite(coefficients[i])) return ssgi__bad(why, "coefficients: must be finite");
-    /* s rises until the direction that is lowest is not below 0, until none is */
-    do
-        for (raised = c = 0; c < 3; ++c) {
+    int raised;
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(ssgi__finites(coefficients, 3 * bands * bands), "coefficients: must be finite");
+    do {            /* s rises until the direction that is lowest is not below 0, until none is */
+        raised = 0;
+        for (int c = 0; c < 3; ++c) {
             double least = s, most = -1.0;
             if (!(coefficients[c] > 0.0f)
                 || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c])
                 continue;
-            for (l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
-            /* at most, the higher bands do not reach band 0 even if all are against it */
-            for (most = 0.25 * most, i = 0; i < 100; ++i) {
+            for (int l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
+            most *= 0.25;       /* there the higher bands do not reach band 0 even if all are against it */
+            for (int i = 0; i < 100; ++i) {
                 s = 0.5 * (least + most);
                 if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
             }
             s = most;
             raised = 1;
         }
-    while (raised);
-    for (l = i = 0; l < bands; ++l)
-        for (; i < 3 * (l + 1) * (l + 1); ++i)
-            coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+    } while (raised);
+    for (int i = 0; i < 3 * bands * bands; ++i) {
+        const int l = ssgi__sh_band[i / 3];
+        coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
+    }
     if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
     return SSGI_OK;
 }
@@ -1555,102 +1525,98 @@ SSGI_DEF void ssgi_octahedral_encode(const float d[3], float out[2])
 
 SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3])
 {
-    double n[3], t;
-    int i;
-    n[0] = (double)e[0];
-    n[1] = (double)e[1];
+    double n[3] = { (double)e[0], (double)e[1], 0.0 }, t;
     n[2] = 1.0 - fabs(n[0]) - fabs(n[1]);
     t = n[2] < 0.0 ? -n[2] : 0.0;
-    for (i = 0; i < 2; ++i) n[i] += n[i] < 0.0 ? t : -t;
+    for (int i = 0; i < 2; ++i) n[i] += n[i] < 0.0 ? t : -t;
     ssgi__normalise(n);
-    for (i = 0; i < 3; ++i) out[i] = (float)n[i];
+    ssgi__floats(out, n);
 }
 
 /* The direction of texel number `texel` of a map. */
-static void ssgi__octahedral_texel(float out[3], int texel, int size)
+SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
 {
-    float e[2];
-    e[0] = (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f;
-    e[1] = (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f;
+    const float e[2] = { (2.0f * (float)(texel % size) + 1.0f) / (float)size - 1.0f,
+                         (2.0f * (float)(texel / size) + 1.0f) / (float)size - 1.0f };
     ssgi_octahedral_decode(e, out);
 }
 
-/* The picture as cells: averages over their exact solid angle, with texels taken as constant; so a cell may be smaller
-   than a texel. */
-static void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
-                                    int height)
+/* What the spans from a and from b, as long as la and lb, share. */
+SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
-    const double pi = SSGI__PI;
-    int i, j, x, y, c;
+    *begin = a > b ? a : b;
+    *end = a + la < b + lb ? a + la : b + lb;
+}
+
+/* The picture as cells, which may be smaller than texels: averages over their exact solid angle, of constant texels. */
+SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
+                                      int height)
+{
     /* rows in units of 1 / (CELLS_Y * height), columns in 1 / (CELLS_X * width) */
-    for (i = 0; i < SSGI__CELLS_Y; ++i) {
-        double sum[SSGI__CELLS_X][3] = { { 0.0 } }, area = 0.0;
-        for (y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
-            const int top = y * SSGI__CELLS_Y > i * height ? y * SSGI__CELLS_Y : i * height;
-            const int bottom = (y + 1) * SSGI__CELLS_Y < (i + 1) * height ? (y + 1) * SSGI__CELLS_Y : (i + 1) * height;
-            const double weight =
-                cos(pi * top / ((double)height * SSGI__CELLS_Y)) - cos(pi * bottom / ((double)height * SSGI__CELLS_Y));
+    for (int i = 0; i < SSGI__CELLS_Y; ++i) {
+        const double unit = (double)height * SSGI__CELLS_Y;
+        double sum[SSGI__CELLS_X][3] = { { 0.0 } }, light[3], area = 0.0;
+        for (int y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
             const float *row = rgb + 3 * (size_t)y * (size_t)width;
+            int top, bottom, left, right;
+            double weight;
+            ssgi__overlap(&top, &bottom, y * SSGI__CELLS_Y, SSGI__CELLS_Y, i * height, height);
+            weight = cos(SSGI__PI * top / unit) - cos(SSGI__PI * bottom / unit);
             area += weight * width;
-            for (j = 0; j < SSGI__CELLS_X; ++j)
-                for (x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
-                    const int left = x * SSGI__CELLS_X > j * width ? x * SSGI__CELLS_X : j * width;
-                    const int right =
-                        (x + 1) * SSGI__CELLS_X < (j + 1) * width ? (x + 1) * SSGI__CELLS_X : (j + 1) * width;
-                    for (c = 0; c < 3; ++c)
-                        sum[j][c] += weight * (right - left) * ssgi__light(row[3 * (size_t)x + (size_t)c], 0.0f);
+            for (int j = 0; j < SSGI__CELLS_X; ++j)
+                for (int x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
+                    ssgi__overlap(&left, &right, x * SSGI__CELLS_X, SSGI__CELLS_X, j * width, width);
+                    ssgi__light3(light, row + 3 * x, 0.0f, 1.0);
+                    ssgi__along(sum[j], sum[j], weight * (right - left), light);
                 }
         }
-        for (j = 0; j < SSGI__CELLS_X; ++j)
-            for (c = 0; c < 3; ++c) cell[i][j][c] = (float)(sum[j][c] / area);
+        for (int j = 0; j < SSGI__CELLS_X; ++j)
+            for (int c = 0; c < 3; ++c) cell[i][j][c] = (float)(sum[j][c] / area);
     }
 }
 
-/* Weights: exp(kappa (cosine - 1)), or where kappa is 0 the cosine, ramped up by slope; nothing for cosines up to
-   least. */
-static ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
-                                           float least, float slope, const char **why)
+/* Weights: exp(kappa (cosine - 1)), or for kappa 0 the cosine, ramped up by slope; nothing for cosines up to least. */
+SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
+                                             float least, float slope, const char **why)
 {
     float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], around[SSGI__CELLS_X][2], polar[SSGI__CELLS_Y][3];
-    int i, j, c, texel;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
-    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 8, 256);
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     ssgi__environment_cells(cell, rgb, width, height);
-    for (i = 0; i < SSGI__CELLS_Y; ++i) {
-        double p[2];
-        polar[i][2] = (float)ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
-        polar[i][0] = (float)p[0];
-        polar[i][1] = (float)p[1];
+    for (int i = 0; i < SSGI__CELLS_Y; ++i) {
+        double p[3];
+        p[2] = ssgi__equirect_row(p, i + 0.5, SSGI__CELLS_X, SSGI__CELLS_Y);
+        ssgi__floats(polar[i], p);
     }
-    for (j = 0; j < SSGI__CELLS_X; ++j) {
+    for (int j = 0; j < SSGI__CELLS_X; ++j) {
         const double level[2] = { 1.0, 0.0 };
         double d[3];
         ssgi__equirect(d, level, j + 0.5, SSGI__CELLS_X);
         around[j][0] = (float)d[0];
         around[j][1] = (float)d[2];
     }
-    for (texel = 0; texel < size * size; ++texel) {
+    for (int texel = 0; texel < size * size; ++texel) {
         float d[3], flat[SSGI__CELLS_X], most = -1.0f;
         double sum[3] = { 0, 0, 0 }, all = 0.0;
         ssgi__octahedral_texel(d, texel, size);
-        for (j = 0; j < SSGI__CELLS_X; ++j) {
+        for (int j = 0; j < SSGI__CELLS_X; ++j) {
             flat[j] = d[0] * around[j][0] + d[2] * around[j][1];
             most = flat[j] > most ? flat[j] : most;
         }
-        for (i = 0; i < SSGI__CELLS_Y; ++i) {
+        for (int i = 0; i < SSGI__CELLS_Y; ++i) {
             if (d[1] * polar[i][1] + most * polar[i][0] <= least) continue;
-            for (j = 0; j < SSGI__CELLS_X; ++j) {
+            for (int j = 0; j < SSGI__CELLS_X; ++j) {
                 const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0], ramp = (cosine - least) * slope;
                 double weight;
                 if (cosine <= least) continue;
                 weight = kappa > 0.0f ? (double)(polar[i][2] * expf(kappa * (cosine - 1.0f)))
                                       : (double)(polar[i][2] * (ramp < 1.0f ? ramp * cosine : cosine));
                 all += weight;
-                for (c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
+                for (int c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
             }
         }
-        for (c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
+        for (int c = 0; c < 3; ++c) out[3 * (size_t)texel + (size_t)c] = (float)(sum[c] / all);
     }
     return SSGI_OK;
 }
@@ -1661,7 +1627,7 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
                                           float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
-    if (!ssgi__positive(&solid_angle, 1)) return ssgi__bad(why, "solid_angle: must be finite, 0 or above");
+    SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
     /* below, less than 1e-7 */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
@@ -1670,11 +1636,9 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why)
 {
-    float half;
-    if (!ssgi__finite(cosine) || !(cosine >= 0.0f && cosine <= 0.95f)) return ssgi__bad(why, "cosine: must be 0..0.95");
     /* a cell's width, as a difference of cosines at the rim */
-    half = 0.0654498469f * sqrtf(1.0f - cosine * cosine);
-    if (half > cosine) half = cosine;
+    const float half = ssgi__min(0.0654498469f * sqrtf(ssgi__max(0.0f, 1.0f - cosine * cosine)), cosine);
+    SSGI__CHECK(ssgi__within(cosine, 0.0f, 0.95f), "cosine: must be 0..0.95");
     return ssgi__environment_lobes(out, size, rgb, width, height, 0.0f, cosine - half,
                                    half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
@@ -1684,23 +1648,20 @@ typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__reg
 #define SSGI__REGION_BINS 256
 
 /* Luminance times solid angle of a region's lines across an axis, 2^shift lines a bin. */
-static void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
-                              const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_bins(double bin[SSGI__REGION_BINS], const ssgi__region *r, int axis, int shift,
+                                const float *rgb, int width, int height)
 {
-    int x, y, c;
     memset(bin, 0, SSGI__REGION_BINS * sizeof *bin);
-    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+    for (int y = r->lower[1]; y < r->upper[1]; ++y) {
         const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
         double polar[2], light[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
-            for (c = 0; c < 3; ++c) light[c] = ssgi__light(p[c], 0.0f);
-            bin[((axis ? y : x) - r->lower[axis]) >> shift] += weight * ssgi__luminance(light);
-        }
+        for (int x = r->lower[0]; x < r->upper[0]; ++x, p += 3)
+            bin[((axis ? y : x) - r->lower[axis]) >> shift] += weight * ssgi__light3(light, p, 0.0f, 1.0);
     }
 }
 
 /* Cuts a region of at least two texels at its median along its wider side; the other half goes to *rest. */
-static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const float *rgb, int width, int height)
 {
     double bin[SSGI__REGION_BINS], polar[2], before = 0.0;
     const double half = 0.5 * region->energy;
@@ -1730,27 +1691,26 @@ static void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const f
     region->energy = before;
 }
 
-static void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
+SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float *rgb, int width, int height)
 {
-    double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], energy = 0.0;
-    int x, y, c;
-    for (y = r->lower[1]; y < r->upper[1]; ++y) {
+    double total[3] = { 0, 0, 0 }, mean[3] = { 0, 0, 0 }, polar[2], d[3], light[3], energy = 0.0;
+    for (int y = r->lower[1]; y < r->upper[1]; ++y) {
         const float *p = rgb + 3 * ((size_t)y * (size_t)width + (size_t)r->lower[0]);
         const double weight = ssgi__equirect_row(polar, y + 0.5, width, height);
-        for (x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
-            double light[3], luminance;
-            for (c = 0; c < 3; ++c) light[c] = weight * ssgi__light(p[c], 0.0f);
-            luminance = ssgi__luminance(light);
+        for (int x = r->lower[0]; x < r->upper[0]; ++x, p += 3) {
+            const double luminance = ssgi__light3(light, p, 0.0f, weight);
             energy += luminance;
             ssgi__equirect(d, polar, x + 0.5, width);
-            for (c = 0; c < 3; ++c) { total[c] += light[c]; mean[c] += luminance * d[c]; }
+            ssgi__along(total, total, 1.0, light);
+            ssgi__along(mean, mean, luminance, d);
         }
     }
     if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or the same all around */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
-    for (c = 0; c < 3; ++c) { sun->direction[c] = (float)mean[c]; sun->irradiance[c] = (float)total[c]; }
+    ssgi__floats(sun->direction, mean);
+    ssgi__floats(sun->irradiance, total);
 }
 
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
@@ -1758,10 +1718,10 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 {
     ssgi__region region[1024];
     double bin[SSGI__REGION_BINS];
-    int n, i;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (count < 1 || count > 1024) return ssgi__bad(why, "count: must be 1..1024");
-    if (ssgi__equirect_bad(rgb, width, height, why) != SSGI_OK) return SSGI_BAD_ARGUMENT;
+    int n;
+    SSGI__THERE(out);
+    SSGI__RANGE(count, 1, 1024);
+    SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     region[0].lower[0] = region[0].lower[1] = 0;
     region[0].upper[0] = width;
     region[0].upper[1] = height;
@@ -1769,7 +1729,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
         int most = -1;
-        for (i = 0; i < n; ++i) {
+        for (int i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
             if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
                 && (most < 0 || r->energy > region[most].energy))
@@ -1778,7 +1738,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
-    for (i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
+    for (int i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
         ssgi__region none = region[0];
         memcpy(none.upper, none.lower, sizeof none.upper);
         ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
@@ -1789,70 +1749,58 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why)
 {
-    const double pi = SSGI__PI;
-    int texel, i, c, l;
-    if (!map) return ssgi__bad(why, "map: must not be NULL");
-    if (size < 8 || size > 256) return ssgi__bad(why, "size: must be 8..256");
-    if (!coefficients) return ssgi__bad(why, "coefficients: must not be NULL");
-    if (bands < 1 || bands > SSGI_SH_MAX_BANDS) return ssgi__bad(why, "bands: must be 1..SSGI_SH_MAX_BANDS");
-    if (count < 0 || (count && !suns)) return ssgi__bad(why, "suns: must not be NULL when count is not 0");
-    for (texel = 0; texel < size * size; ++texel, map += 3) {
-        float n[3], basis[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS];
-        double sum[3] = { 0, 0, 0 };
+    SSGI__THERE(map);
+    SSGI__RANGE(size, 8, 256);
+    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
+    SSGI__CHECK(count >= 0 && (!count || suns), "suns: must not be NULL when count is not 0");
+    for (int texel = 0; texel < size * size; ++texel, map += 3) {
+        float n[3], basis[SSGI__SH_MOST];
+        double sum[3] = { 0, 0, 0 }, normal[3], v[3];
         ssgi__octahedral_texel(n, texel, size);
+        ssgi__doubles(normal, n);
         ssgi_sh_basis(basis, bands, n);
-        for (l = 0, i = 0; l < bands; ++l)
-            for (; i < (l + 1) * (l + 1); ++i)
-                for (c = 0; c < 3; ++c)
-                    sum[c] -= (double)ssgi_sh_cosine(l) * (double)basis[i] * (double)coefficients[3 * i + c];
-        for (i = 0; i < count; ++i) {
-            double cosine = 0.0;
-            for (c = 0; c < 3; ++c) cosine += (double)n[c] * (double)suns[i].direction[c];
-            for (c = 0; c < 3; ++c) sum[c] += (cosine > 0.0 ? cosine : 0.0) * (double)suns[i].irradiance[c];
+        for (int i = 0; i < bands * bands; ++i) {
+            ssgi__doubles(v, coefficients + 3 * i);
+            ssgi__along(sum, sum, -((double)ssgi_sh_cosine(ssgi__sh_band[i]) * (double)basis[i]), v);
         }
-        for (c = 0; c < 3; ++c) map[c] += (float)(sum[c] / pi);
+        for (int i = 0; i < count; ++i) {
+            double cosine;
+            ssgi__doubles(v, suns[i].direction);
+            cosine = ssgi__dot(normal, v);
+            ssgi__doubles(v, suns[i].irradiance);
+            if (cosine > 0.0) ssgi__along(sum, sum, cosine, v);
+        }
+        for (int c = 0; c < 3; ++c) map[c] += (float)(sum[c] / SSGI__PI);
     }
     return SSGI_OK;
 }
 
 /* ==== >>vpl (implementation) =================================================================================== */
 
-static double ssgi__vpl_flux(double flux[3], const float *rgb)
-{
-    int c;
-    for (c = 0; c < 3; ++c) flux[c] = ssgi__light(rgb[c], 0.0f);
-    return ssgi__luminance(flux);
-}
-
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why)
 {
     double rgb[3], total = 0.0, sum, here;
     size_t k, last = 0;
-    int i, c;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (count < 1 || count > 4096) return ssgi__bad(why, "count: must be 1..4096");
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (!normal) return ssgi__bad(why, "normal: must not be NULL");
-    if (!flux) return ssgi__bad(why, "flux: must not be NULL");
-    if (pixels < 1) return ssgi__bad(why, "pixels: must be 1 or more");
+    SSGI__THERE(out);
+    SSGI__RANGE(count, 1, 4096);
+    SSGI__THERE3(position, normal, flux);
+    SSGI__CHECK(pixels > 0, "pixels: must be 1 or more");
     for (k = 0; k < pixels; ++k) {
-        here = ssgi__vpl_flux(rgb, flux + 3 * k);
+        here = ssgi__light3(rgb, flux + 3 * k, 0.0f, 1.0);
         total += here;
         if (here > 0.0) last = k;
     }
-    if (!(total > 0.0)) return ssgi__bad(why, "flux: must be above 0 somewhere");
-    k = 0;
-    sum = here = ssgi__vpl_flux(rgb, flux);
+    SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
+    sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
     /* last holds the end against rounding, and against sums in another order */
-    for (i = 0; i < count; ++i) {
+    k = 0;
+    for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
-        while (k < last && sum <= at) sum += here = ssgi__vpl_flux(rgb, flux + 3 * ++k);
-        for (c = 0; c < 3; ++c) {
-            out[i].position[c] = position[3 * k + (size_t)c];
-            out[i].normal[c] = normal[3 * k + (size_t)c];
-            out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
-        }
+        while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
+        memcpy(out[i].position, position + 3 * k, sizeof out[i].position);
+        memcpy(out[i].normal, normal + 3 * k, sizeof out[i].normal);
+        for (int c = 0; c < 3; ++c) out[i].intensity[c] = (float)(rgb[c] / here * (total / (SSGI__PI * count)));
     }
     return SSGI_OK;
 }
@@ -1880,18 +1828,16 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
         } \
         return most ? 1 - a : a; \
     }
-static SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
+SSGI__FN SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
 SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
 
 SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
 {
-    int x, y;
-    if (!out) return ssgi__bad(why, "out: must not be NULL");
-    if (size < 2 || size > 1024) return ssgi__bad(why, "size: must be 2..1024");
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x)
-            out[y * size + x] =
-                (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
+    SSGI__THERE(out);
+    SSGI__RANGE(size, 2, 1024);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            *out++ = (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
     return SSGI_OK;
 }
 
@@ -1905,19 +1851,6 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
 }
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f * ssgi_pixel_footprint(view, z); }
-
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
-{
-    float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
-    int i;
-    for (i = 0; i < 3; ++i) {
-        float d = upper[i] - lower[i];
-        if (!ssgi__finite(d) || d < 0.0f) return most;
-        sum += d * d;
-    }
-    guess = 0.1f * (float)sqrt((double)sum);
-    return guess > 0.0f && guess < most ? guess : most;
-}
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
 {
@@ -1975,9 +1908,6 @@ typedef struct ssgi__trace_job {
     const uint32_t    *index;
 } ssgi__trace_job;
 
-static float ssgi__trace_min(float a, float b) { return a < b ? a : b; }
-static float ssgi__trace_max(float a, float b) { return a > b ? a : b; }
-static float ssgi__trace_abs(float a) { return ssgi__trace_max(a, -a); }
 
 /* finite and within the limit, by the bits: -ffast-math may drop any comparison */
 static int ssgi__trace_sane(float x)
@@ -1989,7 +1919,7 @@ static int ssgi__trace_sane(float x)
     return (bits & 0x7fffffffu) <= most;
 }
 
-static void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
+SSGI__FN void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
 {
     *blocks = (triangles + 3) / 4;
     *nodes = *blocks * 2 / 3 + 1;
@@ -2011,16 +1941,15 @@ static const float *ssgi__trace_corner(const ssgi__trace_job *job, uint32_t tria
     return (const float *)(const void *)(job->position + (job->index ? (size_t)job->index[k] : k) * job->stride);
 }
 
-static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
+SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, ssgi__trace_item *item)
 {
     const float *a = ssgi__trace_corner(job, triangle, 0), *b = ssgi__trace_corner(job, triangle, 1),
                 *c = ssgi__trace_corner(job, triangle, 2);
     double e[3], f[3];
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         if (!ssgi__trace_sane(a[i]) || !ssgi__trace_sane(b[i]) || !ssgi__trace_sane(c[i])) return 0;
-        item->lower[i] = ssgi__trace_min(a[i], ssgi__trace_min(b[i], c[i]));
-        item->upper[i] = ssgi__trace_max(a[i], ssgi__trace_max(b[i], c[i]));
+        item->lower[i] = ssgi__min(a[i], ssgi__min(b[i], c[i]));
+        item->upper[i] = ssgi__max(a[i], ssgi__max(b[i], c[i]));
         e[i] = (double)b[i] - (double)a[i];
         f[i] = (double)c[i] - (double)a[i];
     }
@@ -2028,22 +1957,32 @@ static int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle, s
     return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
 }
 
-static void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+SSGI__FN void ssgi__trace_empty(float lower[3], float upper[3])
 {
-    uint32_t k;
-    int i;
-    for (i = 0; i < 3; i++) {
-        range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
-        range->upper[i] = range->cupper[i] = -4.0f * SSGI__TRACE_LIMIT;
+    for (int i = 0; i < 3; i++) {
+        lower[i] = 4.0f * SSGI__TRACE_LIMIT;
+        upper[i] = -4.0f * SSGI__TRACE_LIMIT;
     }
-    for (k = range->first; k < range->first + range->count; k++)
-        for (i = 0; i < 3; i++) {
-            const float lower = items[k].lower[i], upper = items[k].upper[i], centre = lower + upper;
-            range->lower[i] = ssgi__trace_min(range->lower[i], lower);
-            range->upper[i] = ssgi__trace_max(range->upper[i], upper);
-            range->clower[i] = ssgi__trace_min(range->clower[i], centre);
-            range->cupper[i] = ssgi__trace_max(range->cupper[i], centre);
-        }
+}
+
+SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
+{
+    for (int i = 0; i < 3; i++) {
+        lower[i] = ssgi__min(lower[i], l[i]);
+        upper[i] = ssgi__max(upper[i], u[i]);
+    }
+}
+
+SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
+{
+    ssgi__trace_empty(range->lower, range->upper);
+    ssgi__trace_empty(range->clower, range->cupper);
+    for (uint32_t k = range->first; k < range->first + range->count; k++) {
+        float centre[3];
+        for (int i = 0; i < 3; i++) centre[i] = items[k].lower[i] + items[k].upper[i];
+        ssgi__trace_grow(range->lower, range->upper, items[k].lower, items[k].upper);
+        ssgi__trace_grow(range->clower, range->cupper, centre, centre);
+    }
 }
 
 static float ssgi__trace_area(const float lower[3], const float upper[3])
@@ -2053,7 +1992,7 @@ static float ssgi__trace_area(const float lower[3], const float upper[3])
 }
 
 /* puts the items with the smallest centres along axis into the first want of count places [Hoare 1961] */
-static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
+SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
 {
     int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
     while (lower < upper) {
@@ -2075,44 +2014,26 @@ static void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t 
     }
 }
 
-static void ssgi__trace_empty(float lower[3], float upper[3])
-{
-    int i;
-    for (i = 0; i < 3; i++) {
-        lower[i] = 2.0f * SSGI__TRACE_LIMIT;
-        upper[i] = -2.0f * SSGI__TRACE_LIMIT;
-    }
-}
-
-static void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
-{
-    int i;
-    for (i = 0; i < 3; i++) {
-        lower[i] = ssgi__trace_min(lower[i], l[i]);
-        upper[i] = ssgi__trace_max(upper[i], u[i]);
-    }
-}
-
 /* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
-static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
-                           int *axis, int *cut)
+SSGI__FN int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
+                             int *axis, int *cut)
 {
     float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
-    uint32_t count[3][SSGI__TRACE_BINS], k;
-    int a, b, found = 0;
-    for (a = 0; a < 3; a++)
+    uint32_t count[3][SSGI__TRACE_BINS];
+    int b, found = 0;
+    for (int a = 0; a < 3; a++)
         for (b = 0; b < SSGI__TRACE_BINS; b++) {
             count[a][b] = 0;
             ssgi__trace_empty(lower[a][b], upper[a][b]);
         }
-    for (k = 0; k < range->count; k++)
-        for (a = 0; a < 3; a++) {
+    for (uint32_t k = 0; k < range->count; k++)
+        for (int a = 0; a < 3; a++) {
             b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
             b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
             count[a][b]++;
             ssgi__trace_grow(lower[a][b], upper[a][b], item[k].lower, item[k].upper);
         }
-    for (a = 0; a < 3; a++) {
+    for (int a = 0; a < 3; a++) {
         float    right[SSGI__TRACE_BINS], l[3], u[3];
         uint32_t n = 0;
         if (!(scale[a] > 0.0f)) continue;
@@ -2137,15 +2058,15 @@ static int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range
 }
 
 /* splits a range of more than four in two, the first with a multiple of four items */
-static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
-                              ssgi__trace_range *right)
+SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
+                                ssgi__trace_range *right)
 {
     ssgi__trace_item *item = items + range->first;
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
     uint32_t have = n, want = (n / 2 + 3) / 4 * 4;
     float scale[3], extent[3];
-    int axis = 0, cut = 0, i;
-    for (i = 0; i < 3; i++) {
+    int axis = 0, cut = 0;
+    for (int i = 0; i < 3; i++) {
         extent[i] = range->cupper[i] - range->clower[i];
         scale[i] = extent[i] > 1e-30f ? (float)SSGI__TRACE_BINS * 0.99999f / extent[i] : 0.0f;
         if (extent[i] > extent[axis]) axis = i;
@@ -2174,15 +2095,16 @@ static void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *
 }
 
 /* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
-static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
+SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
-    uint32_t id[4], k, c;
+    uint32_t id[4];
     ssgi__trace_block *block = job->blocks + range->first / 4;
-    for (k = 0; k < 4; k++) id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
+    for (uint32_t k = 0; k < 4; k++)
+        id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
     memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
-    for (k = 0; k < 4; k++) {
+    for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
-        for (c = 0; k < range->count && c < 3; c++) {
+        for (uint32_t c = 0; k < range->count && c < 3; c++) {
             const float *p = ssgi__trace_corner(job, id[k], c);
             block->corner[c][0][k] = p[0];
             block->corner[c][1][k] = p[1];
@@ -2191,30 +2113,30 @@ static void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range 
     }
 }
 
-static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
+SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_range *whole)
 {
     ssgi__trace_range range[4];
     const uint32_t self = job->node_count++;
-    int count = 1, i, k;
+    int count = 1;
     range[0] = *whole;
     while (count < 4) {
         int widest = -1;
         float most = 0.0f;
-        for (k = 0; k < count; k++) {
+        for (int k = 0; k < count; k++) {
             const float area = ssgi__trace_area(range[k].lower, range[k].upper);
             if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
         }
         if (widest < 0) break;
-        for (k = count; k > widest + 1; k--) range[k] = range[k - 1];
+        for (int k = count; k > widest + 1; k--) range[k] = range[k - 1];
         {
             const ssgi__trace_range both = range[widest];
             ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
         }
         count++;
     }
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
-        for (i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
+        for (int i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
             node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
         }
@@ -2229,50 +2151,48 @@ static uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_ran
     return self;
 }
 
+SSGI__FN ssgi_result ssgi__trace_bad(size_t stride_bytes, size_t triangles, const char **why)
+{
+    SSGI__CHECK(stride_bytes >= 3 * sizeof(float) && stride_bytes % sizeof(float) == 0,
+                "stride_bytes: must be 12 or more, a multiple of 4");
+    SSGI__CHECK(ssgi_trace_size(triangles), "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
+    return SSGI_OK;
+}
+
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
-    if (!trace) return ssgi__bad(why, "trace: must not be NULL");
-    if (!memory) return ssgi__bad(why, "memory: must not be NULL");
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
-        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
-    if (size < ssgi_trace_size(triangles)) {
-        ssgi__bad(why, "size: must be at least ssgi_trace_size(triangles)");
-        return SSGI_TOO_SMALL;
-    }
-    {
-        ssgi__trace_job job;
-        ssgi__trace_range all;
-        size_t blocks, nodes;
-        uint32_t k, count = 0;
-        char *base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
-        ssgi__trace_layout(triangles, &blocks, &nodes);
-        job.blocks = (ssgi__trace_block *)(void *)base;
-        job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
-        /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller
-           than a block, no item is overwritten before it is spent */
-        job.items =
-            (ssgi__trace_item *)(void *)(base + blocks * (sizeof(ssgi__trace_block) - 4 * sizeof(ssgi__trace_item)));
-        job.node_count = 0;
-        job.position = (const char *)position;
-        job.stride = stride_bytes;
-        job.index = index;
-        for (k = 0; k < (uint32_t)triangles; k++) count += (uint32_t)ssgi__trace_item_set(&job, k, &job.items[count]);
-        if (count) {
-            all.first = all.depth = 0;
-            all.count = count;
-            ssgi__trace_bound(job.items, &all);
-            ssgi__trace_node_set(&job, &all);
-        }
-        trace->nodes = job.nodes;
-        trace->blocks = job.blocks;
-        trace->node_count = job.node_count;
-        trace->block_count = (count + 3) / 4;
-        trace->triangles = (uint32_t)triangles;
-        trace->skipped = (uint32_t)triangles - count;
-    }
+    ssgi__trace_job job;
+    ssgi__trace_range all;
+    size_t blocks, nodes;
+    uint32_t count = 0;
+    char *base;
+    SSGI__THERE3(trace, memory, position);
+    SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
+    SSGI__ENOUGH(size, ssgi_trace_size(triangles), "size: must be at least ssgi_trace_size(triangles)");
+    ssgi__trace_layout(triangles, &blocks, &nodes);
+    base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
+    job.blocks = (ssgi__trace_block *)(void *)base;
+    job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
+    /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a
+       block, no item is overwritten before it is spent */
+    job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof *job.blocks - 4 * sizeof *job.items));
+    job.node_count = 0;
+    job.position = (const char *)position;
+    job.stride = stride_bytes;
+    job.index = index;
+    for (size_t k = 0; k < triangles; k++)
+        count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
+    all.first = all.depth = 0;
+    all.count = count;
+    ssgi__trace_bound(job.items, &all);
+    if (count) ssgi__trace_node_set(&job, &all);
+    trace->nodes = job.nodes;
+    trace->blocks = job.blocks;
+    trace->node_count = job.node_count;
+    trace->block_count = (count + 3) / 4;
+    trace->triangles = (uint32_t)triangles;
+    trace->skipped = (uint32_t)triangles - count;
     return SSGI_OK;
 }
 
@@ -2294,31 +2214,28 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
                 *z1 = block->corner[1][ray->axis[2]];
     const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]],
                 *z2 = block->corner[2][ray->axis[2]];
-    int k;
-    for (k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++) {
         const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
         const float bz = z1[k] - oz, bx = x1[k] - ox - sx * bz, by = y1[k] - oy - sy * bz;
         const float cz = z2[k] - oz, cx = x2[k] - ox - sx * cz, cy = y2[k] - oy - sy * cz;
         const float a = cx * by - cy * bx, b = ax * cy - ay * cx, c = bx * ay - by * ax;
-        const float least = ssgi__trace_min(a, ssgi__trace_min(b, c)), most = ssgi__trace_max(a, ssgi__trace_max(b, c));
+        const float least = ssgi__min(a, ssgi__min(b, c)), most = ssgi__max(a, ssgi__max(b, c));
         weight[0][k] = a;
         weight[1][k] = b;
         weight[2][k] = c;
-        outside[k] = ssgi__trace_min(-least, most);
+        outside[k] = ssgi__min(-least, most);
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in the plane; in double, or a ball on a wide floor would
-   sink in */
+/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, or a ball on a wide floor would sink */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
-    int i;
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         e[i] = (double)block->corner[1][i][k] - (double)block->corner[0][i][k];
         f[i] = (double)block->corner[2][i][k] - (double)block->corner[0][i][k];
     }
-    for (i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++) {
         const int p = i < 2 ? i + 1 : 0, q = i > 0 ? i - 1 : 2;
         const double normal = e[p] * f[q] - e[q] * f[p];
         facing += normal * (double)d[i];
@@ -2328,8 +2245,8 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
 }
 
 /* hit NULL: any hit will do */
-static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
-                            float tmax, ssgi_hit *hit)
+SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
+                              float tmax, ssgi_hit *hit)
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
@@ -2337,20 +2254,20 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
     const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
     ssgi__trace_ray ray;
     float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
-    int sign[3], top = 0, found = 0, i, k;
-    for (i = 0; i < 3; i++) size += ssgi__trace_abs(o[i]) + ssgi__trace_abs(d[i]);
-    longest = ssgi__trace_max(ssgi__trace_abs(d[0]), ssgi__trace_max(ssgi__trace_abs(d[1]), ssgi__trace_abs(d[2])));
+    int sign[3], top = 0, found = 0;
+    for (int i = 0; i < 3; i++) size += ssgi__abs(o[i]) + ssgi__abs(d[i]);
+    longest = ssgi__max(ssgi__abs(d[0]), ssgi__max(ssgi__abs(d[1]), ssgi__abs(d[2])));
     if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
-    for (i = 0; i < 3; i++) {                       /* no infinity: 0 * infinity would be NaN on the face of a box */
+    for (int i = 0; i < 3; i++) {                   /* no infinity: 0 * infinity would be NaN on the face of a box */
         const float least = longest * 1e-12f;
         sign[i] = d[i] < 0.0f;
-        inverse[i] = 1.0f / (sign[i] ? ssgi__trace_min(d[i], -least) : ssgi__trace_max(d[i], least));
+        inverse[i] = 1.0f / (sign[i] ? ssgi__min(d[i], -least) : ssgi__max(d[i], least));
     }
-    ray.axis[2] = longest > ssgi__trace_abs(d[0]) ? longest > ssgi__trace_abs(d[1]) ? 2 : 1 : 0;
+    ray.axis[2] = longest > ssgi__abs(d[0]) ? longest > ssgi__abs(d[1]) ? 2 : 1 : 0;
     ray.axis[0] = (ray.axis[2] + 1) % 3;
     ray.axis[1] = (ray.axis[2] + 2) % 3;
-    for (i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
-    for (i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
+    for (int i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
+    for (int i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
     tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
@@ -2360,17 +2277,17 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
         if (child & SSGI__TRACE_LEAF) {
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
             ssgi__trace_block_hit(block, &ray, weight, enter);
-            for (k = 0; k < 4; k++) {
+            for (int k = 0; k < 4; k++) {
                 float t, sum;
                 if (enter[k] > 0.0f) continue;
                 t = ssgi__trace_distance(block, k, o, d);
                 sum = weight[0][k] + weight[1][k] + weight[2][k];
-                if (!(t > tmin && t < tmax && ssgi__trace_abs(sum) > 0.0f)) continue;
+                if (!(t > tmin && t < tmax && ssgi__abs(sum) > 0.0f)) continue;
                 if (!hit) return 1;
                 found = 1;
                 hit->t = tmax = t;
-                hit->u = ssgi__trace_min(1.0f, ssgi__trace_max(0.0f, weight[1][k] / sum));
-                hit->v = ssgi__trace_min(1.0f - hit->u, ssgi__trace_max(0.0f, weight[2][k] / sum));
+                hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
+                hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
                 hit->triangle = block->triangle[k];
             }
         } else {
@@ -2379,16 +2296,16 @@ static int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], cons
             const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
             const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
             const int base = top;
-            for (k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
+            for (int k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
                 const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
                             ez = (z0[k] - o[2]) * inverse[2];
                 const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
                             lz = (z1[k] - o[2]) * inverse[2];
-                enter[k] = ssgi__trace_max(ssgi__trace_max(ex, ey), ssgi__trace_max(ez, tmin));
-                leave[k] = ssgi__trace_min(ssgi__trace_min(lx, ly), lz) * 1.0000006f;
-                leave[k] = ssgi__trace_min(leave[k], tmax);
+                enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
+                leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f;
+                leave[k] = ssgi__min(leave[k], tmax);
             }
-            for (k = 0; k < 4; k++)
+            for (int k = 0; k < 4; k++)
                 if (enter[k] <= leave[k]) {
                     int j = top++;
                     for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
@@ -2422,7 +2339,7 @@ SSGI_DEF int ssgi_tess_count(int level)
 }
 
 /* Point i of ring k, which has n - 2k segments a side: its place on the lattice of 1/n, from the ring's own corners. */
-static void ssgi__tess_lattice(int place[3], int segments, int i)
+SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
 {
     const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
     place[side] = segments - along;
@@ -2430,7 +2347,7 @@ static void ssgi__tess_lattice(int place[3], int segments, int i)
     place[(side + 2) % 3] = 0;
 }
 
-static uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
+SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
 {
     x = x * 747796405u + 2891336453u;
     x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
@@ -2446,13 +2363,13 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
 
 /* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
    tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
-static void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
+SSGI__FN void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
 {
     out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
     out[1] = (double)ssgi_view_near(view);
 }
 
-static double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
+SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
 }
@@ -2479,54 +2396,48 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
 
 static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
 {
-    const float *v = ssgi__surfel_at(data, stride, i);
-    int k;
-    for (k = 0; k < 3; ++k) out[k] = (double)v[k];
+    ssgi__doubles(out, ssgi__surfel_at(data, stride, i));
 }
 
 /* The whole triangle in view space. 0: it gives no surfels. */
-static int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
+SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
     const ssgi_surfel_source *s = m->source;
-    double a[3], b[3], n[3], v[3];
+    double a[3], b[3], v[3];
     uint32_t id[3];
-    int corner, i, k;
-    for (corner = 0; corner < 3; ++corner) {
-        const size_t vertex = s->index ? s->index[3 * triangle + (size_t)corner] : 3 * triangle + (size_t)corner;
+    for (int corner = 0; corner < 3; ++corner) {
+        const size_t k = 3 * triangle + (size_t)corner, vertex = s->index ? s->index[k] : k;
         id[corner] = (uint32_t)vertex & 0xffffffu;
         ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
-        for (i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
-            for (k = 0; k < 3; ++k) p->at[corner][i] += (double)s->to_view[4 * k + i] * v[k];
+            for (int n = 0; n < 3; ++n) p->at[corner][i] += (double)s->to_view[4 * n + i] * v[n];
             if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
+            p->colour[corner][i] = 1.0;
         }
-        for (i = 0; i < 3; ++i) p->colour[corner][i] = 1.0;
         if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
         if (s->normal) {
-            ssgi__surfel_vertex(v, s->normal, s->normal_stride, vertex);
-            for (i = 0; i < 3; ++i)
-                p->normal[corner][i] = ssgi__finite3(ssgi__surfel_at(s->normal, s->normal_stride, vertex))
-                                         ? ssgi__dot(m->normals[i], v)
-                                         : 0.0;
+            const float *normal = ssgi__surfel_at(s->normal, s->normal_stride, vertex);
+            ssgi__doubles(v, normal);
+            for (int i = 0; i < 3; ++i)
+                p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
     /* of vertices: numbers of primitives are not to be relied on */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
-    for (i = 0; i < 3; ++i) { a[i] = p->at[1][i] - p->at[0][i]; b[i] = p->at[2][i] - p->at[0][i]; }
-    ssgi__cross(n, a, b);
-    p->area = 0.5 * ssgi__normalise(n);
-    memcpy(p->face, n, sizeof n);
-    for (corner = 0; corner < 3 && !s->normal; ++corner)
-        for (i = 0; i < 3; ++i) p->normal[corner][i] = m->side * n[i];
+    ssgi__along(a, p->at[1], -1.0, p->at[0]);
+    ssgi__along(b, p->at[2], -1.0, p->at[0]);
+    ssgi__cross(p->face, a, b);
+    p->area = 0.5 * ssgi__normalise(p->face);
+    for (int i = 0; i < 9 && !s->normal; ++i) p->normal[i / 3][i % 3] = m->side * p->face[i % 3];
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
 /* |depth| where it is nearest to the near plane, were it a segment */
-static double ssgi__nearest(const ssgi__patch *p)
+SSGI__FN double ssgi__nearest(const ssgi__patch *p)
 {
     double low = 1e300, high = -1e300;
-    int k;
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         if (-p->at[k][2] < low) low = -p->at[k][2];
         if (-p->at[k][2] > high) high = -p->at[k][2];
     }
@@ -2534,7 +2445,7 @@ static double ssgi__nearest(const ssgi__patch *p)
 }
 
 /* the least radius in it */
-static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+SSGI__FN double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
 {
     double depth = ssgi__nearest(whole);
     if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
@@ -2542,42 +2453,41 @@ static double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_m
 }
 
 /* Its middle, how far that is aside, and how far its corners are from there. */
-static double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
+SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
-    int c, i;
     *extent = 0.0;
-    for (i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
-    for (c = 0; c < 3; ++c) {
+    for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
+    for (int c = 0; c < 3; ++c) {
         double d[3], length;
-        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - middle[i];
+        ssgi__along(d, p->at[c], -1.0, middle);
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
     return ssgi_view_aside(m->view, middle);
 }
 
-static int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m)
+SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
-    const double r = ssgi__surfel_finest(whole, m),
-                 n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
-    return n < 1.0 ? 1 : n < 1e6 ? (int)n : 1000000;
+    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
+    return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
-static void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
+SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
-    int i;
-    for (i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
+    for (int i = 0; i < 3; ++i)
+        out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
 /* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
    Twin of the tessellation control shader. */
-static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
+SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
-    int row = (int)sqrt((double)part), place, c, i;
-    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], perimeter = 0.0, extent, aside, wanted, share, f;
+    const int published = m->desc.shrink == SSGI_SHRINK_CENTROID;
+    int row = (int)sqrt((double)part), place;
+    double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], d[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
     place = part - row * row;
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const int down = row + (place % 2 ? c != 2 && c != 0 : c > 0), across = place / 2 + (place % 2 ? c > 0 : c > 1);
         const double w[3] = { 1.0 - (double)down / n, (double)(down - across) / n, (double)across / n };
         ssgi__surfel_mix(p->at[c], whole->at, w);
@@ -2593,76 +2503,73 @@ static int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const 
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.every || share > 1.0) share = 1.0;
-    /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
-    for (c = 0, p->alive = 0; c < 3; ++c)
+    p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
     p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
     p->radius = sqrt(p->area / (share * SSGI__PI * ssgi_tess_count(p->level)));
     if (!((float)p->radius > 0.0f)) return 0;
-    for (c = 0; c < 3; ++c) {
-        double d[3];
-        for (i = 0; i < 3; ++i) d[i] = p->at[(c + 2) % 3][i] - p->at[(c + 1) % 3][i];
-        edge[c] = m->desc.shrink == SSGI_SHRINK_CENTROID ? 1.0 : sqrt(ssgi__dot(d, d));
+    for (int c = 0; c < 3; ++c) {
+        ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
+        edge[c] = published ? 1.0 : sqrt(ssgi__dot(d, d));
         perimeter += edge[c];
     }
-    for (c = 0; c < 3; ++c) for (i = 0; i < 3; ++i) centre[i] += edge[c] / perimeter * p->at[c][i];
+    for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, edge[c] / perimeter, p->at[c]);
     f = 1.0 - p->radius * perimeter / (2.0 * p->area);
     if (f < 0.25) f = 0.25;
-    for (c = 0; c < 3; ++c) {
-        double d[3], length;
-        for (i = 0; i < 3; ++i) d[i] = p->at[c][i] - centre[i];
-        length = sqrt(ssgi__dot(d, d));
-        if (m->desc.shrink == SSGI_SHRINK_CENTROID) f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
-        for (i = 0; i < 3; ++i) p->at[c][i] = centre[i] + f * d[i];
+    for (int c = 0; c < 3; ++c) {
+        ssgi__along(d, p->at[c], -1.0, centre);
+        if (published) {
+            const double length = sqrt(ssgi__dot(d, d));
+            f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
+        }
+        ssgi__along(p->at[c], centre, f, d);
     }
     return 1;
 }
 
 /* Twin of the tessellation evaluation shader. */
-static void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
-                               const int place[3])
+SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
+                                 const int place[3])
 {
     const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
                    h2 = ssgi__hash(h);
     const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
-                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0;
+                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0, c = cos(angle), s = sin(angle);
     double u[3], v[3], at[3], normal[3], colour[3], w[3];
-    int i, k;
-    for (k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
+    for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    for (i = 0; i < 3; ++i) u[i] = p->at[1][i] - p->at[0][i];
+    ssgi__along(u, p->at[1], -1.0, p->at[0]);
     ssgi__normalise(u);
     ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
-        for (i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
-    for (i = 0; i < 3; ++i) {
-        out->position[i] = (float)(at[i] + away * (cos(angle) * u[i] + sin(angle) * v[i]));
-        out->normal[i] = (float)normal[i];
-        out->colour[i] = (float)colour[i];
-    }
+        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    for (int i = 0; i < 3; ++i) out->position[i] = (float)(at[i] + away * (c * u[i] + s * v[i]));
+    ssgi__floats(out->normal, normal);
+    ssgi__floats(out->colour, colour);
     out->radius = (float)p->radius;
     out->seed = (float)(h >> 8) / 16777216.0f;
     out->unused = 0.0f;
 }
 
-static ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
-                                     const char **why)
+SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why)
 {
-    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
+    SSGI__THERE(desc);
     if (!view || view->width < 1 || view->height < 1)
         return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f)))
-        return ssgi__bad(why, "desc.size: must be 1e-4..1, or 0 for the default");
-    if (!(desc->jitter >= 0.0f && desc->jitter <= 1.0f)) return ssgi__bad(why, "desc.jitter: must be 0..1");
-    if (desc->splits < 0 || desc->splits > 32) return ssgi__bad(why, "desc.splits: must be 0..32");
-    if (desc->shrink < SSGI_SHRINK_INCENTRE || desc->shrink > SSGI_SHRINK_CENTROID)
-        return ssgi__bad(why, "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
-    if (desc->every < 0 || desc->every > 1) return ssgi__bad(why, "desc.every: must be 0 or 1");
-    if (!(desc->aside >= 0.0f && desc->aside <= 1.0f)) return ssgi__bad(why, "desc.aside: must be 0..1");
-    if (!ssgi__positive(&desc->most, 1)) return ssgi__bad(why, "desc.most: must be 0 or more and finite");
+    SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
+                "desc.size: must be 1e-4..1, or 0 for the default");
+    SSGI__CHECK(desc->jitter >= 0.0f && desc->jitter <= 1.0f, "desc.jitter: must be 0..1");
+    SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
+    SSGI__CHECK(desc->shrink >= SSGI_SHRINK_INCENTRE && desc->shrink <= SSGI_SHRINK_CENTROID,
+                "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
+    SSGI__CHECK(desc->every >= 0 && desc->every <= 1, "desc.every: must be 0 or 1");
+    SSGI__CHECK(desc->aside >= 0.0f && desc->aside <= 1.0f, "desc.aside: must be 0..1");
+    SSGI__CHECK(ssgi__positive(&desc->most, 1), "desc.most: must be 0 or more and finite");
     *out = *desc;
     if (!(out->aside > 0.0f)) out->aside = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.015f;
@@ -2675,9 +2582,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
 {
     ssgi_surfel_desc d;
     double s[2];
-    const ssgi_result r = ssgi__surfel_desc(&d, desc, view, why);
-    if (r != SSGI_OK) return r;
-    if (!scale || !more) return ssgi__bad(why, "scale, more: must not be NULL");
+    SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
+    SSGI__CHECK(scale && more, "scale, more: must not be NULL");
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
@@ -2688,32 +2594,29 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi
     return SSGI_OK;
 }
 
-static ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
-                                     const ssgi_surfel_source *source, const char **why)
+SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const ssgi_surfel_source *source, const char **why)
 {
     const ssgi_surfel_source *s = source;
-    double a[3][3], determinant;
-    int i, k;
-    const ssgi_result r = ssgi__surfel_desc(&m->desc, desc, view, why);
-    if (r != SSGI_OK) return r;
-    if (!s) return ssgi__bad(why, "source: must not be NULL");
-    if (!s->position) return ssgi__bad(why, "source.position: must not be NULL");
-    if (s->position_stride % 4 || s->normal_stride % 4 || s->colour_stride % 4)
-        return ssgi__bad(why, "source: strides must be multiples of 4");
-    for (i = 0; i < 16; ++i) if (!ssgi__finite(s->to_view[i])) return ssgi__bad(why, "source.to_view: must be finite");
-    for (i = 0; i < 3; ++i) for (k = 0; k < 3; ++k) a[k][i] = (double)s->to_view[4 * k + i];
+    double a[3][3], c[3], determinant;
+    SSGI__TRY(ssgi__surfel_desc(&m->desc, desc, view, why));
+    SSGI__THERE(source);
+    SSGI__CHECK(s->position, "source.position: must not be NULL");
+    SSGI__CHECK((s->position_stride | s->normal_stride | s->colour_stride) % 4 == 0,
+                "source: strides must be multiples of 4");
+    SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
     m->view = view;
     m->source = source;
     ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
-    for (k = 0; k < 3; ++k) {
-        double c[3];
+    for (int k = 0; k < 3; ++k) ssgi__doubles(a[k], s->to_view + 4 * k);
+    for (int k = 0; k < 3; ++k) {
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
-        for (i = 0; i < 3; ++i) m->normals[i][k] = c[i];
+        for (int i = 0; i < 3; ++i) m->normals[i][k] = c[i];
     }
     determinant = m->normals[0][0] * a[0][0] + m->normals[1][0] * a[0][1] + m->normals[2][0] * a[0][2];
-    if (!(determinant > 0.0 || determinant < 0.0)) return ssgi__bad(why, "source.to_view: must be invertible");
+    SSGI__CHECK(determinant > 0.0 || determinant < 0.0, "source.to_view: must be invertible");
     m->side = determinant < 0.0 ? -1.0 : 1.0;
-    for (k = 0; k < 9; ++k) m->normals[k / 3][k % 3] *= m->side;
+    for (int k = 0; k < 9; ++k) m->normals[k / 3][k % 3] *= m->side;
     return SSGI_OK;
 }
 
@@ -2722,22 +2625,18 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 {
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
-    size_t n = 0, t;
-    int splits, part, ring, i;
-    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
-    if (result != SSGI_OK) return result;
-    if (!count) return ssgi__bad(why, "count: must not be NULL");
-    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
-    for (t = 0; t < source->triangles; ++t) {
-        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
-        splits = ssgi__surfel_splits(&whole, &m);
-        if (splits > m.desc.splits) splits = m.desc.splits;
-        for (part = 0; part < splits * splits; ++part) {
+    size_t n = 0;
+    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
+    SSGI__THERE(count);
+    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
+    for (size_t t = 0; t < source->triangles; ++t) {
+        const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
+        for (int part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
             if (n >= capacity) { n += (size_t)p.count; continue; }
-            for (ring = 0; 2 * ring <= p.level; ++ring) {
+            for (int ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
-                for (i = 0; i < points; ++i) {
+                for (int i = 0; i < points; ++i) {
                     int place[3];
                     if (p.level == 1 && !(p.alive >> i & 1)) continue;
                     ssgi__tess_lattice(place, segments, i);
@@ -2753,14 +2652,13 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 
 typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capacity, count; } ssgi__divider;
 
-static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
+SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
-    ssgi__surfel_maker *m = &d->maker;
+    const ssgi__surfel_maker *m = &d->maker;
     ssgi_surfel_source one = *m->source;
     ssgi__surfel_maker sub = *m;
     ssgi__patch p;
     double middle[3], extent, aside, r;
-    int c, i, k;
     one.position = v;
     one.normal = one.colour = NULL;
     one.position_stride = 36;
@@ -2775,12 +2673,12 @@ static void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
         ++d->count;
         return;
     }
-    for (c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c) {       /* a corner and the middles of its edges, or the middles alone */
         float child[27];
-        for (k = 0; k < 3; ++k)         /* a corner and the middles of its edges, or the middles alone */
-            for (i = 0; i < 9; ++i)
-                child[9 * k + i] =
-                    0.5f * (c < 3 ? v[9 * c + i] + v[9 * ((c + k) % 3) + i] : v[9 * k + i] + v[9 * ((k + 1) % 3) + i]);
+        for (int i = 0; i < 27; ++i) {
+            const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
+            child[i] = 0.5f * (v[9 * a + i % 9] + v[9 * b + i % 9]);
+        }
         ssgi__surfel_divide(d, child, depth + 1);
     }
 }
@@ -2789,24 +2687,21 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why)
 {
     ssgi__divider d;
-    size_t t;
-    ssgi_result result = ssgi__surfel_open(&d.maker, desc, view, source, why);
-    if (result != SSGI_OK) return result;
-    if (!count) return ssgi__bad(why, "count: must not be NULL");
-    if (!out && capacity) return ssgi__bad(why, "out: must not be NULL when capacity is not 0");
+    SSGI__TRY(ssgi__surfel_open(&d.maker, desc, view, source, why));
+    SSGI__THERE(count);
+    SSGI__CHECK(out || !capacity, "out: must not be NULL when capacity is not 0");
     d.out = out;
     d.capacity = capacity;
     d.count = 0;
-    for (t = 0; t < source->triangles; ++t) {
+    for (size_t i = 0; i < 3 * source->triangles; i += 3) {
         float v[27];
-        size_t c, k;
-        for (c = 0; c < 3; ++c) {
-            const size_t i = source->index ? source->index[3 * t + c] : 3 * t + c;
+        for (size_t c = 0; c < 3; ++c) {
+            const size_t vertex = source->index ? source->index[i + c] : i + c;
             const float *part[3];
-            part[0] = ssgi__surfel_at(source->position, source->position_stride, i);
-            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, i) : NULL;
-            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, i) : NULL;
-            for (k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
+            part[0] = ssgi__surfel_at(source->position, source->position_stride, vertex);
+            part[1] = source->normal ? ssgi__surfel_at(source->normal, source->normal_stride, vertex) : NULL;
+            part[2] = source->colour ? ssgi__surfel_at(source->colour, source->colour_stride, vertex) : NULL;
+            for (size_t k = 0; k < 9; ++k) v[9 * c + k] = part[k / 3] ? part[k / 3][k % 3] : k > 5 ? 1.0f : 0.0f;
         }
         ssgi__surfel_divide(&d, v, 0);
     }
@@ -2816,14 +2711,14 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 
 /* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends
    [DSS14 3.2, 4]. */
-static double ssgi__surfel_reach(double radius, double brightest, double epsilon)
+SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
 /* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
    l; no farther than `most`. */
-static void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
+SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
     shell[1] = ldexp(reach, level > 0 ? level : 0);
@@ -2834,18 +2729,18 @@ static void ssgi__surfel_shell(double shell[2], double reach, int level, double 
 /* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture,
    exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin:
    ssgi_sphere. */
-static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius, float front)
+SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
+                                 float front)
 {
     const double z = -(double)centre[2], r = (double)radius, begin = (double)front,
                  chord = r * r - (begin - z) * (begin - z);
     const int size[2] = { view->width, view->height };
     float out[4];
-    int axis, side;
     if (!(z + r > begin)) return 0;
-    for (axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < 2; ++axis) {
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
-        for (side = 0; side < 2; ++side) {
+        for (int side = 0; side < 2; ++side) {
             const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
             /* where it meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
@@ -2854,7 +2749,7 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
                 slope = off > 0.0 && depth * t > begin * (x * x + z * z) ? (x * t + z * e) / depth : cut / begin;
             end[side] = slope * (double)view->project[axis] + (double)view->project[2 + axis];
         }
-        for (side = 0; side < 2; ++side) {
+        for (int side = 0; side < 2; ++side) {
             const double p = end[(view->project[axis] < 0.0f) != (side != 0)];
             out[axis + 2 * side] = (float)(p < 0.0 ? 0.0 : p > size[axis] ? size[axis] : p);
         }
@@ -2864,16 +2759,15 @@ static int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const flo
     return 1;
 }
 
-static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
+SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
-    if (!splat) return ssgi__bad(why, "splat: must not be NULL");
-    if (!view) return ssgi__bad(why, "view: must not be NULL");
-    if (!(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f)))
-        return ssgi__bad(why, "splat.epsilon: must be 1e-6..1, or 0 for the default");
-    if (!ssgi__positive(&splat->most, 1)) return ssgi__bad(why, "splat.most: must be 0 or more and finite");
-    if (!ssgi__positive(&splat->brightest, 1)) return ssgi__bad(why, "splat.brightest: must be 0 or more and finite");
-    if (!ssgi__positive(&splat->front, 1)) return ssgi__bad(why, "splat.front: must be 0 or more and finite");
-    if (splat->levels < 0 || splat->levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "splat.levels: must be 0..7");
+    SSGI__THERE2(splat, view);
+    SSGI__CHECK(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f),
+                "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    SSGI__CHECK(ssgi__positive(&splat->most, 1), "splat.most: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->brightest, 1), "splat.brightest: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->front, 1), "splat.front: must be 0 or more and finite");
+    SSGI__CHECK(splat->levels >= 0 && splat->levels <= SSGI_SPLAT_LEVELS, "splat.levels: must be 0..7");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
     if (!(s->most > 0.0f)) s->most = SSGI_FAR;
@@ -2886,22 +2780,20 @@ static ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, cons
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why)
 {
     int l;
-    if (!size) return ssgi__bad(why, "size: must not be NULL");
-    if (width < 1 || width > 65536) return ssgi__bad(why, "width: must be 1..65536");
-    if (height < 1 || height > 65536) return ssgi__bad(why, "height: must be 1..65536");
-    if (levels < 1 || levels > SSGI_SPLAT_LEVELS) return ssgi__bad(why, "levels: must be 1..7");
+    SSGI__THERE(size);
+    SSGI__SIZE(width, height);
+    SSGI__RANGE(levels, 1, 7);
     l = (1 << (levels - 1)) - 1;
     size[0] = (width + l) & ~l;
     size[1] = (height + l) & ~l;
     return SSGI_OK;
 }
 
-static void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
-                               const float centre[3], double radius, double brightest, double count)
+SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, const ssgi_view *view,
+                                 const float centre[3], double radius, double brightest, double count)
 {
     const double reach = ssgi__surfel_reach(radius, brightest, (double)s->epsilon);
-    int l;
-    for (l = 0; l < s->levels; ++l) {
+    for (int l = 0; l < s->levels; ++l) {
         double shell[2];
         float b[4];
         ssgi__surfel_shell(shell, reach, l, (double)s->most);
@@ -2917,23 +2809,19 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     ssgi__surfel_maker m;
     ssgi__patch whole, p;
     ssgi_splat s;
-    size_t t;
-    int n, part, k;
-    ssgi_result result = ssgi__surfel_open(&m, desc, view, source, why);
-    if (result == SSGI_OK) result = ssgi__splat_open(&s, splat, view, why);
-    if (result != SSGI_OK) return result;
-    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
+    SSGI__TRY(ssgi__surfel_open(&m, desc, view, source, why));
+    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
+    SSGI__THERE(cost);
     memset(cost, 0, sizeof *cost);
     cost->splits = 1;
-    for (t = 0; t < source->triangles; ++t) {
-        if (!ssgi__surfel_triangle(&whole, &m, t)) continue;
-        n = ssgi__surfel_splits(&whole, &m);
+    for (size_t t = 0; t < source->triangles; ++t) {
+        int n = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, 1000000) : 0;
         if (n > cost->splits) cost->splits = n;
         if (n > m.desc.splits) n = m.desc.splits;
-        for (part = 0; part < n * n; ++part) {
+        for (int part = 0; part < n * n; ++part) {
             float centre[3];
             if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
-            for (k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
+            for (int k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
             cost->surfels += (size_t)p.count;
             ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, p.count);
         }
@@ -2945,15 +2833,13 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
                                         const ssgi_surfel *surfels, size_t count, const char **why)
 {
     ssgi_splat s;
-    size_t i;
-    ssgi_result result = ssgi__splat_open(&s, splat, view, why);
-    if (result != SSGI_OK) return result;
-    if (!cost) return ssgi__bad(why, "cost: must not be NULL");
-    if (!surfels && count) return ssgi__bad(why, "surfels: must not be NULL");
+    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
+    SSGI__THERE(cost);
+    SSGI__CHECK(surfels || !count, "surfels: must not be NULL");
     memset(cost, 0, sizeof *cost);
     cost->surfels = count;
     cost->splits = 1;
-    for (i = 0; i < count; ++i)
+    for (size_t i = 0; i < count; ++i)
         ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
     return SSGI_OK;
 }
@@ -2966,15 +2852,13 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     /* F_dr [JMLH01 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
-    int c;
     if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
-    if (!(eta >= 1.0f && eta <= 3.0f)) return ssgi__bad(why, "eta: must be 1..3");
-    for (c = 0; c < 3; ++c) {
-        if (!(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c])))
-            return ssgi__bad(why, "sigma_s: must be above 0 and finite");
-        if (!ssgi__positive(&sigma_a[c], 1)) return ssgi__bad(why, "sigma_a: must be 0 or more and finite");
+    SSGI__CHECK(eta >= 1.0f && eta <= 3.0f, "eta: must be 1..3");
+    for (int c = 0; c < 3; ++c) {
+        SSGI__CHECK(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]), "sigma_s: must be above 0 and finite");
+        SSGI__CHECK(ssgi__positive(&sigma_a[c], 1), "sigma_a: must be 0 or more and finite");
     }
-    for (c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const double t = (double)sigma_s[c] + (double)sigma_a[c];
         dipole->above[c] = 1.0 / t;
         dipole->below[c] = (1.0 + 4.0 / 3.0 * a) / t;
@@ -2987,9 +2871,8 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 {
     double sum = 0.0;
-    int k;
     if (c < 0 || c > 2) return 0.0;
-    for (k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k) {
         const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
         sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
     }
@@ -3028,59 +2911,55 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i)
 
 /* ---- samples */
 
-static double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
+SSGI__FN double ssgi__field_turn(uint32_t seed) { return (double)ssgi__hash(seed) / 4294967296.0; }
 
 /* Ray i of a stratified cone about axes[2]: directions are uniform, turned by seed. */
-static void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
+SSGI__FN void ssgi__field_ray(float direction[3], float axes[3][3], float cosine, int i, const double shift[2])
 {
     float at[2], z, radius, angle;
-    int k;
     ssgi_r2((uint32_t)i, at);
     z = 1.0f - (1.0f - cosine) * ssgi__fract((double)at[0] + shift[0]);
     radius = sqrtf(z < 1.0f ? 1.0f - z * z : 0.0f);
     angle = 6.2831853f * ssgi__fract((double)at[1] + shift[1]);
-    for (k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
         direction[k] = radius * (cosf(angle) * axes[0][k] + sinf(angle) * axes[1][k]) + z * axes[2][k];
 }
 
-static void ssgi__field_axes(float axes[3][3], const double axis[3])
+SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
-    int i, least = 0;
-    for (i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    int least = 0;
+    for (int i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
     side[least] = 1.0;
     ssgi__cross(up, axis, side);
     ssgi__normalise(up);
     ssgi__cross(side, up, axis);
-    for (i = 0; i < 3; ++i) {
-        axes[0][i] = (float)side[i];
-        axes[1][i] = (float)up[i];
-        axes[2][i] = (float)axis[i];
-    }
+    ssgi__floats(axes[0], side);
+    ssgi__floats(axes[1], up);
+    ssgi__floats(axes[2], axis);
 }
 
 /* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
    trace) meets from a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four
    receivers there with these normals. */
-static void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
-                               int (*hit)(void *, const float *, const float *), void *user, const float point[3],
-                               const double axis[3], float cosine, int rays, uint32_t seed)
+SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
+                                 int (*hit)(void *, const float *, const float *), void *user, const float point[3],
+                                 const double axis[3], float cosine, int rays, uint32_t seed)
 {
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
-    int i, k, n;
-    for (i = 0; i < 4; ++i) out[i] = 0.0;
-    for (i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
+    for (int i = 0; i < 4; ++i) out[i] = 0.0;
+    for (int i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
     ssgi__field_axes(axes, axis);
-    for (i = 0; i < rays; ++i) {
+    for (int i = 0; i < rays; ++i) {
         ssgi__field_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
         out[0] += share;
-        for (k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
-        for (k = 0; occlusion && k < 4; ++k) {
+        for (int k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
+        for (int k = 0; occlusion && k < 4; ++k) {
             double facing = 0.0;
-            for (n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
+            for (int n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
             if (facing > 0.0) occlusion[k] += share / SSGI__PI * facing;
         }
     }
@@ -3089,37 +2968,36 @@ static void ssgi__field_sample(double out[4], double occlusion[4], double normal
 /* ---- fits */
 
 /* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
-static int ssgi__field_solve(double x[3], double a[3][3], double b[3])
+SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
-    int i, k, j;
-    for (i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
         int pivot = i;
-        for (k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
+        double row[3], swap;
+        for (int k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
         if (!(fabs(a[pivot][i]) > 1e-280)) return 0;
-        for (j = 0; j < 3; ++j) { const double swap = a[i][j]; a[i][j] = a[pivot][j]; a[pivot][j] = swap; }
-        { const double swap = b[i]; b[i] = b[pivot]; b[pivot] = swap; }
-        for (k = i + 1; k < 3; ++k) {
+        memcpy(row, a[i], sizeof row);
+        memcpy(a[i], a[pivot], sizeof row);
+        memcpy(a[pivot], row, sizeof row);
+        swap = b[i]; b[i] = b[pivot]; b[pivot] = swap;
+        for (int k = i + 1; k < 3; ++k) {
             const double f = a[k][i] / a[i][i];
-            for (j = i; j < 3; ++j) a[k][j] -= f * a[i][j];
+            ssgi__along(a[k], a[k], -f, a[i]);
             b[k] -= f * b[i];
         }
     }
-    for (i = 2; i >= 0; --i) {
+    for (int i = 2; i >= 0; --i) {
         x[i] = b[i];
-        for (j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
+        for (int j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
         x[i] /= a[i][i];
     }
     return 1;
 }
 
 /* One equation d . x = r, into the normal equations a x = b. */
-static void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
+SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3], double r)
 {
-    int i, k;
-    for (i = 0; i < 3; ++i) {
-        for (k = 0; k < 3; ++k) a[i][k] += d[i] * d[k];
-        b[i] += d[i] * r;
-    }
+    for (int i = 0; i < 3; ++i) ssgi__along(a[i], a[i], d[i], d);
+    ssgi__along(b, b, r, d);
 }
 
 /* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
@@ -3127,30 +3005,25 @@ static void ssgi__field_equation(double a[3][3], double b[3], const double d[3],
 typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
-static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
+SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
 {
     double damping = 1e-3, error = f(data, u, NULL, NULL);
-    int step, i, k;
-    for (step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
-        double a[3][3], b[3], m[3][3], v[3], x[3], next = error;
-        memset(a, 0, sizeof a);
-        memset(b, 0, sizeof b);
+    for (int step = 0; step < 200 && damping < 1e12 && error > stop; ++step) {
+        double a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, m[3][3], v[3], x[3], next = error;
         f(data, u, a, b);
         for (; damping < 1e12; damping *= 8.0) {
-            for (i = 0; i < 3; ++i) {
-                for (k = 0; k < 3; ++k) m[i][k] = a[i][k];
-                m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
-                v[i] = b[i];
-            }
+            memcpy(m, a, sizeof m);
+            memcpy(v, b, sizeof v);
+            for (int i = 0; i < 3; ++i) m[i][i] += damping * (a[i][i] + 1e-12 * (a[0][0] + a[1][1] + a[2][2]) + 1e-250);
             if (!ssgi__field_solve(x, m, v)) continue;
-            for (i = 0; i < 3; ++i) x[i] += u[i];
+            ssgi__along(x, x, 1.0, u);
             next = f(data, x, NULL, NULL);
             if (next < error) break;
         }
         if (!(damping < 1e12)) break;
         memcpy(u, x, sizeof x);
         damping *= 0.1;
-        if (error - next < 1e-12 * error && damping < 1e-2) { error = next; break; }
+        if (error - next < 1e-12 * error && damping < 1e-2) return next;
         error = next;
     }
     return error;
@@ -3158,21 +3031,20 @@ static double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssg
 
 /* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all
    of [0,1], for any u. */
-static void ssgi__field_bernstein(double q[3], const double u[3], double most)
+SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
     q[2] = 1.0 / most + exp(u[2]);
     q[1] = 1.0 / most - exp(0.5 * (u[0] + u[2])) + exp(u[1]);
 }
 
-static double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
+SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3])
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
-    int i;
-    for (i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
+    for (int i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
-    for (i = 0; i < data->count; ++i) {
+    for (int i = 0; i < data->count; ++i) {
         const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t),
                      c2 = t * t;
         const double value = 1.0 / (c0 * q[0] + c1 * q[1] + c2 * q[2]), residual = data->values[i] - value,
@@ -3191,71 +3063,59 @@ static double ssgi__field_distance_error(const ssgi__field_data *data, const dou
 /* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at
    the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
    Returns the sum of squared errors. */
-static double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
+SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, least = 1e-9 * m;
-    ssgi__field_data data;
+    const ssgi__field_data data = { radii, values, NULL, count, 0, most };
     double best = 1e300, u[3];
-    int start, i;
-    data.radii = radii;
-    data.values = values;
-    data.w = NULL;
-    data.count = count;
-    data.chord = 0;
-    data.most = most;
-    for (start = 0; start < 2; ++start) {
-        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3], b[3], error;
-        memset(a, 0, sizeof a);
-        memset(b, 0, sizeof b);
-        /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
-        if (start == 0) {
-            for (i = 0; i < count; ++i) {
+    for (int start = 0; start < 2; ++start) {
+        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, error;
+        if (start == 0) {       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
+            for (int i = 0; i < count; ++i) {
                 const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
                              y = values[i] > 0.0 ? values[i] : 0.0;
                 const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
                 ssgi__field_equation(a, b, c, y);
             }
             if (!ssgi__field_solve(p, a, b)) continue;
-        } else {                                /* through the ends */
+        } else {                /* through the ends */
             p[0] = values[0] > 1e-9 * most ? 1.0 / values[0] : 1e9 * m;
             p[2] = values[count - 1] > 1e-9 * most ? 1.0 / values[count - 1] : 1e9 * m;
             p[1] = sqrt(p[0] * p[2]);
         }
-        p[0] = p[0] - m > least ? p[0] : m + 1e-6 * m;
-        p[2] = p[2] - m > least ? p[2] : m + 1e-6 * m;
-        u[0] = log(p[0] - m);
-        u[2] = log(p[2] - m);
+        for (int i = 0; i < 3; i += 2) {
+            p[i] = p[i] - m > least ? p[i] : m + 1e-6 * m;
+            u[i] = log(p[i] - m);
+        }
         p[1] += exp(0.5 * (u[0] + u[2])) - m;
         u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
-        for (i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
+        for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
         error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
-        if (error < best) {
-            best = error;
-            ssgi__field_bernstein(q, u, most);
-        }
+        if (error >= best) continue;
+        best = error;
+        ssgi__field_bernstein(q, u, most);
     }
     return best;
 }
 
 /* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
    the first radius, where directions would flip, too far. */
-static double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
+SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
-    int i, k, n;
     if (!(ssgi__dot(c, data->w) < 0.999999 * data->radii[0])) return 1e300;
-    for (i = 0; i < data->count; ++i) {
+    for (int i = 0; i < data->count; ++i) {
         const double *y = data->values + 3 * i;
         double v[3], length, cosine, residual;
         if (!(ssgi__dot(y, y) > 0.25)) continue;
-        for (k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
+        for (int k = 0; k < 3; ++k) v[k] = c[k] - data->radii[i] * data->w[k];
         length = ssgi__normalise(v);
         cosine = ssgi__dot(v, y);
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
-        for (n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
+        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
-            for (k = 0; k < 3; ++k)
+            for (int k = 0; k < 3; ++k)
                 d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
             ssgi__field_equation(a, b, d, -r);
         }
@@ -3266,30 +3126,22 @@ static double ssgi__field_centre_error(const ssgi__field_data *data, const doubl
 /* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
    0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
    least: the chord leads there, the error polishes. flat: an error that tells nothing. */
-static double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
-                                 int count, double flat)
+SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
+                                   int count, double flat)
 {
-    ssgi__field_data data;
+    ssgi__field_data data = { radii, directions, w, count, 0, 0.0 };
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
-    int polish, i;
-    data.radii = radii;
-    data.values = directions;
-    data.w = w;
-    data.count = count;
-    data.chord = 0;
-    data.most = 0.0;
-    for (i = 0; i < 3; ++i) c[i] = 0.0;
+    memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
     if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
-    for (polish = 0; polish < 2; ++polish) {
+    for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
         data.chord = 0;
         error = ssgi__field_centre_error(&data, at, NULL, NULL);
-        if (error < best) {
-            best = error;
-            memcpy(c, at, sizeof at);
-        }
+        if (error >= best) continue;
+        best = error;
+        memcpy(c, at, sizeof at);
     }
     return best;
 }
@@ -3303,15 +3155,14 @@ typedef struct ssgi__field_caster {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_caster;
 
-/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found are not
-   entered. */
-static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
+/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found stay closed. */
+SSGI__FN double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     struct { uint32_t child; double most; } stack[SSGI__TRACE_STACK];
     double best = -1e300, p[3];
-    int top = 0, i, k, c;
+    int top = 0;
     stack[top].child = 0;
     stack[top++].most = 1e300;
     while (top) {
@@ -3319,21 +3170,21 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
         if (stack[top].most <= best) continue;
         if (child & SSGI__TRACE_LEAF) {
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
-            for (k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
-                for (c = 0; c < 3; ++c) {
+            for (int k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
+                for (int c = 0; c < 3; ++c) {
                     double s;
-                    for (i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
+                    for (int i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
                     s = ssgi__dot(n, p);
                     if (s > best) { best = s; memcpy(out, p, sizeof p); }
                 }
         } else {
             const ssgi__trace_node *node = nodes + child;
             const int base = top;
-            for (k = 0; k < 4; ++k) {
+            for (int k = 0; k < 4; ++k) {
                 double most = 0.0;
                 int j;
                 if (node->bound[0][0][k] > node->bound[1][0][k]) continue;      /* empty */
-                for (i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
+                for (int i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
                 if (most <= best) continue;
                 for (j = top++; j > base && stack[j - 1].most > most; --j) stack[j] = stack[j - 1];
                 stack[j].child = node->child[k];
@@ -3344,52 +3195,43 @@ static double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3
     return best;
 }
 
-/* A triangle of hull corners through which the ray from the centre along w goes: it leaves the hull on the plane normal
-   . x = distance. */
+/* A triangle of hull corners that the ray from the centre crosses: it leaves on the plane normal . x = distance. */
 typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
 
-static void ssgi__field_portal_plane(ssgi__field_portal *p)
+SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
     double a[3], b[3];
-    int k;
-    for (k = 0; k < 3; ++k) {
-        a[k] = p->corner[1][k] - p->corner[0][k];
-        b[k] = p->corner[2][k] - p->corner[0][k];
-    }
+    ssgi__along(a, p->corner[1], -1.0, p->corner[0]);
+    ssgi__along(b, p->corner[2], -1.0, p->corner[0]);
     ssgi__cross(p->normal, a, b);
     ssgi__normalise(p->normal);
     p->distance = ssgi__dot(p->normal, p->corner[0]);
 }
 
 /* How far beyond the hull samples begin, so that none begins in the matter. */
-static double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
+SSGI__FN double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
 
 /* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
    even flat casters have one: the farthest corner along the portal's normal splits it, until there is none beyond its
    plane. */
-static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
+SSGI__FN double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
 {
-    int step, i, k;
+    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
     double facing;
     memset(p, 0, sizeof *p);
-    for (i = 0; i < 3; ++i) p->corner[i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
-    if ((w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0))
-        for (k = 0; k < 3; ++k) {
-            const double swap = p->corner[0][k];
-            p->corner[0][k] = p->corner[1][k];
-            p->corner[1][k] = swap;
-        }
-    for (step = 0; step < 200; ++step) {
+    for (int i = 0; i < 3; ++i)
+        p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
+    for (int step = 0; step < 200; ++step) {
         double farthest[3], inside = -1e300;
         ssgi__field_portal split[3];
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (i = 0; i < 3; ++i) {               /* of the three parts that which the ray is farthest within */
+        for (int i = 0; i < 3; ++i) {           /* of the three parts that which the ray is farthest within */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
-            for (k = 0; k < 3; ++k) {
+            for (int k = 0; k < 3; ++k) {
                 double side[3], s;
                 ssgi__cross(side, split[i].corner[k], split[i].corner[(k + 1) % 3]);
                 s = ssgi__dot(side, w);
@@ -3403,50 +3245,47 @@ static double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], s
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-static void ssgi__field_spiral(double w[3], int i, int n)       /* even over the sphere */
+SSGI__FN void ssgi__polar(double w[3], double z, double angle)
 {
-    const double z = 1.0 - (2.0 * i + 1.0) / n, r = sqrt(1.0 - z * z), angle = 2.39996322972865332 * i;
+    const double r = sqrt(1.0 - z * z);
     w[0] = r * cos(angle);
     w[1] = r * sin(angle);
     w[2] = z;
 }
 
-/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point: it lies inside. 0: there is
-   no extent. */
-static int ssgi__field_measure(ssgi__field_caster *m)
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
+{
+    ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
+}
+
+/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
+SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     double w[3], p[3], centre[3] = { 0.0, 0.0, 0.0 };
-    uint32_t i;
-    int n, k, c;
     if (!m->trace.node_count) return 0;
-    for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+    for (int n = 0; n < SSGI__FIELD_FEW; ++n) {
         ssgi__field_spiral(w, n, SSGI__FIELD_FEW);
         ssgi__field_farthest(m, w, m->few[n]);
-        for (k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
+        for (int k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
-    for (k = 0; k < 3; ++k) {
-        /* not (double)(float): gcc 12's vectoriser drops that, against the language */
-        volatile float rounded = (float)centre[k];
+    for (int k = 0; k < 3; ++k) {
+        volatile float rounded = (float)centre[k];      /* gcc 12's vectoriser drops (double)(float) */
         m->centre[k] = (double)rounded;
     }
-    for (n = 0; n < SSGI__FIELD_FEW; ++n)
-        for (k = 0; k < 3; ++k) m->few[n][k] -= m->centre[k];
-    for (i = 0; i < m->trace.block_count; ++i)
-        for (n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
-            for (c = 0; c < 3; ++c) {
-                double square = 0.0;
-                for (k = 0; k < 3; ++k)
-                    square += ((double)blocks[i].corner[c][k][n] - m->centre[k])
-                            * ((double)blocks[i].corner[c][k][n] - m->centre[k]);
-                if (square > m->radius) m->radius = square;
+    for (int n = 0; n < SSGI__FIELD_FEW; ++n) ssgi__along(m->few[n], m->few[n], -1.0, m->centre);
+    for (uint32_t i = 0; i < m->trace.block_count; ++i)
+        for (int n = 0; n < 4 && blocks[i].triangle[n] != SSGI__TRACE_NONE; ++n)
+            for (int c = 0; c < 3; ++c) {
+                for (int k = 0; k < 3; ++k) p[k] = (double)blocks[i].corner[c][k][n] - m->centre[k];
+                if (ssgi__dot(p, p) > m->radius) m->radius = ssgi__dot(p, p);
             }
     m->radius = sqrt(m->radius);
     if (!(m->radius > 1e-12)) return 0;
-    for (i = 0; i < 4 * SSGI__FIELD_FEW; ++i) {
+    for (uint32_t i = 0; i < 4 * SSGI__FIELD_FEW; ++i) {
         double most = -1e300, beyond;
         ssgi__field_spiral(w, (int)i, 4 * SSGI__FIELD_FEW);
-        for (n = 0; n < SSGI__FIELD_FEW; ++n) {
+        for (int n = 0; n < SSGI__FIELD_FEW; ++n) {
             const double s = ssgi__dot(w, m->few[n]);
             if (s > most) most = s;
         }
@@ -3459,26 +3298,24 @@ static int ssgi__field_measure(ssgi__field_caster *m)
 
 /* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners,
    wider by what they lack; or the half space below the hull's plane. */
-static float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
-                              const double normal[3])
+SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
+                                const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
-    int i, k;
-    for (k = 0; k < 3; ++k) axis[k] = 0.0;
-    for (i = 0; i < SSGI__FIELD_FEW; ++i) {
-        for (k = 0; k < 3; ++k) d[i][k] = m->few[i][k] - point[k];
+    memset(axis, 0, 3 * sizeof *axis);
+    for (int i = 0; i < SSGI__FIELD_FEW; ++i) {
+        ssgi__along(d[i], m->few[i], -1.0, point);
         length[i] = ssgi__normalise(d[i]);
-        for (k = 0; k < 3; ++k) axis[k] += d[i][k];
+        ssgi__along(axis, axis, 1.0, d[i]);
     }
     if (!(ssgi__normalise(axis) > 0.0)) least = -1.0;
-    for (i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
-        const double c = ssgi__dot(d[i], axis), sine = m->loose / length[i];
-        if (!(sine < 1.0)) { least = -1.0; break; }
-        if (c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine < least)
-            least = c * sqrt(1.0 - sine * sine) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * sine;
+    for (int i = 0; i < SSGI__FIELD_FEW && least > 0.0; ++i) {
+        const double c = ssgi__dot(d[i], axis), s = m->loose / length[i],
+                     wide = s < 1.0 ? c * sqrt(1.0 - s * s) - sqrt(c < 1.0 ? 1.0 - c * c : 0.0) * s : -1.0;
+        if (wide < least) least = wide;
     }
     if (least > 0.0) return (float)(least * (1.0 - 1e-6));
-    for (k = 0; k < 3; ++k) axis[k] = -normal[k];
+    for (int k = 0; k < 3; ++k) axis[k] = -normal[k];
     return 0.0f;
 }
 
@@ -3494,98 +3331,92 @@ typedef struct ssgi__field_bake {
 } ssgi__field_bake;
 
 /* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
-static size_t ssgi__cube_texel(int face, int x, int y, int size)
+SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
         double d[3];
         float w[3], at[2];
-        int k, place[2];
         ssgi__cube_direction(d, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
-        for (k = 0; k < 3; ++k) w[k] = (float)d[k];
+        ssgi__floats(w, d);
         face = ssgi__cube_place(at, w);
-        for (k = 0; k < 2; ++k) {
-            place[k] = (int)((0.5f * at[k] + 0.5f) * (float)size);
-            place[k] = place[k] < 0 ? 0 : place[k] >= size ? size - 1 : place[k];
-        }
-        x = place[0];
-        y = place[1];
+        x = ssgi__clamp((int)((0.5f * at[0] + 0.5f) * (float)size), 0, size - 1);
+        y = ssgi__clamp((int)((0.5f * at[1] + 0.5f) * (float)size), 0, size - 1);
     }
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-static double ssgi__field_most(int measure)
+static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
+
+/* What a point at r along w from the centre sees of the caster, by rays in the cone that holds it; and that point. */
+SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
+                               const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
+                               int rays, uint32_t seed)
 {
-    return measure == SSGI_FIELD_VECTOR ? SSGI__PI : 4.0 * SSGI__PI;
+    double at[3], axis[3];
+    float cosine;
+    for (int k = 0; k < 3; ++k) {
+        at[k] = r * w[k];
+        point[k] = (float)(at[k] + b->caster.centre[k]);
+    }
+    cosine = ssgi__field_cone(axis, &b->caster, at, portal->normal);
+    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, rays,
+                       seed);
 }
 
-static float ssgi__log2(double x) { return (float)(log(x) * 1.44269504088896341); }
-
 /* One texel of the fine map: samples along its direction, and what they fit. */
-static void ssgi__field_texel(void *context, int job)
+SSGI__FN void ssgi__field_texel(void *context, int job)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
               y = texel / size % size, x = texel % size;
     const int vector = b->field->measure == SSGI_FIELD_VECTOR;
     const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
-    float *out = b->fine + 8 * (size_t)texel;
+    float *out = b->fine + 8 * (size_t)texel, point[3];
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
-    int i, k;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    for (i = 0; i < b->radii; ++i) {
-        double at[3], axis[3], sum[4];
-        float point[3], cosine;
+    for (int i = 0; i < b->radii; ++i) {
+        double sum[4];
         radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
-        for (k = 0; k < 3; ++k) {
-            at[k] = radii[i] * w[k];
-            point[k] = (float)(at[k] + b->caster.centre[k]);
-        }
-        cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-        ssgi__field_sample(sum, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, b->rays,
-                           (uint32_t)(texel * 64 + i));
+        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = vector ? length : sum[0];
         if (values[i] > most) values[i] = most;
-        /* the cap of this vector irradiance whose covered share brings this solid angle */
-        if (sum[0] > 0.0) {
+        if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
             seen += sum[0];
         }
-        for (k = 0; k < 3; ++k) directions[3 * i + k] = sum[1 + k];
+        memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
     ssgi__field_fit(q, radii, values, b->radii, most);
     /* within the rays' noise, which a centre near the hull would follow */
     ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
     length = sqrt(ssgi__dot(c, c));
-    out[0] = ssgi__log2(q[0]);
-    /* positive for any q that is above 0 in between: blends of logarithms stay so */
-    out[1] = ssgi__log2(q[1] + sqrt(q[0] * q[2]));
-    out[2] = ssgi__log2(q[2]);
+    if (length > b->caster.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->caster.radius / length;
+    q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
-    for (k = 0; k < 3; ++k) out[4 + k] = (float)(length > b->caster.radius ? c[k] * b->caster.radius / length : c[k]);
+    ssgi__floats(out + 4, c);
     out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
-    for (k = 0; k < 3; ++k) out[k] = out[k] > 20.0f ? 20.0f : out[k];
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
-static void ssgi__field_reduce(const ssgi__field_bake *b)
+SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
     const int size = b->field->resolution;
-    int face, x, y, i, k, n;
-    for (face = 0; face < 6; ++face)
-        for (y = 0; y < size; ++y)
-            for (x = 0; x < size; ++x) {
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
                 float *out = b->coarse + 8 * ssgi__cube_texel(face, x, y, size);
-                for (n = 0; n < 8; ++n) out[n] = 0.0f;
-                for (i = 0; i < 4; ++i)
-                    for (k = 0; k < 4; ++k) {
+                for (int n = 0; n < 8; ++n) out[n] = 0.0f;
+                for (int i = 0; i < 4; ++i)
+                    for (int k = 0; k < 4; ++k) {
                         const float *in = b->fine + 8 * ssgi__cube_texel(face, 2 * x - 1 + k, 2 * y - 1 + i, 2 * size);
-                        for (n = 0; n < 8; ++n) out[n] += weight[i] * weight[k] * in[n];
+                        for (int n = 0; n < 8; ++n) out[n] += weight[i] * weight[k] * in[n];
                     }
             }
 }
@@ -3593,127 +3424,109 @@ static void ssgi__field_reduce(const ssgi__field_bake *b)
 static int ssgi__field_words(int bits) { return bits == 8 ? 2 : 4; }
 
 /* Ranges, integers, borders. */
-static void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
+SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
     const int size = f->resolution, words = ssgi__field_words(f->bits);
     const float most = f->bits == 8 ? 255.0f : 65535.0f;
     float high[8];
-    int i, n, face, x, y;
-    for (n = 0; n < 8; ++n) {
+    for (int n = 0; n < 8; ++n) {
         f->low[n] = high[n] = b->coarse[n];
-        for (i = 1; i < 6 * size * size; ++i) {
-            const float v = b->coarse[8 * i + n];
-            if (v < f->low[n]) f->low[n] = v;
-            if (v > high[n]) high[n] = v;
+        for (int i = 1; i < 6 * size * size; ++i) {
+            f->low[n] = ssgi__min(f->low[n], b->coarse[8 * i + n]);
+            high[n] = ssgi__max(high[n], b->coarse[8 * i + n]);
         }
         f->span[n] = high[n] - f->low[n];
     }
-    for (face = 0; face < 6; ++face)
-        for (y = -1; y <= size; ++y)
-            for (x = -1; x <= size; ++x) {
-                uint32_t *out = texels + (size_t)words * (size_t)((face * (size + 2) + y + 1) * (size + 2) + x + 1);
-                const int xi = x < 0 ? 0 : x < size ? x : size - 1, yi = y < 0 ? 0 : y < size ? y : size - 1;
-                /* three texels meet there, the border holds their mean [GL 8.14] */
-                const int corner = x != xi && y != yi;
-                memset(out, 0, (size_t)words * sizeof *out);
-                for (n = 0; n < 8; ++n) {
-                    float v = b->coarse[8 * ssgi__cube_texel(face, x, corner ? yi : y, size) + (size_t)n];
-                    if (corner)
-                        v = (v + b->coarse[8 * ssgi__cube_texel(face, xi, y, size) + (size_t)n]
-                             + b->coarse[8 * ssgi__cube_texel(face, xi, yi, size) + (size_t)n])
-                          / 3.0f;
+    f->texels = texels;
+    for (int face = 0; face < 6; ++face)
+        for (int y = -1; y <= size; ++y)
+            for (int x = -1; x <= size; ++x, texels += words) {
+                const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
+                const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
+                const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
+                            *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
+                            *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
+                memset(texels, 0, (size_t)words * sizeof *texels);
+                for (int n = 0; n < 8; ++n) {
+                    float v = corner ? (a[n] + up[n] + own[n]) / 3.0f : a[n];
                     v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
-                    out[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
+                    texels[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
                 }
             }
-    f->texels = texels;
 }
 
 /* What walled-in points are not counted in: the mean occlusion of points in the hull. */
-static float ssgi__field_inside(const ssgi__field_bake *b)
+SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
-    double sum = 0.0, weight = 0.0;
-    int i, k;
-    for (i = 0; i < 256; ++i) {
-        const double up[3] = { 0.0, 0.0, 1.0 };
-        double w[3], out[4], r;
-        float point[3];
-        ssgi__field_portal portal;
+    const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
+    double sum = 0.0, weight = 0.0, w[3], out[4];
+    ssgi__field_portal portal;
+    float point[3];
+    for (int i = 0; i < 256; ++i) {
+        const double r = ssgi__field_turn((uint32_t)i);
         ssgi__field_spiral(w, i, 256);
-        r = ssgi__field_turn((uint32_t)i);
-        for (k = 0; k < 3; ++k)
-            point[k] = (float)(b->caster.centre[k] + r * ssgi__field_exit(&b->caster, w, &portal) * w[k]);
+        ssgi__along(w, b->caster.centre, r * ssgi__field_exit(&b->caster, w, &portal), w);
+        ssgi__floats(point, w);
         ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
                            (uint32_t)i);
-        if (out[0] > 0.95 * 4.0 * SSGI__PI) continue;
-        sum += out[0] / (4.0 * SSGI__PI) * (1.0 - r);
+        if (out[0] > 0.95 * sphere) continue;
+        sum += out[0] / sphere * (1.0 - r);
         weight += 1.0 - r;
     }
     return weight > 0.0 ? (float)(sum / weight) : 1.0f;
 }
 
-static void ssgi__field_held(void *context, int i)
+SSGI__FN void ssgi__field_held(void *context, int i)
 {
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const ssgi_field_limits limits = { 2.0f * b->field->reach, 2.0f * b->field->reach, b->field->inside, 1.0f };
-    double w[3], at[3], axis[3], sum[4], occlusion[4], normal[4][3], hull, r;
-    float point[3], cosine;
+    const double share = 0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD);
+    double w[3], sum[4], occlusion[4], normal[4][3], hull;
+    float point[3], facing[3];
     ssgi__field_portal portal;
-    int k, n;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    r = hull
-      * pow((double)b->field->reach / hull,
-            0.999 * ((double)ssgi_radical_inverse(2, (uint32_t)i) + 0.5 / SSGI__FIELD_HELD));
-    for (k = 0; k < 3; ++k) {
-        at[k] = r * w[k];
-        point[k] = (float)(at[k] + b->caster.centre[k]);
+    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
+        ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
+                    2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
+        if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
-    for (n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
-        const double z = 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
-                     angle = 2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4));
-        normal[n][0] = sqrt(1.0 - z * z) * cos(angle);
-        normal[n][1] = sqrt(1.0 - z * z) * sin(angle);
-        normal[n][2] = z;
-        if (ssgi__dot(normal[n], w) > 0.5) for (k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
-    }
-    cosine = ssgi__field_cone(axis, &b->caster, at, portal.normal);
-    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, 1024,
-                       (uint32_t)i ^ 0x55555555u);
-    for (n = 0; n < 4; ++n) {
-        const float facing[3] = { (float)normal[n][0], (float)normal[n][1], (float)normal[n][2] };
+    ssgi__field_look(sum, occlusion, normal, point, b, w, hull * pow((double)b->field->reach / hull, share), &portal,
+                     1024, (uint32_t)i ^ 0x55555555u);
+    for (int n = 0; n < 4; ++n) {
+        ssgi__floats(facing, normal[n]);
         b->error[4 * i + n] = fabsf(ssgi_field_occlusion(b->field, &limits, point, facing) - (float)occlusion[n]);
     }
 }
 
-static void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
+SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
-    int i;
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
-    else for (i = 0; i < count; ++i) job(context, i);
+    else for (int i = 0; i < count; ++i) job(context, i);
 }
 
 /* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
-static void ssgi__field_errors(ssgi__field_bake *b)
+SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
 {
     const int all = 4 * SSGI__FIELD_HELD;
+    ssgi_field *f = b->field;
     unsigned short bin[SSGI__FIELD_BINS];
-    int i, below = 0;
+    int below = 0;
     memset(bin, 0, sizeof bin);
     ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    b->field->median = b->field->p95 = b->field->most = 0.0f;
-    for (i = 0; i < all; ++i) {
-        if (b->error[i] > b->field->most) b->field->most = b->error[i];
+    f->median = f->p95 = f->most = 0.0f;
+    for (int i = 0; i < all; ++i) {
+        f->most = ssgi__max(f->most, b->error[i]);
         ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
     }
-    for (i = 0; i < SSGI__FIELD_BINS; ++i) {
-        if (below < all / 2 && below + bin[i] >= all / 2) b->field->median = (float)(i + 1) / SSGI__FIELD_BINS;
-        if (below < all * 19 / 20 && below + bin[i] >= all * 19 / 20) b->field->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
+    for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
+        if (below < all / 2) f->median = (float)(i + 1) / SSGI__FIELD_BINS;
+        if (below < all * 19 / 20) f->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
         below += bin[i];
     }
-    if (b->field->p95 > b->field->most) b->field->p95 = b->field->most;
-    if (b->field->median > b->field->p95) b->field->median = b->field->p95;
+    f->p95 = ssgi__min(f->p95, f->most);
+    f->median = ssgi__min(f->median, f->p95);
 }
 
 SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
@@ -3722,7 +3535,7 @@ SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
     return (size_t)(6 * (resolution + 2) * (resolution + 2) * ssgi__field_words(bits)) * sizeof(uint32_t);
 }
 
-static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
+SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 {
     ssgi_field_desc d = *desc;
     if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
@@ -3733,25 +3546,21 @@ static ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
     return d;
 }
 
-static ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
+SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char **why)
 {
-    if (!desc) return ssgi__bad(why, "desc: must not be NULL");
-    if (desc->resolution && (desc->resolution < 2 || desc->resolution > 128))
-        return ssgi__bad(why, "desc.resolution: must be 0 or 2..128");
-    if (desc->radii && (desc->radii < 4 || desc->radii > 64)) return ssgi__bad(why, "desc.radii: must be 0 or 4..64");
-    if (desc->rays && (desc->rays < 16 || desc->rays > 65536))
-        return ssgi__bad(why, "desc.rays: must be 0 or 16..65536");
-    if (desc->measure != SSGI_FIELD_VECTOR && desc->measure != SSGI_FIELD_SOLID_ANGLE)
-        return ssgi__bad(why, "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
-    if (desc->bits && desc->bits != 8 && desc->bits != 16) return ssgi__bad(why, "desc.bits: must be 0, 8 or 16");
-    if (!ssgi__finite(desc->reach) || (desc->reach != 0.0f && !(desc->reach >= 1.5f && desc->reach <= 64.0f)))
-        return ssgi__bad(why, "desc.reach: must be 0 or 1.5..64");
-    if (!ssgi__finite(desc->error) || !(desc->error >= 0.0f && desc->error <= 1.0f))
-        return ssgi__bad(why, "desc.error: must be 0..1");
+    SSGI__THERE(desc);
+    SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
+    SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
+    SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
+    SSGI__CHECK(desc->measure == SSGI_FIELD_VECTOR || desc->measure == SSGI_FIELD_SOLID_ANGLE,
+                "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
+    SSGI__CHECK(!desc->bits || desc->bits == 8 || desc->bits == 16, "desc.bits: must be 0, 8 or 16");
+    SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
+    SSGI__CHECK(ssgi__within(desc->error, 0.0f, 1.0f), "desc.error: must be 0..1");
     return SSGI_OK;
 }
 
-static size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
+SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3766,7 +3575,8 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
 }
 
 /* One resolution, one number of radii; done, share: what of the whole it is. */
-static ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share, const char **why)
+SSGI__FN ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share,
+                                      const char **why)
 {
     const int all = 24 * b->field->resolution * b->field->resolution, block = (all + 23) / 24;
     for (b->first = 0; b->first < all; b->first += block) {
@@ -3789,66 +3599,50 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     ssgi__field_bake b;
     ssgi_field_desc d;
     ssgi_field f;
-    ssgi_result result;
-    char *base;
     double total = 0.0, done = 0.0;
     float last = 2.0f;
-    int k;
-    if (!field) return ssgi__bad(why, "field: must not be NULL");
-    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
-    if (!work) return ssgi__bad(why, "work: must not be NULL");
-    result = ssgi__field_check(desc, why);
-    if (result != SSGI_OK) return result;
-    if (!position) return ssgi__bad(why, "position: must not be NULL");
-    if (stride_bytes < 3 * sizeof(float) || stride_bytes % sizeof(float))
-        return ssgi__bad(why, "stride_bytes: must be 12 or more, a multiple of 4");
-    if (!ssgi_trace_size(triangles)) return ssgi__bad(why, "triangles: must be 1..SSGI_TRACE_MAX_TRIANGLES");
-    if (work_size < ssgi_field_bake_size(desc, triangles)) {
-        ssgi__bad(why, "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
-        return SSGI_TOO_SMALL;
-    }
+    SSGI__THERE3(field, texels, work);
+    SSGI__TRY(ssgi__field_check(desc, why));
+    SSGI__THERE(position);
+    SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
+    SSGI__ENOUGH(work_size, ssgi_field_bake_size(desc, triangles),
+                 "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
     d = ssgi__field_resolve(desc);
     memset(&b, 0, sizeof b);
     memset(&f, 0, sizeof f);
     b.desc = &d;
     b.field = &f;
     b.rays = d.rays;
-    base = (char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64;
-    b.fine = b.error = (float *)(void *)base;
+    b.fine = b.error = (float *)(void *)((char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64);
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
-    result = ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
-                              position, stride_bytes, index, triangles, why);
-    if (result != SSGI_OK) return result;
-    if (!ssgi__field_measure(&b.caster)) return ssgi__bad(why, "position: no triangle has an area");
+    SSGI__TRY(ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
+                               position, stride_bytes, index, triangles, why));
+    SSGI__CHECK(ssgi__field_measure(&b.caster), "position: no triangle has an area");
     f.bits = d.bits;
     f.measure = d.measure;
     f.radius = (float)b.caster.radius;
     f.reach = d.reach * f.radius;
-    for (k = 0; k < 3; ++k) f.centre[k] = (float)b.caster.centre[k];
+    ssgi__floats(f.centre, b.caster.centre);
     f.inside = ssgi__field_inside(&b);
-    /* from small to large; when twice the resolution brings nothing, what is left is the model's */
-    if (d.error > 0.0f) {
-        for (f.resolution = d.resolution < 4 ? d.resolution : 4; f.resolution <= d.resolution; f.resolution *= 2)
-            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2)
-                total += (double)(f.resolution * f.resolution * f.radii);
-        for (f.resolution = d.resolution < 4 ? d.resolution : 4; ; f.resolution *= 2) {
-            for (f.radii = d.radii < 6 ? d.radii : 6; f.radii <= d.radii; f.radii *= 2) {
+    f.resolution = d.resolution;
+    f.radii = b.radii = d.radii;
+    if (!(d.error > 0.0f)) SSGI__TRY(ssgi__field_once(&b, texels, 0.0, 1.0, why));
+    else {          /* from small to large; when twice the resolution brings nothing, what is left is the model's */
+        const int resolution = d.resolution < 4 ? d.resolution : 4, radii = d.radii < 6 ? d.radii : 6;
+        for (int n = resolution; n <= d.resolution; n *= 2)
+            for (int k = radii; k <= d.radii; k *= 2) total += (double)(n * n * k);
+        for (f.resolution = resolution; ; f.resolution *= 2) {
+            for (f.radii = radii; f.radii <= d.radii; f.radii *= 2) {
                 const double share = (double)(f.resolution * f.resolution * f.radii) / total;
                 b.radii = f.radii;
-                result = ssgi__field_once(&b, texels, done, share, why);
-                if (result != SSGI_OK) return result;
+                SSGI__TRY(ssgi__field_once(&b, texels, done, share, why));
                 done += share;
                 if (f.p95 <= d.error) break;
             }
             if (f.p95 <= d.error || 2 * f.resolution > d.resolution || f.p95 > 0.98f * last) break;
             last = f.p95;
         }
-        if (f.radii > d.radii) f.radii = b.radii;
-    } else {
-        f.resolution = d.resolution;
-        f.radii = b.radii = d.radii;
-        result = ssgi__field_once(&b, texels, 0.0, 1.0, why);
-        if (result != SSGI_OK) return result;
+        f.radii = b.radii;
     }
     if (d.progress) d.progress(d.user, 1.0f);
     *field = f;
@@ -3859,11 +3653,7 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
 {
-    ssgi_field_limits l;
-    l.ramp = 0.75f * field->reach;
-    l.reach = field->reach;
-    l.inside = field->inside;
-    l.power = 1.0f;
+    const ssgi_field_limits l = { 0.75f * field->reach, field->reach, field->inside, 1.0f };
     return l;
 }
 
@@ -3880,26 +3670,26 @@ static uint32_t ssgi__field_component(const ssgi_field *f, const uint32_t *texel
 }
 
 /* The components along w, bilinear between texels. */
-static void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
+SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
     const int face = ssgi__cube_place(at, w);
-    int i, k, n, cell[2];
-    for (k = 0; k < 2; ++k) {
+    int cell[2];
+    for (int k = 0; k < 2; ++k) {
         at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
         cell[k] = at[k] > 0.0f ? (int)at[k] : 0;
         cell[k] = cell[k] < f->resolution ? cell[k] : f->resolution;
         at[k] -= (float)cell[k];
     }
-    for (n = 0; n < 8; ++n) out[n] = 0.0f;
-    for (i = 0; i < 2; ++i)
-        for (k = 0; k < 2; ++k) {
+    for (int n = 0; n < 8; ++n) out[n] = 0.0f;
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 2; ++k) {
             const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
-            for (n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
+            for (int n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
         }
-    for (n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
+    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
 }
 
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
@@ -3908,11 +3698,10 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     const float most = (float)ssgi__field_most(field->measure);
     double w[3], v[3];
     float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
-    int k;
-    for (k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
+    for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
-    for (k = 0; k < 3; ++k) direction[k] = (float)w[k];
+    for (int k = 0; k < 3; ++k) direction[k] = (float)w[k];
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
     t = r > hull ? r < field->reach ? (r - hull) / (field->reach - hull) : 1.0f : 0.0f;
@@ -3929,9 +3718,9 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
         value = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     }
     *solid_angle = value;
-    for (k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
-    if (!(ssgi__normalise(v) > 0.0)) for (k = 0; k < 3; ++k) v[k] = -w[k];
-    for (k = 0; k < 3; ++k) axis[k] = (float)v[k];
+    for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
+    if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
+    for (int k = 0; k < 3; ++k) axis[k] = (float)v[k];
     return r / hull;
 }
 
@@ -3940,8 +3729,7 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 {
     const ssgi_field_limits l = limits ? *limits : ssgi_field_limits_of(field);
     float solid_angle, fill, axis[3], d[3], hulls, r, a;
-    int k;
-    for (k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
         if (!ssgi__finite(point[k]) || !ssgi__finite(normal[k])) return 0.0f;
         d[k] = point[k] - field->centre[k];
     }
@@ -3960,12 +3748,11 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
 {
     const int size = field->resolution;
-    int x, y, n;
     if (face < 0 || face > 5) return;
-    for (y = 0; y < size; ++y)
-        for (x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
             const uint32_t *texel = ssgi__field_at(field, face, x + 1, y + 1);
-            for (n = 0; n < 8; ++n) {
+            for (int n = 0; n < 8; ++n) {
                 const uint32_t v = ssgi__field_component(field, texel, n);
                 void *out = n < 4 ? distance : centre;
                 const int i = 4 * (y * size + x) + n % 4;
@@ -3978,21 +3765,22 @@ SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance,
 
 /* ---- files: 32-bit words, lowest byte first */
 
-enum { SSGI__FIELD_HEAD = 32 };             /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_HEAD    32              /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
+#define SSGI__FIELD_VERSION 0x31464f41u     /* "AOF1" */
 
-static void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
+SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
-    int k;
-    for (k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
+    for (int k = 0; k < 4; ++k) out[4 * i + (size_t)k] = (unsigned char)(word >> 8 * k);
 }
 
-static uint32_t ssgi__field_get(const unsigned char *in, size_t i)
+SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
 {
     return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16
          | (uint32_t)in[4 * i + 3] << 24;
 }
 
-static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
+SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
 {
     uint64_t h = 14695981039346656037u;
     for (; size; --size) h = (h ^ *data++) * 1099511628211u;
@@ -4000,115 +3788,102 @@ static uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)    
 }
 
 /* The floats of a field in the order of the file. */
-static void ssgi__field_numbers(float *out[25], ssgi_field *f)
+SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
 {
     float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
                             &f->inside,    &f->median,    &f->p95,       &f->most };
-    int i;
-    for (i = 0; i < 9; ++i) out[i] = ends[i];
-    for (i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
+    for (int i = 0; i < 9; ++i) out[i] = ends[i];
+    for (int i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
 }
 
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
     unsigned char *bytes = (unsigned char *)out;
+    const size_t words = field ? ssgi_field_size(field->resolution, field->bits) / 4 : 0,
+                 size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
     ssgi_field f;
     float *number[25];
     uint64_t h;
-    size_t i, words, size;
-    if (!field) return 0;
+    if (!words || capacity < size || !out) return size;
     f = *field;
-    words = ssgi_field_size(f.resolution, f.bits) / 4;
-    size = 4 * (SSGI__FIELD_HEAD + words + 2);
-    if (!words || capacity < size || !out) return words ? size : 0;
     memset(out, 0, 4 * SSGI__FIELD_HEAD);
-    ssgi__field_put(bytes, 0, 0x69677373u);         /* "ssgi" */
-    ssgi__field_put(bytes, 1, 0x31464f41u);         /* "AOF1" */
+    ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
+    ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
     ssgi__field_put(bytes, 3, (uint32_t)f.bits);
     ssgi__field_put(bytes, 4, (uint32_t)f.measure);
     ssgi__field_put(bytes, 5, (uint32_t)f.radii);
     ssgi__field_numbers(number, &f);
-    for (i = 0; i < 25; ++i) {
+    for (size_t i = 0; i < 25; ++i) {
         uint32_t word;
         memcpy(&word, number[i], sizeof word);
         ssgi__field_put(bytes, 6 + i, word);
     }
-    for (i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
+    for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
     ssgi__field_put(bytes, size / 4 - 1, (uint32_t)(h >> 32));
     return size;
 }
 
-static ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
+SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
+    static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
     float *number[25];
-    size_t i, words;
+    uint32_t head[6] = { 0 };
+    size_t words = 0;
     uint64_t h;
-    if (!file) return ssgi__bad(why, "file: must not be NULL");
-    if (size < 8 || ssgi__field_get(bytes, 0) != 0x69677373u || (ssgi__field_get(bytes, 1) & 0xffffffu) != 0x464f41u)
-        return ssgi__bad(why, "file: is not an ambient occlusion field");
-    if (ssgi__field_get(bytes, 1) != 0x31464f41u) return ssgi__bad(why, "file: is of another version");
-    if (size < 4 * SSGI__FIELD_HEAD) return ssgi__bad(why, "file: is cut short");
+    SSGI__THERE(file);
+    for (size_t i = 0; i < 6 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
+    SSGI__CHECK(head[0] == SSGI__FIELD_MAGIC && (head[1] & 0xffffffu) == (SSGI__FIELD_VERSION & 0xffffffu),
+                "file: is not an ambient occlusion field");
+    SSGI__CHECK(head[1] == SSGI__FIELD_VERSION, "file: is of another version");
+    SSGI__CHECK(size >= 4 * SSGI__FIELD_HEAD, "file: is cut short");
     memset(f, 0, sizeof *f);
-    words = ssgi__field_get(bytes, 2) <= 128u && ssgi__field_get(bytes, 3) <= 16u
-              ? ssgi_field_size((int)ssgi__field_get(bytes, 2), (int)ssgi__field_get(bytes, 3)) / 4
-              : 0;
-    if (!words || ssgi__field_get(bytes, 4) > 1u || ssgi__field_get(bytes, 5) > 64u)
-        return ssgi__bad(why, "file: is corrupt");
-    f->resolution = (int)ssgi__field_get(bytes, 2);
-    f->bits = (int)ssgi__field_get(bytes, 3);
-    f->measure = (int)ssgi__field_get(bytes, 4);
-    f->radii = (int)ssgi__field_get(bytes, 5);
-    if (size < 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is cut short");
-    if (size > 4 * (SSGI__FIELD_HEAD + words + 2)) return ssgi__bad(why, "file: is longer than its field");
+    if (head[2] <= 128u && head[3] <= 16u) words = ssgi_field_size((int)head[2], (int)head[3]) / 4;
+    SSGI__CHECK(words && head[4] <= 1u && head[5] <= 64u, corrupt);
+    f->resolution = (int)head[2];
+    f->bits = (int)head[3];
+    f->measure = (int)head[4];
+    f->radii = (int)head[5];
+    SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
+    SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
     h = ssgi__field_checksum(bytes, size - 8);
-    if (ssgi__field_get(bytes, size / 4 - 2) != (uint32_t)h
-        || ssgi__field_get(bytes, size / 4 - 1) != (uint32_t)(h >> 32))
-        return ssgi__bad(why, "file: is corrupt");
+    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 2) == (uint32_t)h, corrupt);
+    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
     ssgi__field_numbers(number, f);
-    for (i = 0; i < 25; ++i) {
+    for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 6 + i);
         memcpy(number[i], &word, sizeof word);
-        if (!ssgi__finite(*number[i]) || !(fabsf(*number[i]) <= 1e15f) || (i >= 17 && !(*number[i] >= 0.0f)))
-            return ssgi__bad(why, "file: is corrupt");
+        SSGI__CHECK(ssgi__within(*number[i], i < 17 ? -1e15f : 0.0f, 1e15f), corrupt);
     }
-    for (i = 0; i < 3; ++i)
-        if (!(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f)) return ssgi__bad(why, "file: is corrupt");
-    if (!(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f && f->inside >= 0.0f
-          && f->inside <= 1.0f))
-        return ssgi__bad(why, "file: is corrupt");
+    for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
+    SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
+    SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why)
 {
     ssgi_field f;
-    ssgi_result result;
-    if (!bytes) return ssgi__bad(why, "bytes: must not be NULL");
-    result = ssgi__field_head(&f, file, file_size, why);
-    if (result == SSGI_OK) *bytes = ssgi_field_size(f.resolution, f.bits);
-    return result;
+    SSGI__THERE(bytes);
+    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
+    *bytes = ssgi_field_size(f.resolution, f.bits);
+    return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why)
 {
     ssgi_field f;
-    ssgi_result result;
-    size_t i, words;
-    if (!field) return ssgi__bad(why, "field: must not be NULL");
-    if (!texels) return ssgi__bad(why, "texels: must not be NULL");
-    result = ssgi__field_head(&f, file, file_size, why);
-    if (result != SSGI_OK) return result;
+    size_t words;
+    SSGI__THERE2(field, texels);
+    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
     words = ssgi_field_size(f.resolution, f.bits) / 4;
-    if (size < 4 * words) {
-        ssgi__bad(why, "size: must be at least what ssgi_field_peek tells");
-        return SSGI_TOO_SMALL;
-    }
-    for (i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
+    SSGI__ENOUGH(size, 4 * words, "size: must be at least what ssgi_field_peek tells");
+    for (size_t i = 0; i < words; ++i)
+        texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
     *field = f;
     return SSGI_OK;
@@ -4120,17 +3895,16 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
                                     const char **why)
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
-    size_t i, seen = 0, count;
-    int k;
+    size_t seen = 0, count;
     if (!survey || !rgba) return ssgi__bad(why, !survey ? "survey: must not be NULL" : "rgba: must not be NULL");
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         return ssgi__bad(why, "width, height: must be 1..65536");
-    if (points != 0 && (points < 2 || points > 64)) return ssgi__bad(why, "points: must be 0 or 2..64");
+    SSGI__ZERO_OR(points, "points", 2, 64);
     if (!points) points = 32;
     count = (size_t)width * (size_t)height;
-    for (i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count; ++i) {
         if (!ssgi__finite(rgba[4 * i]) || !(rgba[4 * i] >= 0.0f)) continue;
-        for (k = 0; k < 4; ++k) {
+        for (int k = 0; k < 4; ++k) {
             v = (double)rgba[4 * i + (size_t)k];
             sum[k] += v;
             square[k] += v * v - v * (1.0 - v) / (points - 1);       /* a share of a few points varies by chance */
@@ -4139,7 +3913,7 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
     }
     memset(survey, 0, sizeof *survey);
     survey->seen = (float)((double)seen / (double)count);
-    for (k = 0; k < 4 && seen; ++k) {
+    for (int k = 0; k < 4 && seen; ++k) {
         *(k < 3 ? &survey->blocked[k] : &survey->off) = (float)(sum[k] / (double)seen);
         survey->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
     }
@@ -4151,29 +3925,25 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
                                    const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
-    size_t i;
-    int k;
     if (!trial || !trace) return ssgi__bad(why, !trial ? "trial: must not be NULL" : "trace: must not be NULL");
     if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
-    if (!count) return ssgi__bad(why, "count: must not be 0");
-    if (rays < 2 || rays > 65536) return ssgi__bad(why, "rays: must be 2..65536");
-    if (!ssgi__finite(radius) || !(radius > 0.0f)) return ssgi__bad(why, "radius: must be finite and above 0");
-    for (i = 0; i < count; ++i) {
+    SSGI__CHECK(count, "count: must not be 0");
+    SSGI__RANGE(rays, 2, 65536);
+    SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
+    for (size_t i = 0; i < count; ++i) {
         double along[3], occlusion[2] = { 0.0, 0.0 };
         float axes[3][3], from[3], d[3];
         ssgi_hit hit;
-        for (k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
+        for (int k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
         ssgi__normalise(along);
         ssgi__field_axes(axes, along);
-        for (k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
-        for (k = 0; k < 2 * (rays / 2); ++k) {
+        for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
+        for (int k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = (2.0 * SSGI__PI)
-                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
+            const double turn = (2.0 * SSGI__PI) * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
                                  + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
-            int c;
-            for (c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
+            for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
             if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit))
                 occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
@@ -4190,21 +3960,11 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
 /* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
    (examples/fit.c): squares of the trial's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
-enum {
-    SSGI__PLAN_OPEN,
-    SSGI__PLAN_PICTURE,
-    SSGI__PLAN_COARSE,
-    SSGI__PLAN_COARSER,
-    SSGI__PLAN_UNEVEN,
-    SSGI__PLAN_LEFT_OUT,
-    SSGI__PLAN_BOUNCED,
-    SSGI__PLAN_CONSTANT,
-    SSGI__PLAN_TERMS
-};
+enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
+       SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
 
-/* A choice: what it is for, what it needs besides its layers and cameras, its settings, its cost and its terms'
-   numbers. */
+/* A choice: what it is for, what it needs besides layers and cameras, its settings, its cost, its terms' numbers. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
     float size, cost, term[SSGI__PLAN_TERMS];
@@ -4260,14 +4020,13 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-static double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+SSGI__FN double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
 
-static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
+SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    int l;
     if (s->survey.seen > 0.0f) {                    /* no more than a guess: the survey cannot see what is hidden */
         const float *square = s->survey.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
@@ -4277,7 +4036,7 @@ static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row
         open = (double)s->trial.open * (double)s->trial.open;
         picture = (double)s->trial.picture * (double)s->trial.picture;
     }
-    for (l = 1; l < 4 && s->wanted; ++l) {
+    for (int l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
         if (l >= row->bands) left += ratio;
@@ -4293,7 +4052,7 @@ static void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row
 }
 
 /* Whether a scene has what a choice needs, and enough of it to be worth that. */
-static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
+SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
                     | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
@@ -4314,27 +4073,19 @@ static int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const float *energy = s && s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const ssgi_plan settings = { row->method, row->half, row->directions, row->samples, row->steps, row->bands,
+                                 row->layers, row->cameras, 0, row->filter, row->resolution, row->size, row->cost,
+                                 0.0f, 0, "" };
     double term[SSGI__PLAN_TERMS], square = 0.0;
+    const float *energy;
     int k;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
-    memset(plan, 0, sizeof *plan);
-    plan->method = row->method;
-    plan->half = row->half;
-    plan->directions = row->directions;
-    plan->samples = row->samples;
-    plan->steps = row->steps;
-    plan->bands = row->bands;
-    plan->layers = row->layers;
-    plan->cameras = row->cameras;
-    plan->filter = row->filter;
-    plan->resolution = row->resolution;
-    plan->size = row->size;
-    plan->cost = row->cost;
+    *plan = settings;
     for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
+    energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     while (plan->bands > 1 /* bands whose energy is negligible */
            && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
@@ -4355,36 +4106,35 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
                                           "deep screen space", "fields" };
     ssgi_plan best, p;
     float cheaper = 0.0f, goal = 0.0f;
-    int i, tried = 0, found = 0;
-    if (!plan) return ssgi__bad(why, "plan: must not be NULL");
-    if (!s) return ssgi__bad(why, "scene: must not be NULL");
-    if (s->wanted < SSGI_PLAN_VISIBILITY || s->wanted > SSGI_PLAN_OBJECTS)
-        return ssgi__bad(why, "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
+    int tried = 0, found = 0;
+    SSGI__THERE(plan);
+    SSGI__CHECK(s, "scene: must not be NULL");
+    SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
+                "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
     if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
         return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
     if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1)
         || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
         return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
-    if (!ssgi__positive(s->energy, 4)) return ssgi__bad(why, "scene.energy: must be finite and 0 or more");
-    if (!ssgi__finite(s->trial.open) || !ssgi__finite(s->trial.picture))
-        return ssgi__bad(why, "scene.trial: must be finite");
-    if (!ssgi__positive(&s->survey.seen, 1) || !ssgi__positive(s->survey.blocked, 3)
-        || !ssgi__positive(&s->survey.off, 1) || !ssgi__positive(s->survey.square, 4))
-        return ssgi__bad(why, "scene.survey: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__finite(s->trial.open) && ssgi__finite(s->trial.picture), "scene.trial: must be finite");
+    SSGI__CHECK(ssgi__positive(&s->survey.seen, 1) && ssgi__positive(s->survey.blocked, 3)
+                && ssgi__positive(&s->survey.off, 1) && ssgi__positive(s->survey.square, 4),
+                "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         best = p;
         found = 1;
     }
-    for (i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
         if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper))
             cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
@@ -4401,6 +4151,16 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     *plan = best;
     return SSGI_OK;
 }
+
+#undef SSGI__CHECK
+#undef SSGI__RANGE
+#undef SSGI__ZERO_OR
+#undef SSGI__SIZE
+#undef SSGI__THERE
+#undef SSGI__THERE2
+#undef SSGI__THERE3
+#undef SSGI__ENOUGH
+#undef SSGI__TRY
 
 #ifdef __cplusplus
 }
