@@ -342,6 +342,11 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
    a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
 
+/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
+   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
+   alone. Always > 0. */
+SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
+
 
 /* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
      depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
@@ -1851,6 +1856,19 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
 }
 
 SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f * ssgi_pixel_footprint(view, z); }
+
+SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
+{
+    float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        float d = upper[i] - lower[i];
+        if (!ssgi__finite(d) || d < 0.0f) return most;
+        sum += d * d;
+    }
+    guess = 0.1f * (float)sqrt((double)sum);
+    return guess > 0.0f && guess < most ? guess : most;
+}
 
 SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
 {

@@ -64,7 +64,7 @@ static const char *const rooms =
     "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, o, d, 0.0f, 2.0f);\n"
     "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
     "    bad += ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || !ssgi_gl_dialect_name(0);\n"
-    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory;\n"
+    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory || ssgi_radius_guess(&v, 1.0f, o, o) <= 0.0f;\n"
     "    return bad + light() + field() + deep();\n"
     "}\n"
     "int light(void) {\n"

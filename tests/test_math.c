@@ -995,12 +995,18 @@ static void bad_light(void)
 static void bias(void)
 {
     static const float m[2][16] = { { 1.5f, 0, 0, 0, 0, -2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, { 0.02f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    static const float small[] = { 0, 0, 0 }, box[] = { 0.3f, 0.4f, 0 }, huge[] = { 1e30f, 1e30f, 1e30f }, none[] = { NAN, 1, 1 }, below[] = { -1, 1, 1 }, tight[] = { 1e-3f, 1e-3f, 1e-3f };
     for (int ortho = 0; ortho < 2; ++ortho) {
         ssgi_view v;
         ssgi_view_from_projection(&v, m[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
         for (float z = 0.2f; z < 1e4f; z *= 3) {             /* [HSAO08 eq. 13] z / (f res), the axis whose pixels are wider; f: element 0 or 5 */
             const double x = 1 / ((double)m[ortho][0] * 1000), y = 1 / (fabs((double)m[ortho][5]) * 500), want = fmax(x, y) * (ortho ? 1 : (double)z);
             CHECK(fabs((double)ssgi_normal_offset(&v, z) / want - 1) < 1e-6 && fabs((double)ssgi_pixel_footprint(&v, z) / (2 * want) - 1) < 1e-6, "offset %g at %g, eq. 13 %g", (double)ssgi_normal_offset(&v, z), (double)z, want);
+            const double most = 0.25 * 500 * 2 * want;
+            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, tight) / 1.7320508e-4 - 1) < 1e-5, "a small box: %g", (double)ssgi_radius_guess(&v, z, small, tight));
+            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, box) / fmin(0.05, most) - 1) < 1e-5, "a box of diagonal 0.5 at %g: %g", (double)z, (double)ssgi_radius_guess(&v, z, small, box));
+            const float *const odd[] = { small, huge, none, below };
+            for (int k = 0; k < 4; ++k) CHECK(fabs((double)ssgi_radius_guess(&v, z, small, odd[k]) / most - 1) < 1e-6, "box %d: %g, a quarter of the height is %g", k, (double)ssgi_radius_guess(&v, z, small, odd[k]), most);
         }
     }
 }
