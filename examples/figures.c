@@ -3,14 +3,15 @@
       build/figures [report]
 
    Reads chart.txt and stability.txt (kind, command, commit, machine, driver) and the csv beside them. When both are of
-   full runs the page is examples/FIGURES.md, else FIGURES.md in the folder of the csv: a quick run is no reason to
-   forget a full one. A run of a part (SCENE, METHOD) leaves all as it is. Bad input: one line on stderr, status 2. */
+   full runs the page is examples/FIGURES.md, and the charts that it shows go to examples/pictures; else it is
+   FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of a part (SCENE,
+   METHOD) all stays as it is. Bad input, or a write that fails: one line on stderr, status 2. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>csv --------------------------------------------------------------------------------------------------------- */
+/* ---- >>csv ------------------------------------------------------------------------------------------------------- */
 
 enum { MOST_COLUMNS = 64, MOST_LINES = 8192, MOST_KEYS = 64 };
 typedef struct csv { char *text, **cell; int rows, columns; } csv;      /* cell[0 .. columns - 1]: the heads */
@@ -59,7 +60,8 @@ static csv csv_read(const char *name, const char *heads)
         *out++ = 0;
         if (end == ',') continue;
         if (!c.columns) c.columns = cells;
-        if (cells % c.columns) { fprintf(stderr, "figures: %s: line %d has another number of columns\n", name, cells / c.columns + 1); exit(2); }
+        if (cells % c.columns) { fprintf(stderr, "figures: %s: line %d has another number of columns\n", name,
+            cells / c.columns + 1); exit(2); }
     }
     c.rows = c.columns ? cells / c.columns - 1 : 0;
     return c;
@@ -79,10 +81,11 @@ static double number_of(const csv *c, int row, const char *key)
 
 static int same(const csv *c, int a, int b, const char *key) { return !strcmp(text_of(c, a, key), text_of(c, b, key)); }
 
-/* ---- >>tables ------------------------------------------------------------------------------------------------------ */
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 static FILE *page;
 static const char *chart_note, *stability_note;
+static int full;                                  /* both runs are full ones: the page is examples/FIGURES.md */
 
 static void number(double v, int digits, int sign)
 {
@@ -93,7 +96,11 @@ static void number(double v, int digits, int sign)
 static void heading(const char *title, const char *about, const char *note)
 {
     fprintf(page, "\n### %s\n\n", title);
-    if (*about) fprintf(page, "%s\n\n", about);
+    for (const char *s = about; *s; ++s) {        /* beside the csv the pictures are in no folder */
+        fputc(*s, page);
+        if (!full && !strncmp(s, "(pictures/", 10)) s += 9;
+    }
+    if (*about) fputs("\n\n", page);
     fprintf(page, "*%s*\n\n", note);
 }
 
@@ -105,7 +112,7 @@ static void ruler(int columns)
 }
 
 /* What is shown of a row of chart-lit, -aof and -deep, in this order, where a table has it. still: not where all rows
-   have the same. when: 0 = always; 1 = where no row is scored; 2 = where there are no phases. */
+   have the same. when: 0 = always; 1 = where no row is scored; 2 = where there are no phases; 3 = of visibility. */
 static const struct shown { const char *key, *head; int digits, sign, still, when; } shown[] = {
     { "triangles",         "triangles",   0, 0, 1, 0 },
     { "resolution",        "texels",      0, 0, 1, 0 },
@@ -123,10 +130,10 @@ static const struct shown { const char *key, *head; int digits, sign, still, whe
     { "splat_pixels",      "splats",      0, 0, 1, 1 },
     { "fetches",           "fetches",     1, 0, 1, 2 },
     { "relative_time",     "time",        2, 0, 0, 0 },
-    { "rmse",              "RMSE",        4, 0, 0, 2 },
-    { "share",             "share",       3, 0, 0, 2 },
+    { "rmse",              "RMSE",        4, 0, 0, 3 },
+    { "share",             "share",       3, 0, 0, 3 },
     { "median",            "median",      4, 0, 0, 0 },
-    { "p95",               "95 %",        3, 0, 0, 2 },
+    { "p95",               "95 %",        3, 0, 0, 3 },
     { "most",              "most",        3, 0, 0, 0 },
     { "radiance",          "radiance",    3, 0, 0, 2 },
     { "irradiance",        "irradiance",  3, 0, 0, 2 },
@@ -168,25 +175,32 @@ static int varies(const csv *c, int from, int to, const char *key)
 /* The method's own name comes first where the label does not tell it. */
 static void settings(const csv *c, int row)
 {
-    const char *label = text_of(c, row, "label"), *method = text_of(c, row, "method"), *set = text_of(c, row, "settings");
+    const char *label = text_of(c, row, "label"), *method = text_of(c, row, "method"), *set = text_of(c, row,
+        "settings");
     if (!strcmp(method, "none")) { fputs("| nothing |", page); return; }
     if (!strcmp(method, "floor")) { fputs("| exact answer from one layer, thin sheets |", page); return; }
-    fprintf(page, "| %s%s", label, strcmp(label, method) && strstr("hsao-fast hsao-best ssao hsao s3ho-fast ssdo-fast", method) ? ", " : "");
-    if (strcmp(label, method) && strstr("hsao-fast hsao-best ssao hsao s3ho-fast ssdo-fast", method)) fprintf(page, "`%s`", method);
-    fputs(*set ? ": `" : "", page);
-    for (const char *s = set; *s; ++s) fprintf(page, *s == ',' ? ", " : "%c", *s);
-    fputs(*set ? "` |" : " |", page);
+    fprintf(page, "| %s", label);
+    if (strcmp(label, method) && strstr("hsao hsao-fast hsao-best hsao-march ssao ssdo ssdo-fast s3ho s3ho-fast",
+        method))
+        fprintf(page, ", `%s`", method);
+    const char *const mark = strchr(set, ' ') ? "" : "`";      /* others' passes have words, ours have settings */
+    fprintf(page, *set ? ": %s" : "", mark);
+    for (const char *s = set; *s; ++s) {
+        fputc(*s, page);
+        if (*s == ',' && s[1] != ' ') fputc(' ', page);
+    }
+    fprintf(page, "%s |", *set ? mark : "");
 }
 
 static void plain_table(const csv *c, int from, int to)
 {
     int use[SHOWN], columns = 1;
-    const int scored = any(c, from, to, "share") || any(c, from, to, "irradiance"), phases = any(c, from, to, "irradiance_phases");
-    const int scenes = varies(c, from, to, "scene");
+    const int lit = any(c, from, to, "irradiance"), scored = lit || any(c, from, to, "share");
+    const int phases = any(c, from, to, "irradiance_phases"), scenes = varies(c, from, to, "scene");
     for (int i = 0; i < SHOWN; ++i) {
         const struct shown *s = &shown[i];
         use[i] = any(c, from, to, s->key) && !(s->still && to - from > 1 && !varies(c, from, to, s->key))
-            && !(s->when == 1 && scored) && !(s->when == 2 && phases);
+            && !(s->when == 1 && scored) && !(s->when == 2 && phases) && !(s->when == 3 && lit);
         columns += use[i];
     }
     fputs(scenes ? "| scene | method |" : "| method |", page);
@@ -196,7 +210,8 @@ static void plain_table(const csv *c, int from, int to)
     for (int r = from; r < to; ++r) {
         if (scenes) fprintf(page, "| %s ", text_of(c, r, "scene"));
         settings(c, r);
-        for (int i = 0; i < SHOWN; ++i) if (use[i]) number(number_of(c, r, shown[i].key), shown[i].digits, shown[i].sign);
+        for (int i = 0; i < SHOWN; ++i) if (use[i]) number(number_of(c, r, shown[i].key), shown[i].digits,
+            shown[i].sign);
         fputc('\n', page);
     }
 }
@@ -219,21 +234,25 @@ static int table_end(const csv *c, int from)
     return to;
 }
 
-static const struct { const char *file, *scene, *label, *title, *about; } titles[] = {      /* label: how the first row's begins */
-    { "lit", "bunny", "1 layer", "Speed against accuracy: bunny and four boxes under a sky, one bounce", "![Cost against error, lit](pictures/chart-lit.svg)" },
+/* label: how the first row's begins */
+static const struct { const char *file, *scene, *label, *title, *about; } titles[] = {
+    { "lit", "bunny", "1 layer", "Speed against accuracy: bunny and four boxes under a sky, one bounce",
+        "![Cost against error, lit](pictures/chart-lit.svg)" },
     { "lit", "bunny", "ambient visibility", "", "" },
     { "lit", "columns", "", "What is hidden: `columns`, made to need several depth layers", "" },
     { "lit", "plates", "", "What is hidden: `plates`, thin plates over a floor", "" },
     { "lit", "room", "", "What is hidden: `room`, whose walls are sheets without thickness", "" },
     { "lit", "blocks-probe", "", "`blocks` under a high-contrast probe: error, its bias and its noise, hue",
-      "Two points a direction, no bounce, no filter. Bias error: of the mean over 8 phases of the noise; noise: deviation over them. "
+      "Two points a direction, no bounce, no filter. Bias error: of the mean over 8 phases of the noise; noise: "
+      "deviation over them. "
       "Hue in shade:\nmean angle of rgb to the truth's, degrees, where blockers keep off 5 % of the light or more." },
     { "aof", "ball-on-ground", "vector", "What resolution buys: a ball on a ground", "" },
     { "aof", "cube-on-ground", "vector", "What resolution buys: a cube on a ground", "" },
     { "aof", "bunny-on-floor", "vector", "What resolution buys: the bunny on a floor", "" },
     { "aof", "casters", "", "What resolution buys: two dozen casters on a ground and on each other", "" },
     { "aof", "bunny-on-floor", "bunny, 69", "What casters cost a frame",
-      "The pass alone, which needs no filter. Covered: pixels within a caster's reach over the picture's, summed over the casters." },
+      "The pass alone, which needs no filter. Covered: pixels within a caster's reach over the picture's, summed "
+      "over the casters." },
     { "aof", "bake", "", "What a bake takes", "" },
     { "aof", "two-balls", "", "Two casters, one's occlusion a, the other's b: RMSE of three rules",
       "Between: share of the pixels whose true occlusion lies from max(a, b) to a + b." },
@@ -243,11 +262,14 @@ static const struct { const char *file, *scene, *label, *title, *about; } titles
     { "deep", "bunny-on-floor", "defaults", "Other choices, one at a time, surfels of 0.03", "" },
     { "deep", "light-fading", "", "Light as `ssdo` has it, which fades within the radius", "" },
     { "deep", "light-whole", "dss-lit", "Light as `dss-lit` has it, which does not fade", "" },
-    { "deep", "gloss", "", "One specular bounce: `cornell`, lobe of exponent 8", "Irradiance stands for the lobe's radiance." },
+    { "deep", "gloss", "", "One specular bounce: `cornell`, lobe of exponent 8",
+        "Irradiance stands for the lobe's radiance." },
     { "deep", "marble", "", "Scattering: the bunny in marble", "Irradiance stands for the radiance that leaves it." },
     { "deep", "bunny-on-floor", "5 levels", "Several levels beside one (the paper's figure 9): all reach as far", "" },
-    { "deep", "turn", "", "The camera turns away: error on the same ground", "![The camera turns away](pictures/chart-deep-turn.svg)" },
-    { "deep", "bunny-on-floor", "hsao", "The camera moves by a pixel a frame: how much visibility at a place varies", "" },
+    { "deep", "turn", "", "The camera turns away: error on the same ground",
+        "![The camera turns away](pictures/chart-deep-turn.svg)" },
+    { "deep", "bunny-on-floor", "hsao", "The camera moves by a pixel a frame: how much visibility at a place varies",
+        "" },
     { "deep", "light-whole", "ambient", "Where the time goes: shares of the stages, 512x512", "" },
     { "deep", "bunny-on-floor", "surfels", "How time grows with surfels, pixels and levels", "" }
 };
@@ -257,7 +279,8 @@ static void turn_table(const csv *c, int from, int to)
 {
     fputs("| degrees |", page);
     int last = from;
-    while (last < to && same(c, last, from, "label")) { fprintf(page, " %.0f |", number_of(c, last, "degrees")); ++last; }
+    while (last < to && same(c, last, from, "label")) { fprintf(page, " %.0f |", number_of(c, last,
+        "degrees")); ++last; }
     fputc('\n', page);
     ruler(last - from + 1);
     for (int r = from; r < to; ++r) {
@@ -273,7 +296,8 @@ static void bands_table(const csv *c, int from)
     const int end = table_end(c, from);
     fputs("| |", page);
     int lights = 0;
-    for (int t = from; t < c->rows && !strncmp(text_of(c, t, "scene"), "boxes-", 6); t = table_end(c, t), ++lights) fprintf(page, " %s |", text_of(c, t, "scene") + 6);
+    for (int t = from; t < c->rows && !strncmp(text_of(c, t, "scene"), "boxes-", 6); t = table_end(c, t),
+        ++lights) fprintf(page, " %s |", text_of(c, t, "scene") + 6);
     fputs(" time |\n", page);
     ruler(lights + 2);
     for (int r = from; r < end; ++r) {
@@ -281,7 +305,8 @@ static void bands_table(const csv *c, int from)
         fprintf(page, "| %s |", strcmp(text_of(c, r, "method"), "none") ? text_of(c, r, "label") : "nothing");
         for (int t = from, k = 0; k < lights; t = table_end(c, t), ++k) {
             const int at = t + r - from;
-            number(at < table_end(c, t) && same(c, at, r, "label") ? number_of(c, at, "irradiance") : (double)NAN, 3, 0);
+            number(at < table_end(c, t) && same(c, at, r, "label") ? number_of(c, at, "irradiance") : (double)NAN, 3,
+                0);
             time += number_of(c, at, "relative_time") / lights;
         }
         number(time, 2, 0);
@@ -299,30 +324,34 @@ static void tables_of(const char *file, const char *name)
         to = table_end(&c, from);
         if (!strncmp(scene, "boxes-", 6)) {
             heading("How many bands: irradiance of `boxes` under five lights, its error over its mean",
-                "Suns: as they are blocked within the radius; sharp: with the whole scene's shadows. Time: mean of the five.", chart_note);
+                "Suns: as they are blocked within the radius; sharp: with the whole scene's shadows. Time: mean of "
+                "the five.", chart_note);
             bands_table(&c, from);
             while (to < c.rows && !strncmp(text_of(&c, to, "scene"), "boxes-", 6)) to = table_end(&c, to);
             continue;
         }
         for (size_t k = 0; k < sizeof titles / sizeof *titles; ++k)
-            if (!strcmp(file, titles[k].file) && !strcmp(scene, titles[k].scene) && !strncmp(label, titles[k].label, strlen(titles[k].label))) {
+            if (!strcmp(file, titles[k].file) && !strcmp(scene, titles[k].scene) && !strncmp(label, titles[k].label,
+                strlen(titles[k].label))) {
                 title = titles[k].title;
                 about = titles[k].about;
                 break;
             }
-        if (!*title) title = bunnies++ ? "What harmonics cost: the same scene" : "What light costs: the same scene, 16 directions, no filter";
+        if (!*title) title = bunnies++ ? "What harmonics cost: the same scene"
+            : "What light costs: the same scene, 16 directions, no filter";
         heading(title, about, chart_note);
         if (kind_of(&c, from) & TURNED) turn_table(&c, from, to); else plain_table(&c, from, to);
     }
 }
 
-/* ---- >>ambient: chart.csv, the same rows on every scene ------------------------------------------------------------- */
+/* ---- >>ambient: chart.csv, the same rows on every scene ---------------------------------------------------------- */
 
 /* The row of a scene that is as row is. */
 static int row_on(const csv *c, const char *scene, int row)
 {
     for (int i = 0; i < c->rows; ++i)
-        if (!strcmp(text_of(c, i, "scene"), scene) && same(c, i, row, "label") && same(c, i, row, "method") && same(c, i, row, "settings")) return i;
+        if (!strcmp(text_of(c, i, "scene"), scene) && same(c, i, row, "label") && same(c, i, row, "method")
+            && same(c, i, row, "settings")) return i;
     return -1;
 }
 
@@ -345,7 +374,8 @@ static void ambient(void)
     const csv c = csv_read("chart.csv", NULL);
     const char *scenes[32];
     int count = 0, first = 0;
-    for (int i = 0; i < c.rows && count < 32; ++i) if (!i || !same(&c, i, i - 1, "scene")) scenes[count++] = text_of(&c, i, "scene");
+    for (int i = 0; i < c.rows && count < 32; ++i) if (!i || !same(&c, i, i - 1,
+        "scene")) scenes[count++] = text_of(&c, i, "scene");
     if (!count) return;
     while (first < c.rows && !strcmp(text_of(&c, first, "scene"), scenes[0])) ++first;
     for (int peers = 0; peers < 2; ++peers)
@@ -358,13 +388,19 @@ static void ambient(void)
                 if (!begun++) {
                     if (!part) {
                         heading(peers ? "Beside what others have: mean of the scenes" : "Mean of the scenes", peers
-                            ? "Passes from npm, driven by their own code, their radius matched to ours; of the rest their defaults or, where these depend on\n"
-                              "units, the best of a coarse sweep. Fitted: after the best gain and power for each picture, with the truth in hand; ours are raw."
-                            : "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over four phases of it; model error: RMSE of their mean.", chart_note);
-                        fputs(peers ? "| pass | fetches | time | raw | fitted | fitted, without `plates` |\n" : "| method | fetches | bytes | time | error | without `plates` | model error | noise |\n", page);
+                            ? "Passes from npm, driven by their own code, their radius matched to ours; of the rest "
+                            "their defaults or, where these depend on\n"
+                              "units, the best of a coarse sweep. Fitted: after the best gain and power for each "
+                              "picture, with the truth in hand; ours are raw."
+                            : "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over four phases of it; "
+                            "model error: RMSE of their mean.", chart_note);
+                        fputs(peers ? "| pass | fetches | time | raw | fitted | fitted, without `plates` |\n"
+                            : "| method | fetches | bytes | time | error | without `plates` | model error | noise "
+                            "|\n", page);
                         ruler(peers ? 6 : 8);
                     } else {
-                        heading(peers ? "Beside what others have: scene by scene, fitted" : "Scene by scene: error", "", chart_note);
+                        heading(peers ? "Beside what others have: scene by scene, fitted" : "Scene by scene: error",
+                            "", chart_note);
                         fputs(peers ? "| pass |" : "| method |", page);
                         for (int k = 0; k < count; ++k) fprintf(page, " %s |", scenes[k]);
                         fputc('\n', page);
@@ -372,7 +408,8 @@ static void ambient(void)
                     }
                 }
                 settings(&c, i);
-                if (part) for (int k = 0; k < count; ++k) number(row_on(&c, scenes[k], i) < 0 ? (double)NAN : number_of(&c, row_on(&c, scenes[k], i), error), 3, 0);
+                if (part) for (int k = 0; k < count; ++k) number(row_on(&c, scenes[k], i) < 0 ? (double)NAN
+                    : number_of(&c, row_on(&c, scenes[k], i), error), 3, 0);
                 else {
                     number(mean_on(&c, scenes, count, i, "fetches", NULL), 1, 0);
                     if (!peers) number(mean_on(&c, scenes, count, i, "bytes", NULL), 0, 0);
@@ -388,22 +425,26 @@ static void ambient(void)
         }
 }
 
-/* ---- >>rest: the plan, costs, stability ------------------------------------------------------------------------------ */
+/* ---- >>rest: the plan, costs, stability -------------------------------------------------------------------------- */
 
 static void plan(void)
 {
     const csv c = csv_read("plan.csv", NULL), all = csv_read("plan-summary.csv", NULL);
     if (!c.rows) return;
     fputs("\n## The plan, on views that it was not fitted on\n", page);
-    heading("Good plans", "Good: at most 1.25 times the cost of the cheapest choice that meets the error, and at most 1.2 times the error asked for.", chart_note);
+    heading("Good plans", "Good: at most 1.25 times the cost of the cheapest choice that meets the error, and at "
+        "most 1.2 times the error asked for.", chart_note);
     fputs("| | good | of |\n|---|---|---|\n", page);
-    for (int i = 0; i < all.rows; ++i) fprintf(page, "| %s | %s | %s |\n", text_of(&all, i, "what"), text_of(&all, i, "good"), text_of(&all, i, "pairs"));
+    for (int i = 0; i < all.rows; ++i) fprintf(page, "| %s | %s | %s |\n", text_of(&all, i, "what"), text_of(&all, i,
+        "good"), text_of(&all, i, "pairs"));
     heading("View by view", "", chart_note);
     fputs("| scene, radius, light | wanted | good | of |\n|---|---|---|---|\n", page);
     for (int from = 0, to; from < c.rows; from = to) {
         int good = 0;
-        for (to = from; to < c.rows && same(&c, to, from, "scene") && same(&c, to, from, "wanted"); ++to) good += atoi(text_of(&c, to, "good"));
-        fprintf(page, "| %s | %s | %d | %d |\n", text_of(&c, from, "scene"), text_of(&c, from, "wanted"), good, to - from);
+        for (to = from; to < c.rows && same(&c, to, from, "scene") && same(&c, to, from,
+            "wanted"); ++to) good += atoi(text_of(&c, to, "good"));
+        fprintf(page, "| %s | %s | %d | %d |\n", text_of(&c, from, "scene"), text_of(&c, from, "wanted"), good,
+            to - from);
     }
 }
 
@@ -413,13 +454,16 @@ static void costs(void)
     if (!c.rows) return;
     fputs("\n## What choices cost\n", page);
     heading("Instructions and fetches of the fragment stages",
-        "As glslang compiles them to SPIR-V, loops counted once, not optimised. Fetching: instructions that fetch; texels: the most that a pixel fetches.", chart_note);
-    fputs("| pass | instructions | fetching | texels | what choices add, instructions |\n|---|---|---|---|---|\n", page);
+        "As glslang compiles them to SPIR-V, loops counted once, not optimised. Fetching: instructions that fetch; "
+        "texels: the most that a pixel fetches.", chart_note);
+    fputs("| pass | instructions | fetching | texels | what choices add, instructions |\n|---|---|---|---|---|\n",
+        page);
     const char *const base = text_of(&c, 0, "choice");
     for (int i = 0; i < c.rows; ++i) {
         int more = 0;
         if (strcmp(text_of(&c, i, "stage"), "frag") || strcmp(text_of(&c, i, "choice"), base)) continue;
-        fprintf(page, "| %s | %s | %s | %s |", text_of(&c, i, "pass"), text_of(&c, i, "instructions"), text_of(&c, i, "fetch_instructions"), text_of(&c, i, "texels_a_pixel"));
+        fprintf(page, "| %s | %s | %s | %s |", text_of(&c, i, "pass"), text_of(&c, i, "instructions"), text_of(&c, i,
+            "fetch_instructions"), text_of(&c, i, "texels_a_pixel"));
         for (int k = 0; k < c.rows; ++k) {
             const double d = number_of(&c, k, "instructions") - number_of(&c, i, "instructions");
             if (k == i || !same(&c, i, k, "pass") || strcmp(text_of(&c, k, "stage"), "frag") || fabs(d) < 0.5) continue;
@@ -432,7 +476,8 @@ static void costs(void)
 /* The number of a method for the cause that begins at row; NULL: there is none. */
 static const char *number_at(const csv *c, int row, const char *method)
 {
-    for (int i = row; i < c->rows && same(c, i, row, "cause"); ++i) if (!strcmp(text_of(c, i, "method"), method)) return text_of(c, i, "number");
+    for (int i = row; i < c->rows && same(c, i, row, "cause"); ++i) if (!strcmp(text_of(c, i, "method"),
+        method)) return text_of(c, i, "number");
     return NULL;
 }
 
@@ -440,22 +485,30 @@ static void stability(void)
 {
     static const struct { const char *cause, *title; } named[] = {
         { "tilt", "view tilt to 89 degrees, a bare plane" }, { "tilt-wall", "the same, a wall beside it" },
-        { "pole", "a pole 20 to 0.1 pixels thick, a wall four radii behind" }, { "rail", "a rail as thin, half a radius over a floor" },
+        { "pole", "a pole 20 to 0.1 pixels thick, a wall four radii behind" }, { "rail",
+            "a rail as thin, half a radius over a floor" },
         { "halo", "a wall 0.1 to 30 radii behind an edge" }, { "radius", "radius 0.1 to 240 pixels (of 240x135)" },
-        { "off-screen", "a box slides off the screen" }, { "hidden", "a box slides behind another" }, { "near-plane", "a box crosses the near plane" },
+        { "off-screen", "a box slides off the screen" }, { "hidden", "a box slides behind another" }, { "near-plane",
+            "a box crosses the near plane" },
         { "depth-16f", "16-bit float view depth: good to" }, { "depth-24", "24-bit window depth: good to" },
-        { "depth-32f", "32-bit float window depth: good to" }, { "depth-reversed", "reversed 32-bit float depth: good to" },
-        { "camera", "camera sideways, 0.1 to 4 pixels a frame: deviation" }, { "dolly", "camera forward, 0.1 to 3 % a frame: deviation" },
-        { "light", "a sun turns 0.25 to 8 degrees a frame: second difference" }, { "rotation", "an object turns as much: the same, raw" },
+        { "depth-32f", "32-bit float window depth: good to" }, { "depth-reversed",
+            "reversed 32-bit float depth: good to" },
+        { "camera", "camera sideways, 0.1 to 4 pixels a frame: deviation" }, { "dolly",
+            "camera forward, 0.1 to 3 % a frame: deviation" },
+        { "light", "a sun turns 0.25 to 8 degrees a frame: second difference" }, { "rotation",
+            "an object turns as much: the same, raw" },
         { "resolution", "160x90 to 3840x2160, constant angular radius" } };
-    static const char *const methods[] = { "ssao", "hsao-fast", "hsao", "hsao-thin", "hsao-best", "hsao-march", "ssdo", "s3ho", "ssbn", "dss", "dss-lit", "aof" };
+    static const char *const methods[] = { "ssao", "hsao-fast", "hsao", "hsao-thin", "hsao-best", "hsao-march",
+        "ssdo", "s3ho", "ssbn", "dss", "dss-lit", "aof" };
     enum { METHODS = sizeof methods / sizeof *methods };
     const csv c = csv_read("stability.csv", NULL);
     int begun = 0;
     if (!c.rows) return;
     fputs("\n## Where methods fail\n", page);
-    heading("The worst of each sweep", "RMSE of ambient visibility unless the row says otherwise; 240x135, `dss` with `size` 0.03. Good to: the greatest depth at which\n"
-        "RMSE stays below 0.02, near plane 0.1. Deviation: of a place over the frames after true reprojection, less the truth's.\n"
+    heading("The worst of each sweep", "RMSE of ambient visibility unless the row says otherwise; 240x135, `dss` "
+        "with `size` 0.03. Good to: the greatest depth at which\n"
+        "RMSE stays below 0.02, near plane 0.1. Deviation: of a place over the frames after true reprojection, less "
+        "the truth's.\n"
         "Beside: no AO at all, the truth's own flicker, or open ground.", stability_note);
     fputs("| cause |", page);
     for (int m = 0; m < METHODS; ++m) fprintf(page, " %s |", methods[m]);
@@ -467,14 +520,15 @@ static void stability(void)
         if (i && same(&c, i, i - 1, "cause")) continue;
         for (int m = 0; m < METHODS; ++m) any_ |= number_at(&c, i, methods[m]) != NULL;
         if (!any_) continue;
-        for (size_t k = 0; k < sizeof named / sizeof *named; ++k) if (!strcmp(named[k].cause, cause)) title = named[k].title;
+        for (size_t k = 0; k < sizeof named / sizeof *named; ++k) if (!strcmp(named[k].cause,
+            cause)) title = named[k].title;
         fprintf(page, "| %s |", title);
         static const char *const besides[] = { "no AO", "truth", "open" };
         for (int k = 0; k < 3 && !beside; ++k) beside = number_at(&c, i, besides[k]);
         for (int m = 0; m <= METHODS; ++m) {
             const char *t = m < METHODS ? number_at(&c, i, methods[m]) : beside;
             const double v = t && strcmp(t, "nan") ? atof(t) : (double)NAN;
-            number(v, !(v < 1) ? 0 : v < 0.03 ? 4 : 3, 0);
+            number(v, !(v < 1) || v < 5e-5 ? 0 : v < 0.03 ? 4 : 3, 0);
         }
         fputc('\n', page);
     }
@@ -484,8 +538,10 @@ static void stability(void)
         for (int m = 0; m < METHODS; ++m) any_ |= number_at(&c, i, methods[m]) != NULL;
         if (any_) continue;
         if (!begun++) {
-            heading("The library's maths alone", "Worst of each sweep: most negative irradiance of a sun as harmonics, over what faces it; largest error and step of occlusion along\n"
-                "a line through a field's hull; largest change of the number of surfels in a step of 1 % of the distance.", stability_note);
+            heading("The library's maths alone", "Worst of each sweep: most negative irradiance of a sun as "
+                "harmonics, over what faces it; largest error and step of occlusion along\n"
+                "a line through a field's hull; largest change of the number of surfels in a step of 1 % of the "
+                "distance.", stability_note);
             fputs("| cause | curve | worst |\n|---|---|---|\n", page);
         }
         for (int k = i; k < c.rows && same(&c, k, i, "cause"); ++k) {
@@ -501,27 +557,35 @@ static void stability(void)
 /* What no csv holds. */
 static const char once[] =
     "\n## Measured once\n\n"
-    "At version 0.1 by hand, with `build/render`, `build/report demo` or a test, and in no csv; Mesa 22.3 llvmpipe, 2 cores.\n\n"
-    "| what | figure |\n|---|---|\n"
-    "| shadow maps, `pebbles`, 640x360, sun at 19 degrees, one map of 512x512: lit pixels in contact shadows whose blocker is nearer than 0.01 | 248; with `fill` 45, and 0.6 % of the lit ones darker |\n"
-    "| the sky as suns with shadow maps, bunny, 480x270, all occlusion traced: irradiance off by | 64 suns 2.9 %, 256 suns 2.0 % |\n"
-    "| virtual point lights, `cornell`: share of the lamp's bounce; RMSE over its mean | 64: 0.94, with the near field that their clamp leaves out 0.99; 0.21, 0.16, with 256 of them 0.11 |\n"
-    "| suns whose shadows are longer than the radius, `boxes`, 320x180: irradiance error | as harmonics 0.26, `lights=shadowed` 0.04 |\n"
-    "| a ball that rests on a plane, `aof`, beside the closed form: largest difference | 0.006; by solid angle, as published, 0.041 |\n"
-    "| a sheet, a torus, `aof`: 95 % of receivers within | 0.13, 0.08 |\n"
-    "| `dss`, what the picture does not show (`make demo`, 320x180, `size` 0.03): error beside `hsao`'s | off screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339 |\n"
-    "| surfels without `aside` and `most`, 480x270, for the same pixels | `room` 6.6 times, `colonnade` 66 times as many |\n"
-    "| a trial of 3000 places of 64 rays, one core | the bunny's 70,000 triangles 0.08 s, a tree 0.05 s; within 3 to 6 % of the whole picture's error |\n"
-    "| fitted errors of the plan spread by | 3 to 14 % for `hsao`, 13 % for `dss`, 28 % with cameras, 12 to 25 % for light |\n"
-    "| `half` with as many neighbours on either side of odd pixels | 1.7 times the time, error less by 0.003 |\n"
-    "| 3 steps, mean of four scenes: bias | +0.039 |\n"
-    "| a moving camera or object: deviation | `hsao` with `blur=2` 0.008, `ssdo` with `samples=16` 0.005 |\n"
-    "| the camera comes closer, `dss`: deviation; most that a step of 1 % changes the number of surfels | `every=1` 0.007, 1 %; `size=0.015` 0.008, 4 % |\n"
-    "| off screen, hidden, `ssdo` with `views=4` | 0.038, 0.032 |\n"
-    "| `ssao`, a wall one radius behind an edge | `thickness=0.5` 0.024, `range=1` 0.010: both lose in grass; `thickness=0.7` 0.053, but bunny, grass and colonnade lose 8 to 12 % |\n"
-    "| emitting a pass | 10 to 60 microseconds |\n";
+    "At version 0.1 with `build/render`, `make demo` or a test, and in no csv; Mesa 22.3 llvmpipe, 2 cores.\n\n"
+    "- shadow maps, `pebbles`, 640x360, sun at 19 degrees, one map of 512x512: 248 lit pixels in contact shadows\n"
+    "  whose blocker is nearer than 0.01; `fill` leaves 45 of them and darkens 0.6 % of the lit ones\n"
+    "- the sky as suns with shadow maps, bunny, 480x270, all occlusion traced: irradiance off by 2.9 % with 64\n"
+    "  suns, 2.0 % with 256\n"
+    "- virtual point lights, `cornell`: 64 bring 0.94 of the lamp's bounce, with the near field that their clamp\n"
+    "  leaves out 0.99; RMSE 0.21 and 0.16 of its mean, with 256 of them 0.11\n"
+    "- suns whose shadows are longer than the radius, `boxes`, 320x180: irradiance errs by 0.26 as harmonics, by\n"
+    "  0.04 with `lights=shadowed`\n"
+    "- a ball that rests on a plane, `aof`: within 0.006 of the closed form; by solid angle, as published, 0.041\n"
+    "- `aof`: 95 % of receivers within 0.13 for a sheet, 0.08 for a torus\n"
+    "- `dss` where the picture shows nothing (`make demo`, 320x180, `size` 0.03), error beside `hsao`'s: off\n"
+    "  screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339\n"
+    "- surfels without `aside` and `most`, 480x270, for the same pixels: 6.6 times as many in `room`, 66 times in\n"
+    "  `colonnade`\n"
+    "- a trial of 3000 places of 64 rays, one core: 0.08 s in the bunny's 70,000 triangles, 0.05 s in a tree;\n"
+    "  within 3 to 6 % of the whole picture's error\n"
+    "- errors that the plan predicts spread by 3 to 14 % for `hsao`, 13 % for `dss`, 28 % with cameras, 12 to 25\n"
+    "  % for light\n"
+    "- `half` with as many neighbours on either side of odd pixels: 1.7 times the time for 0.003 less error\n"
+    "- 3 steps: bias +0.039, mean of four scenes\n"
+    "- a moving camera or object: deviation 0.008 with `blur=2` (`hsao`), 0.005 with `samples=16` (`ssdo`)\n"
+    "- the camera comes closer, `dss`: deviation 0.007 with `every=1`, 0.008 with `size=0.015`\n"
+    "- off screen and hidden, `ssdo` with `views=4`: 0.038, 0.032; layers do not help\n"
+    "- `ssao`, a wall one radius behind an edge: 0.024 with `thickness=0.5`, 0.010 with `range=1`, both of which\n"
+    "  lose in grass; 0.053 with `thickness=0.7`, by which bunny, grass and colonnade lose 8 to 12 %\n"
+    "- emitting a pass: 10 to 60 microseconds\n";
 
-/* ---- >>main -------------------------------------------------------------------------------------------------------- */
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 /* A run's kind and, in note, where its figures come from; 0 = there was none. f, q, p. */
 static char run_of(const char *name, const char **note)
@@ -533,6 +597,17 @@ static char run_of(const char *name, const char **note)
     return *text;
 }
 
+/* A chart that the page and README.md show. */
+static int kept(const char *name)
+{
+    char path[1024], *text = file_text(name);
+    snprintf(path, sizeof path, "examples/pictures/%s", name);
+    FILE *f = text ? fopen(path, "w") : NULL;
+    const int failed = !f || fputs(text, f) < 0;
+    free(text);
+    return (f && fclose(f)) || failed;
+}
+
 int main(int argc, char **argv)
 {
     char path[1024];
@@ -540,18 +615,23 @@ int main(int argc, char **argv)
     if (argc > 1) folder = argv[1];
     const char chart = run_of("chart.txt", &chart_note), stable = run_of("stability.txt", &stability_note);
     if (chart == 'p' || stable == 'p') { puts("figures: left as they are, for a part alone was measured"); return 0; }
-    if (!chart && !stable) { fprintf(stderr, "figures: %s: holds neither chart.txt nor stability.txt (make chart, make stability)\n", folder); return 2; }
-    const int full = chart == 'f' && stable == 'f';
+    if (!chart && !stable) { fprintf(stderr, "figures: %s: holds neither chart.txt nor stability.txt (make chart, "
+        "make stability)\n", folder); return 2; }
+    full = chart == 'f' && stable == 'f';
     snprintf(path, sizeof path, full ? "examples/FIGURES.md" : "%s/FIGURES.md", folder);
     page = fopen(path, "w");
     if (!page) { fprintf(stderr, "figures: %s: cannot be written\n", path); return 2; }
-    fputs("# Figures\n\nMade by `make chart` and `make stability` from the csv that they write: change nothing here. Above each table stand the command,\n"
+    fputs("# Figures\n\nMade by `make chart` and `make stability` from the csv that they write: change nothing here. "
+        "Above each table stand the command,\n"
           "commit, machine and driver that it comes from.", page);
     fputs(full ? "\n" : " Quick runs have smaller pictures, fewer rays and fewer rows.\n", page);
-    fputs("\n- Time: GL time of all passes, filter included, relative to one unblurred 16-sample `ssao` in the same interleaved run.\n"
-          "- Error and share: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw output: no gain, no exponent.\n"
+    fputs("\n- Time: GL time of all passes, filter included, relative to one unblurred 16-sample `ssao` in the same "
+        "interleaved run.\n"
+          "- Error and share: RMSE against ray-traced truth over the RMSE of having no ambient occlusion. Raw "
+          "output: no gain, no exponent.\n"
           "- Radiance, irradiance, bounce: RMSE over the mean of the truth; biases likewise, below 0 = too dark.\n"
-          "- Bytes: each pass reads each of its inputs' texels once and writes its outputs, a pixel. Fetches: texel fetches a pixel.\n", page);
+          "- Bytes: each pass reads each of its inputs' texels once and writes its outputs, a pixel. Fetches: texel "
+          "fetches a pixel.\n", page);
     if (chart) {
         fputs("\n## Ambient occlusion\n", page);
         ambient();
@@ -566,6 +646,10 @@ int main(int argc, char **argv)
     }
     if (stable) stability();
     fputs(once, page);
+    if (full && (kept("chart.svg") || kept("chart-lit.svg") || kept("chart-deep-turn.svg"))) {
+        fputs("figures: examples/pictures: a chart cannot be copied there\n", stderr);
+        return 2;
+    }
     if (ferror(page) || fclose(page)) { fprintf(stderr, "figures: %s: cannot be written\n", path); return 2; }
     printf("figures: %s%s\n", path, full ? "" : " (examples/FIGURES.md is written when both runs are full ones)");
     return 0;
