@@ -74,10 +74,11 @@ demo: build/render build/report
 # Its second scanned mesh comes from a package that nothing else needs; without it, the chart says so.
 BED     = build/models/iron-bed.obj
 BED_ZIP = /usr/share/sweethome3d/furniture/Scopia.sh3f
-chart: build/report
+chart: build/report build/figures
 	@test -n "$(QUICK)$(SCENE:iron-bed=)" -o -s $(BED) || { sh examples/kit/install.sh sweethome3d-furniture unzip && mkdir -p build/models \
 		&& unzip -p $(BED_ZIP) scopia/iron_bed/iron_bed.obj >$(BED); } || rm -f $(BED)
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
+	build/figures
 
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 peers:
@@ -87,8 +88,14 @@ peers:
 	@cp examples/peers.mjs build/peers/
 
 # Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
-stability: build/stability
+stability: build/stability build/figures
 	build/stability $(if $(QUICK),--quick)
+	build/figures
+
+# examples/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
+build/figures: examples/figures.c | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures for four minutes, prints the table.
 fit: build/report

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "kit/kit_gl.h"
 
 /* ---- >>text: a page grows in memory and reaches the disk whole, or not at all ------------------------------------ */
@@ -23,6 +24,28 @@ int page_close(page *p, const char *folder, const char *name, kit_error *err)
     else status = kit_file_write(path, p->text, p->size, err);
     free(p->text);
     return status;
+}
+
+/* A command's first line, without its end; "" if there is none. */
+static void line_of(char *out, int size, const char *command)
+{
+    FILE *f = popen(command, "r");
+    if (!f || !fgets(out, size, f)) *out = 0;
+    if (f) pclose(f);
+    out[strcspn(out, "\n")] = 0;
+}
+
+int run_note(const char *folder, const char *name, const char *kind, const char *command, kit_error *err)
+{
+    char commit[64], changed[64], processor[128];
+    page p;
+    line_of(commit, sizeof commit, "git log -1 --format=%h 2>/dev/null");
+    line_of(changed, sizeof changed, "git status --porcelain -- ssgi.h ssgi_gl.h examples/kit 2>/dev/null");
+    line_of(processor, sizeof processor, "sed -n 's/^model name[^:]*: //p' /proc/cpuinfo");
+    if (page_open(&p, err)) return -1;
+    fprintf(p.file, "%s\n`%s`, commit %s%s, %ld cores (%s), %s\n", kind, command, *commit ? commit : "unknown", *changed ? " with changes" : "",
+        sysconf(_SC_NPROCESSORS_ONLN), *processor ? processor : "unknown", kit_gl_name());
+    return page_close(&p, folder, name, err);
 }
 
 void page_into(page *p, FILE *f)

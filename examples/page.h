@@ -31,6 +31,10 @@ int page_open(page *p, kit_error *err);
 int page_close(page *p, const char *folder, const char *name, kit_error *err);
 void page_into(page *p, FILE *f);     /* what a page holds becomes part of another file */
 
+/* What a run's figures come from, for build/figures: a line of its kind (full, quick or part), and one of command,
+   commit, machine and driver. */
+int run_note(const char *folder, const char *name, const char *kind, const char *command, kit_error *err);
+
 void escaped(FILE *f, const char *s);
 const char *settings_of(const row *r);
 void table_text(FILE *f, const row *rows, int count);

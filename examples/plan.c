@@ -243,7 +243,7 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
 {
     static planned_row rows[MOST_PLANNED];
     int count;
-    page csv, numbers;
+    page csv, numbers, summary;
     memset(verdicts, 0, sizeof verdicts);
     if (planned_all(rows, &count, &verdicts[0], 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err)) return -1;
     fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
@@ -258,6 +258,11 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
     fprintf(html, "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the survey alone, without a trial: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by less than a tenth of the error without the last of "
             "them. The same as text: <a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more,
             verdicts[0].needless);
+    if (page_open(&summary, err)) return -1;
+    fprintf(summary.file, "what,good,pairs\nwith a trial,%d,%d\n\"with a trial, where leaving it out would not do\",%d,%d\n\"without a trial, from the survey alone\",%d,%d\n"
+        "\"with bands, layers, cameras or levels, the last of which is needed\",%d,%d\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed,
+        verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more - verdicts[0].needless, verdicts[0].asked_more);
+    if (page_close(&summary, o->out, "plan-summary.csv", err)) return -1;
     return page_close(&csv, o->out, "plan.csv", err) || page_close(&numbers, o->out, "plan-numbers.csv", err) ? -1 : 0;
 }
 

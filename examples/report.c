@@ -324,7 +324,8 @@ static int chart(const options *o, kit_error *err)
     fputs("<p class=\"faint\">The same figures as text:", html.file);
     for (int i = 0; i < COUNT(csv); ++i) if (csv[i].rows) fprintf(html.file, " <a href=\"%s\">%s</a>", csv[i].name, csv[i].name);
     fputs("</p>\n", html.file);
-    if (page_close(&html, o->out, "index.html", err)) return -1;
+    if (page_close(&html, o->out, "index.html", err) || run_note(o->out, "chart.txt", o->method || o->scenes ? "part"
+        : o->quick ? "quick" : "full", o->quick ? "make chart QUICK=1" : "make chart", err)) return -1;
     units_end();
     if (ao) {
         printf("ambient occlusion, %s\n", mean->scene);

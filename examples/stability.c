@@ -699,7 +699,9 @@ static int stability(const options *o, kit_error *err)
     fputs("cause,unit,method,settings,value,figure,number\n", csv.file);
     table_of(html.file, results, shown);
     for (int k = 0; k < CAUSES; ++k) if (shown[k] && page_of(html.file, csv.file, &results[k], o->out, err)) return -1;
-    if (page_close(&html, o->out, "stability.html", err) || page_close(&csv, o->out, "stability.csv", err)) return -1;
+    if (page_close(&html, o->out, "stability.html", err) || page_close(&csv, o->out, "stability.csv", err)
+        || run_note(o->out, "stability.txt", o->causes || o->methods ? "part" : o->quick ? "quick" : "full",
+            o->quick ? "make stability QUICK=1" : "make stability", err)) return -1;
     table_of(NULL, results, shown);
     printf("charts and pictures: %s/stability.html\n", o->out);
     return 0;

@@ -243,6 +243,10 @@ static void documentation(void)
     CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
     status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both, "    free(text); return 0;\n}\n", text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
+    CHECK(!shell(text, sizeof text, "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s", getenv("PWD"), ""),
+          "README.md: 250 lines of 120 columns are enough: %s", text);
+    CHECK(!shell(text, sizeof text, "cd '%s' && for f in README.md examples/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut -d'#' -f1); do "
+          "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done", getenv("PWD"), "[^)]*"), "a link leads nowhere: %s", text);
     CHECK(!shell(text, sizeof text, "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c 15 ao.pgm", getenv("PWD"), "-lOSMesa -lm") && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text,
