@@ -164,7 +164,7 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
                 low-discrepancy in each set, the sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
                 radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
-   [SSDO09 section 3; sets that integrate an unblocked constant exactly: see README, differences from the papers] */
+   [SSDO09 section 3; sets that integrate an unblocked constant exactly: see examples/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
 /* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for
