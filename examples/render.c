@@ -7,7 +7,7 @@
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
       build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
       build/render SCENE.obj --plan visibility:0.03 --out ao.exr
-      build/render --list
+      build/render --help | --list | --list hsao
 
    Bad input: one line on stderr that names it, status 2, nothing written. */
 #include "kit/kit_gl.h"
@@ -19,29 +19,41 @@
 
 static const char usage[] =
     "usage: render SCENE.obj | NAME | --gbuffer FRAME.exr   [options]\n"
-    "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --fovy DEGREES | --ortho-height UNITS  --near N  --far F  --size WxH\n"
-    "  --ground            puts a square under the mesh\n"
-    "  --env F.exr | F.hdr | sky | probe | white   latitude-longitude radiance: +y up, the centre looks to +z (lit methods)\n"
-    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; direction to the light and irradiance facing it; up to 16\n"
-    "  --gbuffer F.exr     a captured frame: channels Z (positive view depth), N.X N.Y N.Z (view space), maybe albedo.R .., direct.R ..,\n"
-    "                      layer1.Z .. (farther depth layers); --camera tells where it was taken\n"
-    "  --method NAME       --list names all, with their settings   [hsao]\n"
-    "  --set key=value,..  settings of the method\n"
-    "  --plan WHAT:ERROR[:BUDGET]  visibility, light or bounce: takes the method that is predicted to err by ERROR at the least cost (within BUDGET 16-sample ssaos), and says why\n"
-    "  --closed            all is closed solids: a plan may take depth layers and extra cameras\n"
-    "  --radius R          farthest occluder, scene units   [the scene's own]\n"
-    "  --truth RAYS        ray-traced reference instead of the method\n"
-    "  --floor RAYS        exact answer from what the depth buffer holds, instead of the method\n"
-    "  --score REF.exr     prints RMSE, bias, p95, SSIM against a reference\n"
-    "  --time N            prints each pass's median GL time over N frames\n"
-    "  --out F.exr|F.png   the picture: channel Y = ambient visibility; lit methods: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
-    "  --save-gbuffer F.exr  the G-buffer as a frame that --gbuffer takes\n"
-    "  --json              prints machine-readable\n"
-    "  --context osmesa | egl | egl-es   [osmesa]\n";
+    "  render SCENE.obj --method hsao --radius 0.5 --out ao.png\n"
+    "  render room --truth 256 --out truth.exr\n"
+    "  render room --method hsao --set steps=8,blur=1 --score truth.exr --time 20\n"
+    "  render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png\n"
+    "  render --gbuffer frame.exr --fovy 60 --radius 1 --out ao.png\n"
+    "  render --list | --list hsao\n"
+    "what to draw\n"
+    "  --gbuffer F.exr       a captured frame: Z (view depth > 0), N.X N.Y N.Z (view space); perhaps albedo.R ..,\n"
+    "                        direct.R .., farther depth layers layer1.Z ..; --camera tells where it was taken\n"
+    "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
+    "  --fovy DEGREES | --ortho-height UNITS\n"
+    "  --ground              a square under the mesh\n"
+    "  --env F.exr | F.hdr | sky | probe | white     radiance, latitude-longitude; lit methods\n"
+    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to 16\n"
+    "how\n"
+    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
+    "  --set key=value,..    settings of the method\n"
+    "  --radius R            farthest occluder, scene units   [the scene's own]\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by ERROR;\n"
+    "                        BUDGET in 16-sample ssaos\n"
+    "  --closed              closed solids only: a plan may take depth layers and extra cameras\n"
+    "  --truth RAYS          the ray-traced reference instead of a method\n"
+    "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
+    "  --context osmesa | egl | egl-es   [osmesa]\n"
+    "what comes out\n"
+    "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
+    "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference\n"
+    "  --time N              median GL time of each pass over N frames\n"
+    "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it\n"
+    "  --json                machine-readable\n";
 
 typedef struct options {
     const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
-    int sets, lights, ground, planned, closed, list, json, truth, floor, time, has_camera, has_up;
+    const char *listed;
+    int sets, lights, ground, planned, closed, list, help, json, truth, floor, time, has_camera, has_up;
     float camera[6], up[3];
     double fovy, ortho_height, znear, zfar, radius, plan[2];
     int width, height;
@@ -115,11 +127,16 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
             o->scene = a;
             continue;
         }
-        if (!strcmp(a, "--list")) { o->list = 1; continue; }
+        if (!strcmp(a, "--help")) { o->help = 1; continue; }
+        if (!strcmp(a, "--list")) {
+            o->list = 1;
+            if (v && *v != '-') { o->listed = v; ++i; }
+            continue;
+        }
         if (!strcmp(a, "--json")) { o->json = 1; continue; }
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
         if (!strcmp(a, "--closed")) { o->closed = 1; continue; }
-        if (!v) return kit_fail(err, "%s: %s", a, strstr(usage, a) ? "needs a value" : "there is no such option (render alone prints them)");
+        if (!v) return kit_fail(err, "%s: %s", a, strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
         else if (!strcmp(a, "--method")) o->method = v;
@@ -144,10 +161,10 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--size")) {
             if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1 || o->height < 1 || o->width > 16384 || o->height > 16384)
                 return kit_fail(err, "--size %s: must be WxH, each 1..16384", v);
-        } else return kit_fail(err, "%s: there is no such option (render alone prints them)", a);
+        } else return kit_fail(err, "%s: there is no such option (--help names all)", a);
         if (bad) return -1;
     }
-    if (o->list) return 0;
+    if (o->list || o->help) return 0;
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
     if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
     if (o->planned && (o->sets || o->floor || o->truth)) return kit_fail(err, "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
@@ -168,20 +185,29 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     return 0;
 }
 
-static void list_methods(void)
+/* All methods and scenes, a line each; or the settings of one method. */
+static int list(const char *name, kit_error *err)
 {
     kit_method m;
-    const char *about, *name;
+    const char *about, *scene;
+    int found = 0;
     for (int i = 0; kit_method_at(&m, i); ++i) {
+        if (name && strcmp(name, m.name)) continue;
+        found = 1;
         printf("%-12s %s\n", m.name, m.about);
-        for (int k = 0; k < m.count; ++k) {
+        for (int k = 0; name && k < m.count; ++k) {
             const kit_setting *s = &m.setting[k];
-            if (s->choices) printf("    %-16s %-26s %s\n", s->key, s->choices, s->about);
-            else printf("    %-16s %-5g in %g..%-12g %s\n", s->key, s->value, s->least, s->most, s->about);
+            char values[64];
+            if (s->choices) snprintf(values, sizeof values, "%s", s->choices);
+            else snprintf(values, sizeof values, "%g in %g..%g", s->value, s->least, s->most);
+            printf("  %-15s %-26s %s\n", s->key, values, s->about);
         }
     }
-    printf("\nbuilt-in scenes\n");
-    for (int i = 0; (name = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", name, about);
+    if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
+    if (name) return 0;
+    puts("settings of one: --list NAME\n\nbuilt-in scenes");
+    for (int i = 0; (scene = kit_scene_builtin(i, &about)) != NULL; ++i) printf("%-12s %s\n", scene, about);
+    return 0;
 }
 
 static int by_value(const void *a, const void *b)
@@ -474,10 +500,11 @@ int main(int argc, char **argv)
     if (argc < 2) { fputs(usage, stderr); return 2; }
     j.world.lighting = &j.lighting;
     failed = parse(&j.o, argc, argv, &err);
-    if (!failed && j.o.list) list_methods();
+    if (!failed && j.o.help) fputs(usage, stdout);
+    else if (!failed && j.o.list) failed = list(j.o.listed, &err);
     else if (!failed) failed = do_job(&j, &err);
     if (failed) return fail(err.text);
     if (kit_streams_close(&err)) return fail(err.text);
-    if (!j.o.list) end_job(&j);
+    if (!j.o.list && !j.o.help) end_job(&j);
     return 0;
 }

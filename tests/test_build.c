@@ -316,7 +316,7 @@ static void command_line(void)
         { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" }, { "room --fovy 999 --out a.exr", "--fovy 999" }, { "room --out a.bmp", "--out a.bmp" }, { "room --size 8x8 --out none/a.exr", "none/a.exr" },
         { "room --size 8x8 --out none/a.png", "none/a.png" }, { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" }, { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },
         { "--gbuffer y.exr --radius 1 --out a.exr", "--fovy" }, { "room --size 8x8 --score y.exr", "y.exr" }, { "room --radius nan --out a.exr", "--radius nan" }, { "room --radius -1 --out a.exr", "--radius -1" },
-        { "room --wrong 1 --out a.exr", "--wrong" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" },
+        { "room --wrong 1 --out a.exr", "--wrong" }, { "--list none", "--list none" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" },
         { "room --env sky --out a.exr", "--env" }, { "room --light sun:0,1,0,1,1,1 --method hsao-march --out a.exr", "--light" }, { "room --method ssdo --env none.hdr --out a.exr", "none.hdr" },
         { "room --method ssdo --env sky.png --out a.exr", "sky.png" }, { "room --method ssdo --env y.exr --out a.exr", "y.exr" }, { "room --method ssdo --light lamp:1,2 --out a.exr", "lamp:1,2" },
         { "room --method ssdo --light point:0,1,0,1,1 --out a.exr", "point:0,1,0,1,1" }, { "room --method ssdo --light sun:0,0,0,1,1,1 --out a.exr", "sun:0,0,0" },

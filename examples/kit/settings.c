@@ -220,7 +220,7 @@ static int set_one(kit_method *m, const char *text, size_t length, kit_error *er
         s->value = v;
         return 0;
     }
-    return kit_fail(err, "--set %s=%s: method %s has no such setting (--list names them)", key, value, m->name);
+    return kit_fail(err, "--set %s=%s: method %s has no such setting (--list %s names them)", key, value, m->name, m->name);
 }
 
 int kit_method_set(kit_method *method, const char *text, kit_error *err)
