@@ -775,7 +775,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_faded", __LINE__, "// how much a blocker that the picture shows at Q still blocks\n"
+{ "ssgi_faded", __LINE__, "// weight of an occluder that the depth buffer shows at Q\n"
     "float ssgi_faded(vec3 Q) {\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
@@ -849,7 +849,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_way = S - ssgi_P; // #if bounce\n"
     "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_matter(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
     "#if views\n"
-    "    for (int v = 0; v < SSGI_VIEWS; ++v) { // whoever sees it in the open is right\n"
+    "    for (int v = 0; v < SSGI_VIEWS; ++v) { // a camera that sees S unoccluded overrides the others\n"
     "        vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
     "        float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
     "        p = ivec2(floor(q.xy / unit));\n"
@@ -2021,7 +2021,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_once", __LINE__, "// of what is hidden so much is hidden once\n"
+{ "ssgi_once", __LINE__, "// ratio of the union of form factors to their sum\n"
     "float ssgi_once(float form) {\n"
     "    return 1.0 / max(form, 1.0); // #if overlap == ADD\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0; // #if overlap != ADD\n"
