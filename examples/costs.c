@@ -51,7 +51,7 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
                     tally *k = &costs[n++];
                     int i = 0, failed = 0;
                     *k = (tally){ v, c, at, kit_fetches(&d), 0, 0, 0, 0,
-                        hashed(14695981039346656037u + (uint64_t)at, text, strlen(text)) };
+                        kit_hash(KIT_HASH + (uint64_t)at, text, strlen(text)) };
                     while (costs[i].text != k->text) ++i;
                     snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text, stage_endings[at]);
                     if (i == n - 1 && access(path, F_OK)) {

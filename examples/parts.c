@@ -85,7 +85,7 @@ static uint64_t hashed_file(uint64_t h, const char *path)
     char *data;
     size_t size;
     if (kit_file_read(&data, &size, path, NULL)) return h;
-    h = hashed(h, data, size);
+    h = kit_hash(h, data, size);
     free(data);
     return h;
 }
@@ -104,9 +104,9 @@ void units_begin(const options *o, int all)
     memset(&units, 0, sizeof units);
     units.all = all;
     units.begun = kit_seconds();
-    units.key = hashed_file(hashed_file(hashed_file(14695981039346656037u, "/proc/self/exe"), BUNNY), BED);
-    for (int i = 0; i < COUNT(text); ++i) units.key = hashed(units.key, text[i], strlen(text[i]) + 1);
-    for (int i = 0; i < o->scenes; ++i) units.key = hashed_file(hashed(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
+    units.key = hashed_file(hashed_file(hashed_file(KIT_HASH, "/proc/self/exe"), BUNNY), BED);
+    for (int i = 0; i < COUNT(text); ++i) units.key = kit_hash(units.key, text[i], strlen(text[i]) + 1);
+    for (int i = 0; i < o->scenes; ++i) units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
 }
 
 void units_end(void)

@@ -65,7 +65,6 @@ typedef struct stage {
 } stage;
 
 int folder(const char *path, kit_error *err);
-uint64_t hashed(uint64_t h, const void *data, size_t size);
 /* The truth's rays; every stride-th pixel. */
 int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
 int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);

@@ -47,12 +47,6 @@ int folder(const char *path, kit_error *err)
     return 0;
 }
 
-uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a */
-{
-    for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;
-    return h;
-}
-
 int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
 {
     const otherwise *l = &s->otherwise;
@@ -76,22 +70,22 @@ static int truth_of(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     const size_t floats = 9 * s->scene.mesh.triangles * sizeof(float), pixels = (size_t)c->width * (size_t)c->height;
-    uint64_t h = hashed(14695981039346656037u, s->scene.mesh.position, floats);
+    uint64_t h = kit_hash(KIT_HASH, s->scene.mesh.position, floats);
     char path[256];
     kit_image probe;
     kit_error note;
-    h = hashed(h, s->scene.mesh.normal, floats);
-    h = hashed(h, c, sizeof *c);
-    h = hashed(h, &s->radius, sizeof s->radius);
+    h = kit_hash(h, s->scene.mesh.normal, floats);
+    h = kit_hash(h, c, sizeof *c);
+    h = kit_hash(h, &s->radius, sizeof s->radius);
     if (s->lit) {
-        h = hashed(h, s->scene.mesh.albedo, floats / 3);
-        if (s->traced.env.data) h = hashed(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
-        h = hashed(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
-        if (s->otherwise.hard || s->otherwise.kind) h = hashed(h, &s->otherwise, offsetof(otherwise, material));
-        if (s->otherwise.material) h = hashed(h, s->otherwise.material, strlen(s->otherwise.material));
+        h = kit_hash(h, s->scene.mesh.albedo, floats / 3);
+        if (s->traced.env.data) h = kit_hash(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
+        h = kit_hash(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
+        if (s->otherwise.hard || s->otherwise.kind) h = kit_hash(h, &s->otherwise, offsetof(otherwise, material));
+        if (s->otherwise.material) h = kit_hash(h, s->otherwise.material, strlen(s->otherwise.material));
     }
-    if (s->between) h = hashed(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
-    for (int i = 0; i < s->scene.objects && s->between; ++i) h = hashed(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
+    if (s->between) h = kit_hash(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
+    for (int i = 0; i < s->scene.objects && s->between; ++i) h = kit_hash(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
     snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->between ? "objects-" : !s->lit ? "" : s->otherwise.kind == GLOSS ? "gloss-" : s->otherwise.kind ? "scatter-" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         int same = s->truth.width == c->width && s->truth.height == c->height;

@@ -78,9 +78,7 @@ static int has_vertices(const ssgi_gl_desc *d) { return d->pass == SSGI_GL_FIELD
 
 static uint64_t hash_of(const char *text, size_t n)
 {
-    uint64_t hash = 14695981039346656037u;
-    for (size_t i = 0; i < n; ++i) hash = (hash ^ (uint64_t)(unsigned char)text[i]) * 1099511628211u;
-    return hash | 1;
+    return kit_hash(KIT_HASH, text, n) | 1;
 }
 
 /* A set of hashes: at which place is this one? It is added where it is not there. */
@@ -596,8 +594,7 @@ static void reflection(void)
             for (const char *line = *text[stage] ? strchr(text[stage], '\n') + 1 : "\n"; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
                 uint64_t two = last * 31;
                 int s = 0;
-                last = 14695981039346656037u;
-                for (size_t k = 0; k < strcspn(line, "\n"); ++k) last = (last ^ (uint64_t)line[k]) * 1099511628211u;
+                last = kit_hash(KIT_HASH, line, strcspn(line, "\n"));
                 two ^= last;
                 while (s < pairs && seen[s] != two) ++s;
                 if (s == pairs && CHECK(pairs < 1 << 12, "too many pairs of lines")) seen[pairs++] = two;

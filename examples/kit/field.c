@@ -20,21 +20,15 @@ static int shown(void *user, float done)
     return 0;
 }
 
-static uint64_t hashed(uint64_t h, const void *data, size_t size)     /* FNV-1a */
-{
-    for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;
-    return h;
-}
-
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err)
 {
     ssgi_field_desc d = *desc;
     const size_t texels = ssgi_field_size(d.resolution ? d.resolution : d.error > 0 ? 64 : 16, d.bits ? d.bits : 16), size = ssgi_field_bake_size(&d, shape->triangles);
-    uint64_t key = hashed(14695981039346656037u, shape->position, 9 * shape->triangles * sizeof(float));
+    uint64_t key = kit_hash(KIT_HASH, shape->position, 9 * shape->triangles * sizeof(float));
     const char *why = "out of memory";
     void *work;
     baked *b;
-    key = hashed(key, &d.resolution, offsetof(ssgi_field_desc, hit));
+    key = kit_hash(key, &d.resolution, offsetof(ssgi_field_desc, hit));
     for (b = all; b && b->key != key; b = b->next) {}
     if (!b) {
         const double began = kit_seconds();

@@ -50,6 +50,9 @@ int    kit_file_write(const char *path, const void *data, size_t size, kit_error
 void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
+/* FNV-1a of size bytes, continued from h; the first call passes KIT_HASH. */
+#define KIT_HASH UINT64_C(14695981039346656037)
+uint64_t kit_hash(uint64_t h, const void *data, size_t size);
 
 /* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
    fraction 0 starts the clock, 1 clears the line. Call it as often as you like: it redraws at most ten times a second. */

@@ -45,6 +45,12 @@ int kit_streams_close(kit_error *err)
     return kit_fail(err, "standard output: cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "");
 }
 
+uint64_t kit_hash(uint64_t h, const void *data, size_t size)
+{
+    for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;
+    return h;
+}
+
 double kit_seconds(void)
 {
     struct timespec t;
