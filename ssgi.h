@@ -1,4 +1,4 @@
-/* ssgi.h - v0.1 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
+/* ssgi.h - v0.2 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #include "ssgi.h"
@@ -64,7 +64,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SSGI_VERSION 100 /* 0.1.0 */
+#define SSGI_VERSION 200 /* 0.2.0 */
 
 #ifdef SSGI_STATIC
 #define SSGI_DEF static
@@ -125,7 +125,7 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
 /* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side
    planes and the near plane; 0 inside. The far plane does not count. */
-SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3]);
+SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3]);
 
 /* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
    displacement and looks at centre.
@@ -301,7 +301,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
    without an environment), the irradiance over pi of the suns less that of the coefficients, [3*i + c], which stand for
    all of it. Added to their light, dimmed by occlusion, it makes open surfaces exact.
      size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
-SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
+SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why);
 
 /* ==== >>vpl ==================================================================================================== */
@@ -443,11 +443,11 @@ typedef struct ssgi_surfel_desc {
     float jitter;   /* [units: radii] [limit: 0..1] how far surfels are moved, to hide the tessellator's pattern */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
     int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
-    float aside;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
+    float offscreen_growth;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
                        frustum, where no visible pixel is close; below 1e-3: none, as published */
-    int   every;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
+    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
                        area / (3 pi r^2): cost and reach do not follow how fine a mesh is; 1: all, as published */
-    float most;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
+    float max_distance;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
                        radius of occlusion */
 } ssgi_surfel_desc;
 
@@ -463,12 +463,12 @@ typedef struct ssgi_surfel_source {
 } ssgi_surfel_source;
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
-   splits, defaults in place; and ssgi_gl_frame.more: aside, every. */
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
+   splits, defaults in place; and ssgi_gl_frame.offscreen: offscreen_growth, keep_small. */
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
                                        const ssgi_view *view, const char **why);
 
 /* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
-   horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->most. Others
+   horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->max_distance. Others
    stay as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
    (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most capacity
    triangles, and to *count how many there are. */
@@ -485,9 +485,9 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
-    float most;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
-    float brightest;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float front;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
+    float max_distance;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
+    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
+    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
     int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -511,7 +511,7 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
 
 /* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
    ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
-typedef struct ssgi_dipole { double above[3], below[3], fading[3], albedo[3]; } ssgi_dipole;
+typedef struct ssgi_dipole { double z_r[3], z_v[3], sigma_tr[3], albedo[3]; } ssgi_dipole;
 /* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
@@ -525,9 +525,9 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: what a rigid caster takes from the ambient light of things around it, baked once,
-   looked up at any point outside of it for a cost that knows nothing of its triangles. Space is seen from the caster's
-   centre: for each direction of a cube map, how the cap that the caster fills changes along the ray from its convex
+/* Ambient occlusion fields [AOF05]: what a rigid occluder takes from the ambient light of things around it, baked once,
+   looked up at any point outside of it for a cost that knows nothing of its triangles. Space is seen from the occluder's
+   centre: for each direction of a cube map, how the cap that the occluder fills changes along the ray from its convex
    hull to the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
@@ -538,9 +538,9 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
       free(work);                                                  field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the caster. VECTOR: the length of its vector irradiance, and how densely it fills its cap
-   (holes, legs): occlusion is then exact wherever the whole caster is above the receiver's horizon, and 1/length of a
-   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the caster. */
+/* What a field keeps of the occluder. VECTOR: the length of its vector irradiance, and how densely it fills its cap
+   (holes, legs): occlusion is then exact wherever the whole occluder is above the receiver's horizon, and 1/length of a
+   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the occluder. */
 enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
 
 /* How a field is baked. Zero is the default everywhere. */
@@ -554,7 +554,7 @@ typedef struct ssgi_field_desc {
     float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
                            radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
                            it; resolution [default: 64] and radii [default: 24] are then the most that may be taken */
-    /* Your ray caster: 1 if the ray meets the caster at any t > 0; NULL: ours, which finds the hull in any case. */
+    /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int  (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
@@ -563,7 +563,7 @@ typedef struct ssgi_field_desc {
     void *user;         /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
-/* A baked field, in the caster's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
+/* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
     const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
                                border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
@@ -575,7 +575,7 @@ typedef struct ssgi_field {
     float reach;            /* [units: the mesh's] the field's end, from the centre */
     float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
     float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
-    float median, p95, most;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
+    float median, p95, max_error;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
                                directions between texels, radii between those sampled, any normal */
 } ssgi_field;
 
@@ -604,8 +604,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 /* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion at a point by the caster, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the caster's
-   coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several casters 1 - (1 - a)(1 -
+/* Occlusion at a point by the occluder, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the occluder's
+   coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several occluders 1 - (1 - a)(1 -
    b) .. Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
@@ -634,12 +634,12 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least
    error for what you can spend. Fitted on ray-traced truth of eight scenes, judged on others: README. Nothing is exact:
-   the table of choices is short, and a picture does not know what it hides. What helps most is a trial.
+   the table of choices is short, and a picture does not know what it hides. What helps most is a calibration.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
-      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.reach = 0.2f;
-      ssgi_survey_of(&s.survey, texels, width, height, 0, NULL);       of the pass "survey" (ssgi_gl.h), read back once
-      ssgi_plan_try(&s.trial, &trace, position, normal, visibility, 3000, 64, radius, NULL);    of hsao, preset BALANCED
+      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
+      ssgi_depth_statistics_of(&s.statistics, texels, width, height, 0, NULL);       of the pass "statistics" (ssgi_gl.h), read back once
+      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, visibility, 3000, 64, radius, NULL);    of hsao, preset BALANCED
       ssgi_plan plan;
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
@@ -652,20 +652,20 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
        SSGI_PLAN_FIELD };
 
-/* How points around surfaces stand to what is seen: from the picture of the pass "survey". blocked: shares of them
+/* How points around surfaces stand to what is seen: from the picture of the pass "statistics". blocked: shares of them
    behind it by less than a quarter of the radius, by less than the radius, by more: what lies there between is unknown.
    off: beside the picture. square: second moments of all four over the pixels, with the sampling variance removed.
-   seen: share of the picture; 0 = no survey. */
-typedef struct ssgi_survey { float seen, blocked[3], off, square[4]; } ssgi_survey;
+   seen: share of the picture; 0 = no statistics. */
+typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, square[4]; } ssgi_depth_statistics;
 
 /* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
    pass [limit: 0, 2..64] [default: 32]. */
-SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points,
+SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
                                     const char **why);
 
 /* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices
-   at the preset BALANCED, which dim the light where light is wanted. known: 0 = no trial. */
-typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
+   at the preset BALANCED, which dim the light where light is wanted. known: 0 = no calibration. */
+typedef struct ssgi_calibration { int known; float unoccluded, hsao; } ssgi_calibration;
 
 /* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's
    part). What rays add by chance is not in it: their halves are compared crosswise, so 64 suffice. 3000 places spread
@@ -674,7 +674,7 @@ typedef struct ssgi_trial { int known; float open, picture; } ssgi_trial;
                         tracing the pixels' rays: those from depth are too coarse far away
      visibility         what the picture holds there
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
-SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position,
+SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                    const float *normal, const float *visibility, size_t count, int rays, float radius,
                                    const char **why);
 
@@ -682,19 +682,19 @@ typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
     float error;            /* [limit: >= 0] 0: the least that the budget buys */
     float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float reach;            /* the radius over the picture's height: radius * project / (depth * height), mean over what
+    float screen_radius;            /* the radius over the picture's height: radius * project / (depth * height), mean over what
                                is seen [limit: >= 0] [default: 0.15] */
-    ssgi_survey survey;
-    ssgi_trial  trial;      /* OBJECTS: only open is read */
+    ssgi_depth_statistics statistics;
+    ssgi_calibration  calibration;      /* OBJECTS: only open is read */
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
     int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
     int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; both want closed solids */
     double triangles;       /* that may become surfels; 0: none may */
-    float splats;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
+    float splat_overdraw;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
                                [default: 170] */
-    int   casters;          /* OBJECTS: with fields */
-    float cover;            /* OBJECTS: mean share of pixels in a caster's reach [limit: >= 0] [default: 0.1] */
+    int   occluders;          /* OBJECTS: with fields */
+    float coverage;            /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
@@ -929,7 +929,7 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
     return view->orthographic ? d : 1.0f / d;
 }
 
-SSGI_DEF double ssgi_view_aside(const ssgi_view *view, const double point[3])
+SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
     double most = (double)ssgi_view_near(view) - z;
@@ -1751,7 +1751,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_sh_lacking(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
+SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why)
 {
     SSGI__THERE(map);
@@ -2471,7 +2471,7 @@ SSGI__FN double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel
 }
 
 /* Its middle, how far that is aside, and how far its corners are from there. */
-SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
+SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
     *extent = 0.0;
     for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
@@ -2481,7 +2481,7 @@ SSGI__FN double ssgi__surfel_aside(const ssgi__patch *p, const ssgi__surfel_make
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
-    return ssgi_view_aside(m->view, middle);
+    return ssgi_view_outside(m->view, middle);
 }
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
@@ -2514,13 +2514,13 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     }
     memcpy(p->face, whole->face, sizeof p->face);
     p->area = whole->area / ((double)n * n);
-    aside = ssgi__surfel_aside(p, m, middle, &extent);
-    if (m->desc.most > 0.0f && aside - extent > (double)m->desc.most) return 0;
-    wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.aside * aside;
+    aside = ssgi__surfel_outside(p, m, middle, &extent);
+    if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
+    wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi_tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
-    if (m->desc.every || share > 1.0) share = 1.0;
+    if (m->desc.keep_small || share > 1.0) share = 1.0;
     p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
@@ -2585,30 +2585,30 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
     SSGI__CHECK(desc->shrink >= SSGI_SHRINK_INCENTRE && desc->shrink <= SSGI_SHRINK_CENTROID,
                 "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
-    SSGI__CHECK(desc->every >= 0 && desc->every <= 1, "desc.every: must be 0 or 1");
-    SSGI__CHECK(desc->aside >= 0.0f && desc->aside <= 1.0f, "desc.aside: must be 0..1");
-    SSGI__CHECK(ssgi__positive(&desc->most, 1), "desc.most: must be 0 or more and finite");
+    SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
+    SSGI__CHECK(desc->offscreen_growth >= 0.0f && desc->offscreen_growth <= 1.0f, "desc.offscreen_growth: must be 0..1");
+    SSGI__CHECK(ssgi__positive(&desc->max_distance, 1), "desc.max_distance: must be 0 or more and finite");
     *out = *desc;
-    if (!(out->aside > 0.0f)) out->aside = 0.1f;
+    if (!(out->offscreen_growth > 0.0f)) out->offscreen_growth = 0.1f;
     if (!(out->size > 0.0f)) out->size = 0.015f;
     if (!out->splits) out->splits = 8;
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float more[2], const ssgi_surfel_desc *desc,
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
                                        const ssgi_view *view, const char **why)
 {
     ssgi_surfel_desc d;
     double s[2];
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
-    SSGI__CHECK(scale && more, "scale, more: must not be NULL");
+    SSGI__CHECK(scale && offscreen, "scale, offscreen: must not be NULL");
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
     scale[2] = 1.0f - d.jitter;
     scale[3] = (float)d.splits;
-    more[0] = d.aside;
-    more[1] = (float)d.every;
+    offscreen[0] = d.offscreen_growth;
+    offscreen[1] = (float)d.keep_small;
     return SSGI_OK;
 }
 
@@ -2683,9 +2683,9 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
     one.index = NULL;
     sub.source = &one;
     if (!ssgi__surfel_triangle(&p, &sub, 0)) return;
-    aside = ssgi__surfel_aside(&p, m, middle, &extent) - extent;
-    if (m->desc.most > 0.0f && aside > (double)m->desc.most) return;
-    r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.aside * aside : 0.0);
+    aside = ssgi__surfel_outside(&p, m, middle, &extent) - extent;
+    if (m->desc.max_distance > 0.0f && aside > (double)m->desc.max_distance) return;
+    r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.offscreen_growth * aside : 0.0);
     if (depth == 10 || p.area <= SSGI__PI * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
         if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
         ++d->count;
@@ -2782,16 +2782,16 @@ SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, co
     SSGI__THERE2(splat, view);
     SSGI__CHECK(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f),
                 "splat.epsilon: must be 1e-6..1, or 0 for the default");
-    SSGI__CHECK(ssgi__positive(&splat->most, 1), "splat.most: must be 0 or more and finite");
-    SSGI__CHECK(ssgi__positive(&splat->brightest, 1), "splat.brightest: must be 0 or more and finite");
-    SSGI__CHECK(ssgi__positive(&splat->front, 1), "splat.front: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->max_distance, 1), "splat.max_distance: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->max_radiance, 1), "splat.max_radiance: must be 0 or more and finite");
+    SSGI__CHECK(ssgi__positive(&splat->near_depth, 1), "splat.near_depth: must be 0 or more and finite");
     SSGI__CHECK(splat->levels >= 0 && splat->levels <= SSGI_SPLAT_LEVELS, "splat.levels: must be 0..7");
     *s = *splat;
     if (!(s->epsilon > 0.0f)) s->epsilon = 0.1f;
-    if (!(s->most > 0.0f)) s->most = SSGI_FAR;
-    if (!(s->brightest > 0.0f)) s->brightest = 1.0f;
+    if (!(s->max_distance > 0.0f)) s->max_distance = SSGI_FAR;
+    if (!(s->max_radiance > 0.0f)) s->max_radiance = 1.0f;
     if (!s->levels) s->levels = 5;
-    if (!(s->front > 0.0f)) s->front = ssgi_view_near(view);
+    if (!(s->near_depth > 0.0f)) s->near_depth = ssgi_view_near(view);
     return SSGI_OK;
 }
 
@@ -2814,8 +2814,8 @@ SSGI__FN void ssgi__splat_pixels(ssgi_surfel_cost *cost, const ssgi_splat *s, co
     for (int l = 0; l < s->levels; ++l) {
         double shell[2];
         float b[4];
-        ssgi__surfel_shell(shell, reach, l, (double)s->most);
-        if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->front)) continue;
+        ssgi__surfel_shell(shell, reach, l, (double)s->max_distance);
+        if (!(shell[1] > shell[0]) || !ssgi__sphere_bounds(b, view, centre, (float)shell[1], s->near_depth)) continue;
         cost->pixels[l] += count * (ceil(ldexp((double)b[2], -l)) - floor(ldexp((double)b[0], -l)))
                          * (ceil(ldexp((double)b[3], -l)) - floor(ldexp((double)b[1], -l)));
     }
@@ -2841,7 +2841,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
             if (!ssgi__surfel_part(&p, &m, &whole, n, part)) continue;
             for (int k = 0; k < 3; ++k) centre[k] = (float)((p.at[0][k] + p.at[1][k] + p.at[2][k]) / 3.0);
             cost->surfels += (size_t)p.count;
-            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.brightest, p.count);
+            ssgi__splat_pixels(cost, &s, view, centre, p.radius, (double)s.max_radiance, p.count);
         }
     }
     return SSGI_OK;
@@ -2858,7 +2858,7 @@ SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat
     cost->surfels = count;
     cost->splits = 1;
     for (size_t i = 0; i < count; ++i)
-        ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.brightest, 1.0);
+        ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.max_radiance, 1.0);
     return SSGI_OK;
 }
 
@@ -2878,9 +2878,9 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     }
     for (int c = 0; c < 3; ++c) {
         const double t = (double)sigma_s[c] + (double)sigma_a[c];
-        dipole->above[c] = 1.0 / t;
-        dipole->below[c] = (1.0 + 4.0 / 3.0 * a) / t;
-        dipole->fading[c] = sqrt(3.0 * (double)sigma_a[c] * t);
+        dipole->z_r[c] = 1.0 / t;
+        dipole->z_v[c] = (1.0 + 4.0 / 3.0 * a) / t;
+        dipole->sigma_tr[c] = sqrt(3.0 * (double)sigma_a[c] * t);
         dipole->albedo[c] = (double)sigma_s[c] / t;
     }
     return SSGI_OK;
@@ -2891,8 +2891,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
     double sum = 0.0;
     if (c < 0 || c > 2) return 0.0;
     for (int k = 0; k < 2; ++k) {
-        const double z = k ? d->below[c] : d->above[c], length = sqrt(r * r + z * z);
-        sum += z * (d->fading[c] + 1.0 / length) * exp(-d->fading[c] * length) / (length * length);
+        const double z = k ? d->z_v[c] : d->z_r[c], length = sqrt(r * r + z * z);
+        sum += z * (d->sigma_tr[c] + 1.0 / length) * exp(-d->sigma_tr[c] * length) / (length * length);
     }
     return d->albedo[c] / (4.0 * SSGI__PI) * sum;
 }
@@ -2900,7 +2900,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
 {
     if (c < 0 || c > 2) return 0.0;
-    return 0.5 * d->albedo[c] * (exp(-d->fading[c] * d->above[c]) + exp(-d->fading[c] * d->below[c]));
+    return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
 }
 
 SSGI_DEF const ssgi_material *ssgi_material_of(int i)
@@ -3164,17 +3164,17 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     return best;
 }
 
-/* ---- the caster: where it is, and its convex hull */
+/* ---- the occluder: where it is, and its convex hull */
 
-typedef struct ssgi__field_caster {
+typedef struct ssgi__field_occluder {
     ssgi_trace trace;
     double centre[3], radius;
     /* corners of the hull about the centre, and how far it may lie beyond them */
     double few[SSGI__FIELD_FEW][3], loose;
-} ssgi__field_caster;
+} ssgi__field_occluder;
 
 /* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found stay closed. */
-SSGI__FN double ssgi__field_farthest(const ssgi__field_caster *m, const double n[3], double out[3])
+SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -3227,12 +3227,12 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 }
 
 /* How far beyond the hull samples begin, so that none begins in the matter. */
-SSGI__FN double ssgi__field_slack(const ssgi__field_caster *m) { return 1e-4 * m->radius; }
+SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
 /* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
-   even flat casters have one: the farthest corner along the portal's normal splits it, until there is none beyond its
+   even flat occluders have one: the farthest corner along the portal's normal splits it, until there is none beyond its
    plane. */
-SSGI__FN double ssgi__field_exit(const ssgi__field_caster *m, const double w[3], ssgi__field_portal *p)
+SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
     const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
     double facing;
@@ -3277,7 +3277,7 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the
 }
 
 /* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
-SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
+SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
     double w[3], p[3], centre[3] = { 0.0, 0.0, 0.0 };
@@ -3314,9 +3314,9 @@ SSGI__FN int ssgi__field_measure(ssgi__field_caster *m)
     return 1;
 }
 
-/* A cone about a point outside of the hull that holds all of the caster: about the mean direction to some corners,
+/* A cone about a point outside of the hull that holds all of the occluder: about the mean direction to some corners,
    wider by what they lack; or the half space below the hull's plane. */
-SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, const double point[3],
+SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
     double least = 1.0, d[SSGI__FIELD_FEW][3], length[SSGI__FIELD_FEW];
@@ -3341,7 +3341,7 @@ SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_caster *m, con
 
 typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
-    ssgi__field_caster caster;
+    ssgi__field_occluder occluder;
     ssgi_field *field;
     float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
     float *error;                   /* of what is held out; in fine, which is done with then */
@@ -3365,7 +3365,7 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 
 static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
 
-/* What a point at r along w from the centre sees of the caster, by rays in the cone that holds it; and that point. */
+/* What a point at r along w from the centre sees of the occluder, by rays in the cone that holds it; and that point. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -3374,10 +3374,10 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
     float cosine;
     for (int k = 0; k < 3; ++k) {
         at[k] = r * w[k];
-        point[k] = (float)(at[k] + b->caster.centre[k]);
+        point[k] = (float)(at[k] + b->occluder.centre[k]);
     }
-    cosine = ssgi__field_cone(axis, &b->caster, at, portal->normal);
-    ssgi__field_sample(sum, occlusion, normal, &b->caster.trace, b->desc->hit, b->desc->user, point, axis, cosine, rays,
+    cosine = ssgi__field_cone(axis, &b->occluder, at, portal->normal);
+    ssgi__field_sample(sum, occlusion, normal, &b->occluder.trace, b->desc->hit, b->desc->user, point, axis, cosine, rays,
                        seed);
 }
 
@@ -3393,7 +3393,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
-    hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
+    hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
     for (int i = 0; i < b->radii; ++i) {
         double sum[4];
         radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
@@ -3413,7 +3413,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     /* within the rays' noise, which a centre near the hull would follow */
     ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
     length = sqrt(ssgi__dot(c, c));
-    if (length > b->caster.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->caster.radius / length;
+    if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
     q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
@@ -3484,9 +3484,9 @@ SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
     for (int i = 0; i < 256; ++i) {
         const double r = ssgi__field_turn((uint32_t)i);
         ssgi__field_spiral(w, i, 256);
-        ssgi__along(w, b->caster.centre, r * ssgi__field_exit(&b->caster, w, &portal), w);
+        ssgi__along(w, b->occluder.centre, r * ssgi__field_exit(&b->occluder, w, &portal), w);
         ssgi__floats(point, w);
-        ssgi__field_sample(out, NULL, NULL, &b->caster.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
+        ssgi__field_sample(out, NULL, NULL, &b->occluder.trace, b->desc->hit, b->desc->user, point, up, -1.0f, 128,
                            (uint32_t)i);
         if (out[0] > 0.95 * sphere) continue;
         sum += out[0] / sphere * (1.0 - r);
@@ -3504,8 +3504,8 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     float point[3], facing[3];
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
-    hull = ssgi__field_exit(&b->caster, w, &portal) + ssgi__field_slack(&b->caster);
-    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the caster */
+    hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
+    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the occluder */
         ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
@@ -3533,9 +3533,9 @@ SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
     int below = 0;
     memset(bin, 0, sizeof bin);
     ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    f->median = f->p95 = f->most = 0.0f;
+    f->median = f->p95 = f->max_error = 0.0f;
     for (int i = 0; i < all; ++i) {
-        f->most = ssgi__max(f->most, b->error[i]);
+        f->max_error = ssgi__max(f->max_error, b->error[i]);
         ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
     }
     for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
@@ -3543,7 +3543,7 @@ SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
         if (below < all * 19 / 20) f->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
         below += bin[i];
     }
-    f->p95 = ssgi__min(f->p95, f->most);
+    f->p95 = ssgi__min(f->p95, f->max_error);
     f->median = ssgi__min(f->median, f->p95);
 }
 
@@ -3633,14 +3633,14 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     b.rays = d.rays;
     b.fine = b.error = (float *)(void *)((char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64);
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
-    SSGI__TRY(ssgi_trace_build(&b.caster.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
+    SSGI__TRY(ssgi_trace_build(&b.occluder.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
                                position, stride_bytes, index, triangles, why));
-    SSGI__CHECK(ssgi__field_measure(&b.caster), "position: no triangle has an area");
+    SSGI__CHECK(ssgi__field_measure(&b.occluder), "position: no triangle has an area");
     f.bits = d.bits;
     f.measure = d.measure;
-    f.radius = (float)b.caster.radius;
+    f.radius = (float)b.occluder.radius;
     f.reach = d.reach * f.radius;
-    ssgi__floats(f.centre, b.caster.centre);
+    ssgi__floats(f.centre, b.occluder.centre);
     f.inside = ssgi__field_inside(&b);
     f.resolution = d.resolution;
     f.radii = b.radii = d.radii;
@@ -3809,7 +3809,7 @@ SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)  
 SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
 {
     float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
-                            &f->inside,    &f->median,    &f->p95,       &f->most };
+                            &f->inside,    &f->median,    &f->p95,       &f->max_error };
     for (int i = 0; i < 9; ++i) out[i] = ends[i];
     for (int i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
 }
@@ -3909,12 +3909,12 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* ==== >>plan (implementation) ================================================================================== */
 
-SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int width, int height, int points,
+SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
                                     const char **why)
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
     size_t seen = 0, count;
-    if (!survey || !rgba) return ssgi__bad(why, !survey ? "survey: must not be NULL" : "rgba: must not be NULL");
+    if (!statistics || !rgba) return ssgi__bad(why, !statistics ? "statistics: must not be NULL" : "rgba: must not be NULL");
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         return ssgi__bad(why, "width, height: must be 1..65536");
     SSGI__ZERO_OR(points, "points", 2, 64);
@@ -3929,21 +3929,21 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *rgba, int 
         }
         ++seen;
     }
-    memset(survey, 0, sizeof *survey);
-    survey->seen = (float)((double)seen / (double)count);
+    memset(statistics, 0, sizeof *statistics);
+    statistics->visible = (float)((double)seen / (double)count);
     for (int k = 0; k < 4 && seen; ++k) {
-        *(k < 3 ? &survey->blocked[k] : &survey->off) = (float)(sum[k] / (double)seen);
-        survey->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
+        *(k < 3 ? &statistics->blocked[k] : &statistics->offscreen) = (float)(sum[k] / (double)seen);
+        statistics->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
     }
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, const float *position,
+SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                    const float *normal, const float *visibility, size_t count, int rays, float radius,
                                    const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
-    if (!trial || !trace) return ssgi__bad(why, !trial ? "trial: must not be NULL" : "trace: must not be NULL");
+    if (!calibration || !trace) return ssgi__bad(why, !calibration ? "calibration: must not be NULL" : "trace: must not be NULL");
     if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
     SSGI__CHECK(count, "count: must not be 0");
     SSGI__RANGE(rays, 2, 65536);
@@ -3969,18 +3969,18 @@ SSGI_DEF ssgi_result ssgi_plan_try(ssgi_trial *trial, const ssgi_trace *trace, c
         open += occlusion[0] * occlusion[1];
         picture += (occlusion[0] - shown) * (occlusion[1] - shown);
     }
-    trial->known = 1;
-    trial->open = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
-    trial->picture = (float)sqrt(picture > 0.0 ? picture / (double)count : 0.0);
+    calibration->known = 1;
+    calibration->unoccluded = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
+    calibration->hsao = (float)sqrt(picture > 0.0 ? picture / (double)count : 0.0);
     return SSGI_OK;
 }
 
 /* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
-   (examples/fit.c): squares of the trial's errors; of them open times a surfel's size over the radius, once and twice,
+   (examples/fit.c): squares of the calibration's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
 enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
        SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
-enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_CASTERS = 4 };
+enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_OCCLUDERS = 4 };
 
 /* A choice: what it is for, what it needs besides layers and cameras, its settings, its cost, its terms' numbers. */
 typedef struct ssgi__plan_row {
@@ -4031,28 +4031,28 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 9.27f, 0.2162f, 0, 0, 0, 0.0346f, 0, 0, 1.6316f),
     SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 44.56f, 0.1656f, 0, 0, 0, 0.0379f, 0, 0, 2.3169f),
     SSGI__ROW(OBJECTS, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.0144f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.0121f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CASTERS, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0.05f, 0.0117f, 0, 0, 0, 0, 0, 0, 0)
+    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.0144f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.0121f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0.05f, 0.0117f, 0, 0, 0, 0, 0, 0, 0)
 };
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-SSGI__FN double ssgi__plan_reach(const ssgi_plan_scene *s) { return s->reach > 0.0f ? (double)s->reach : 0.15; }
+SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s) { return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15; }
 
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
-    const double size = (double)row->size / ssgi__plan_reach(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const double size = (double)row->size / ssgi__plan_radius(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    if (s->survey.seen > 0.0f) {                    /* no more than a guess: the survey cannot see what is hidden */
-        const float *square = s->survey.square;
+    if (s->statistics.visible > 0.0f) {                    /* no more than a guess: the statistics cannot see what is hidden */
+        const float *square = s->statistics.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
         picture = 1e-5 + 0.38 * (double)square[1];
     }
-    if (s->trial.known) {
-        open = (double)s->trial.open * (double)s->trial.open;
-        picture = (double)s->trial.picture * (double)s->trial.picture;
+    if (s->calibration.known) {
+        open = (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
+        picture = (double)s->calibration.hsao * (double)s->calibration.hsao;
     }
     for (int l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
@@ -4073,13 +4073,13 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
-                    | (s->casters > 0 ? SSGI__PLAN_NEEDS_CASTERS : 0);
-    const float *square = s->survey.square;
+                    | (s->occluders > 0 ? SSGI__PLAN_NEEDS_OCCLUDERS : 0);
+    const float *square = s->statistics.square;
     if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1)
         || row->cameras > s->cameras)
         return 0;
     /* layers and cameras want something hidden */
-    if (s->survey.seen > 0.0f && (row->layers > 1 || row->cameras)) {
+    if (s->statistics.visible > 0.0f && (row->layers > 1 || row->cameras)) {
         const double off = row->cameras ? sqrt((double)square[3]) : 0.0;
         if (sqrt((double)square[1] + (double)square[2]) + off < 0.1 * (double)s->error) return 0;
     }
@@ -4108,11 +4108,11 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
            && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
         --plan->bands;
-    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->casters * (s->cover > 0.0f ? s->cover : 0.1f);
+    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     if (row->method == SSGI_PLAN_SURFELS) {
-        plan->cost *= (s->splats > 0.0f ? s->splats : 170.0f) / 170.0f;
-        for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_reach(s); ++k) {}
+        plan->cost *= (s->splat_overdraw > 0.0f ? s->splat_overdraw : 170.0f) / 170.0f;
+        for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_radius(s); ++k) {}
         plan->levels = k;
     }
     return 1;
@@ -4129,16 +4129,16 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->casters < 0)
-        return ssgi__bad(why, "scene.layers, .cameras, .casters: must be 0..4, 0..4, 0 or more");
-    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->reach, 1)
-        || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splats, 1) || !ssgi__positive(&s->cover, 1))
-        return ssgi__bad(why, "scene.error, .budget, .reach, .albedo, .splats, .cover: must be finite and 0 or more");
+    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->occluders < 0)
+        return ssgi__bad(why, "scene.layers, .cameras, .occluders: must be 0..4, 0..4, 0 or more");
+    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->screen_radius, 1)
+        || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splat_overdraw, 1) || !ssgi__positive(&s->coverage, 1))
+        return ssgi__bad(why, "scene.error, .budget, .screen_radius, .albedo, .splat_overdraw, .coverage: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
-    SSGI__CHECK(ssgi__finite(s->trial.open) && ssgi__finite(s->trial.picture), "scene.trial: must be finite");
-    SSGI__CHECK(ssgi__positive(&s->survey.seen, 1) && ssgi__positive(s->survey.blocked, 3)
-                && ssgi__positive(&s->survey.off, 1) && ssgi__positive(s->survey.square, 4),
-                "scene.survey: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded) && ssgi__finite(s->calibration.hsao), "scene.calibration: must be finite");
+    SSGI__CHECK(ssgi__positive(&s->statistics.visible, 1) && ssgi__positive(s->statistics.blocked, 3)
+                && ssgi__positive(&s->statistics.offscreen, 1) && ssgi__positive(s->statistics.square, 4),
+                "scene.statistics: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;

@@ -1,4 +1,4 @@
-/* ssgi_gl.h - v0.1 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
+/* ssgi_gl.h - v0.2 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
@@ -36,13 +36,13 @@
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
                 senders  packs what surfaces send, their normal and depth: one fetch a sample for the bounce
                 shade    the vectors of s3ho meet light: harmonics, lamps, bent normals, cones [S3HO12, SSBN11]
-                field    ambient occlusion by rigid casters whose fields were baked, blended over each other [AOF05]
+                field    ambient occlusion by rigid occluders whose fields were baked, blended over each other [AOF05]
                 surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
                 shuffle  positions and normals, pixels dealt out to the sub-buffers of every level
                 splat    what each surfel does to pixels around it, added up
                 unshuffle, smooth, sum   pixels back in place; within surfaces; ambient visibility, light or bounce
                 blur     smooths what the others wrote, within surfaces
-                survey   what stands around one pixel of every 8x8: for ssgi_survey_of and the plan in ssgi.h
+                statistics   what stands around one pixel of every 8x8: for ssgi_depth_statistics_of and the plan in ssgi.h
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
       ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it
@@ -58,15 +58,15 @@
       senders  radiance ALBEDO, for a bounce only; a draw a layer
       s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds
                a bounce for whatever light comes
-      blur     with colour = SSGI_GL_VECTORS; or none here, and blur what shade wrote: far cheaper, the same but for
+      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote: far cheaper, the same but for
                the clamp
       shade    dots them with frame.harmonics (ssgi_gl_harmonics_set) and adds lamps: irradiance over pi, or radiance.
                bands = 2 serves bent normals and cones
       With shaded = 1 s3ho does that itself and keeps nothing.
 
    OCCLUSION BETWEEN MOVING OBJECTS
-      field    a ssgi_gl_caster each, as rows of t_ssgi_casters; clear the target to 1, blend by GL_DST_COLOR, GL_ZERO
-               (or GL_ZERO, GL_SRC_COLOR), and draw all at once: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, casters): a
+      field    an ssgi_gl_occluder each, as rows of t_ssgi_occluders; clear the target to 1, blend by GL_DST_COLOR, GL_ZERO
+               (or GL_ZERO, GL_SRC_COLOR), and draw all at once: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders): a
                rectangle each, around the sphere that it reaches; culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
 
@@ -107,7 +107,7 @@ extern "C" {
 
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_SURVEY, SSGI_GL_PASSES /* how many */ };                                /* desc.pass */
+       SSGI_GL_BLUR, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };                                /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES,
        SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
@@ -134,7 +134,7 @@ enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked 
 /* desc.falloff: how a blocker's weight falls with its distance t, by how far along their directions samples stand */
 enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
        SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
-                                      (ssgi_gl_light.least = radius) */
+                                      (ssgi_gl_light.min_distance = radius) */
 /* desc.fade: occluder weight as a function of the distance d, in radii, from the receiver to the surface that the depth
    buffer shows */
 enum { SSGI_GL_FADE_NONE = 0,
@@ -148,7 +148,7 @@ enum { SSGI_GL_ENVIRONMENT_NONE = 0,
 enum { SSGI_GL_BOUNCE_NONE = 0,
        SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: no scale, never brighter than
                                       it */
-       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.nearest radii [SSDO09 section
+       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp radii [SSDO09 section
                                       3] */
 /* desc.shadow: what stands between a light and a point */
 enum { SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
@@ -162,7 +162,7 @@ enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wr
        SSGI_GL_RADIANCE_BOTH,      /* the sum */
        SSGI_GL_RADIANCE_ALBEDO };  /* albedo alone: what s3ho reads, whose light comes later */
 /* desc.transfer: what the vectors of s3ho hold */
-enum { SSGI_GL_TRANSFER_FREE = 0,  /* one vector: what free directions bring */
+enum { SSGI_GL_TRANSFER_DIRECT = 0,  /* one vector: what free directions bring */
        SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and what blockers reflect of unoccluded light [S3HO12 2.3] */
        SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what blockers reflect. Targets: 6 with 3 or 4 bands (GLES
                                         has 4) */
@@ -179,9 +179,9 @@ enum { SSGI_GL_STORAGE_ATLAS = 0,  /* ssgi_field.texels, a slice of one integer 
 /* desc.cap: how a cap becomes occlusion */
 enum { SSGI_GL_CAP_CLOSED = 0,     /* closed form: two arcs */
        SSGI_GL_CAP_TABLE };        /* your texture of ssgi_cap_table: 1 fetch */
-/* desc.objects: which object a pixel shows, so that no caster shades itself */
-enum { SSGI_GL_OBJECTS_NONE = 0,   /* casters shade whatever is there */
-       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_caster.object leaves its own pixels
+/* desc.objects: which object a pixel shows, so that no occluder shades itself */
+enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders shade whatever is there */
+       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_occluder.object leaves its own pixels
                                       alone */
        SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.effect: what surfels do to pixels */
@@ -203,7 +203,7 @@ enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
        SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view
                                       space */
 /* desc.colour: what blur filters: ambient visibility; light, three channels; what s3ho wrote */
-enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_VECTORS };
+enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
        SSGI_GL_GAUSSIAN };         /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08
@@ -226,7 +226,7 @@ typedef struct ssgi_gl_desc {
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, survey 32]  directions; points on
+    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points on
                             a segment */
     int steps;           /* hsao   [limit: 0..64] [default: 6; others 1]  per direction: N_s; of points, the first
                             blocked one counts */
@@ -267,14 +267,14 @@ typedef struct ssgi_gl_desc {
                             normals read 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two a
                             vector */
-    int transfer;        /* SSGI_GL_TRANSFER_FREE ..; three vectors must be packed */
+    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three vectors must be packed */
     int shaded;          /* s3ho   1: keeps no vectors, meets frame.harmonics at once and writes light; shade is not
                             drawn */
-    int exact;           /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: what the bands
-                            lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_lacking), dimmed by ambient
+    int residual;          /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: what the bands
+                            lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_residual), dimmed by ambient
                             visibility */
     int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lamps;           /* shade   1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors;
+    int lights;          /* shade   1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors;
                             a POINT is a sphere of radius `least` */
     int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
@@ -292,9 +292,9 @@ typedef struct ssgi_gl_desc {
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
                             320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int enlarge;         /* splat   levels draw to 1 pixel of 4^level; 0: so weighted; 1: so enlarged, the paper's, up
+    int scale_radius;         /* splat   levels draw to 1 pixel of 4^level; 0: so weighted; 1: so enlarged, the paper's, up
                             to 1/3 too dark */
-    int closely;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+    int near_samples;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int overlap;         /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;            /* smooth  0: along x; 1: along y */
@@ -347,9 +347,9 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
 /* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's
-   storage, measure, eight_bits and cap; the samplers t_ssgi_casters, t_ssgi_fields (or the two cube maps), t_ssgi_cap
-   are declared in it. float ssgi_field_visibility(int casters, int object, vec3 position, vec3 normal): the product of
-   1 - occlusion over rows 0 .. casters - 1 but those of that object (0: none), in the space that ssgi_gl_caster_set was
+   storage, measure, eight_bits and cap; the samplers t_ssgi_occluders, t_ssgi_fields (or the two cube maps), t_ssgi_cap
+   are declared in it. float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of
+   1 - occlusion over rows 0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was
    given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
@@ -399,28 +399,28 @@ typedef struct ssgi_gl_frame {
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
                             radius: nowhere */
-    float   nearest;     /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float   distance_clamp;     /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   steepest;    /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
+    float   max_slope;    /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
                             shadow maps follows */
     int32_t lights;      /* rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.exact, bent
+    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.residual, bent
                              normals); identity by default */
     float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
                               ssgi_gl_harmonics_set; black by default */
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   more[2];     /* surfels: ssgi_surfel_desc.aside, .every: ssgi_gl_surfels_set */
-    float   front;       /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
+    float   offscreen[2];    /* surfels: ssgi_surfel_desc.offscreen_growth, .keep_small: ssgi_gl_surfels_set */
+    float   near_depth;      /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
                             nearest depth seen, of the last frame, say, saves most of what stands around the eye */
     float   gap_;
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends (times the lobe's peak): a tenth of what counts as bright */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
-    float   window[4];   /* desc.lamps: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
 /* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units:
@@ -456,7 +456,7 @@ typedef struct ssgi_gl_views {
 /* Sets camera i of 0..3. Both matrices are rigid, world to view: of the camera of the picture, and of the extra one
    whose projection `view` decodes. */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-                                       const float picture_world_to_view[16], const float extra_world_to_view[16],
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
@@ -465,7 +465,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 typedef struct ssgi_gl_light {
     float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
-    float colour[3], least; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
+    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
                                its normal. least: the distance below which 1/d^2 grows no more */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective (ssgi_shadow_patch) */
@@ -479,26 +479,26 @@ typedef struct ssgi_gl_light {
 /* Gives a light its shadow map: drawn by a camera (rigid world to view, projection decoded as `view`) into texels x, y
    .. of the atlas. */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-                                       const float picture_world_to_view[16], const float light_world_to_view[16],
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* A caster: one row of the texture t_ssgi_casters, 10 texels of RGBA32F, byte for byte. ssgi_gl_caster_set fills it. */
-typedef struct ssgi_gl_caster {
-    float at[3], reach;  /* the sphere that it reaches, view space */
-    float to_field[3][4]; /* view space to the caster's coordinates about the field's centre: rows */
-    float ramp, end, inside, power;     /* ssgi_field_limits */
+/* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. ssgi_gl_occluder_set fills it. */
+typedef struct ssgi_gl_occluder {
+    float at[3], radius; /* the sphere that it darkens, view space */
+    float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
+    float ramp, reach, inside, power;     /* ssgi_field_limits */
     float low[8], span[8];
-    float resolution, slice, fitted, object;   /* slice: of t_ssgi_fields. fitted: ssgi_field.reach. object: a whole
+    float resolution, slice, baked_reach, object;   /* slice: of t_ssgi_fields. baked_reach: ssgi_field.reach. object: a whole
                                                   number, what desc.objects compares; 0 = none */
-} ssgi_gl_caster;
+} ssgi_gl_occluder;
 
-/* Sets a caster where it stands now.
+/* Sets an occluder where it stands now.
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
      mesh_to_view  [limit: rotation, translation, uniform scale] from the bake's coordinates to those of the pass
      object        [limit: 0..16777215]
    Outputs are untouched when something is wrong. */
-SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field,
+SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
                                         const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
                                         int object, const char **why);
 
@@ -585,12 +585,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sphere", __LINE__, "// pixels that a sphere spans deeper than the front; empty behind it\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
-    "    if (at.w - at.z <= u_ssgi_front) return vec4(0.0);\n"
-    "    float off = max(u_ssgi_front + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
+    "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
+    "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#else\n"
     "    // slopes of its tangents in the planes of x and of y, or where it meets the front\n"
-    "    float near = u_ssgi_front, z = -at.z, r = at.w, chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
+    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w, chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
     "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0));\n"
     "    vec2 a = z * t + x * r, b = z * t - x * r;\n"
@@ -677,22 +677,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
-{ "ssgi_open_texel", __LINE__, "vec3 ssgi_open_texel(ivec2 p, ivec2 last, int slice) {\n"
+{ "ssgi_irradiance_texel", __LINE__, "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // over an edge the square goes on mirrored\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
     "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
     "}\n" },
-{ "ssgi_open", __LINE__ + 1,
+{ "ssgi_irradiance_map", __LINE__ + 1,
     "// irradiance over pi of an open surface with a world-space normal, or what a cone about it brings, between\n"
     "// four texels\n"
-    "vec3 ssgi_open(vec3 n, int slice) {\n"
+    "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
     "    ivec2 p = ivec2(floor(t));\n"
     "    t -= vec2(p);\n"
-    "    vec3 a = ssgi_open_texel(p, last, slice), b = ssgi_open_texel(p + ivec2(1, 0), last, slice);\n"
-    "    vec3 c = ssgi_open_texel(p + ivec2(0, 1), last, slice), d = ssgi_open_texel(p + 1, last, slice);\n"
+    "    vec3 a = ssgi_irradiance_texel(p, last, slice), b = ssgi_irradiance_texel(p + ivec2(1, 0), last, slice);\n"
+    "    vec3 c = ssgi_irradiance_texel(p + ivec2(0, 1), last, slice), d = ssgi_irradiance_texel(p + 1, last, slice);\n"
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
     "}\n" },
 /* ---- what senders write, one fetch a sample */
@@ -731,11 +731,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
-{ "ssgi_reach", __LINE__, "float ssgi_reach; // length of the segment that is tested\n" },
+{ "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
 { "ssgi_thickness", __LINE__, "// how far what is seen reaches away from the viewer\n"
     "float ssgi_thickness() {\n"
     "    // a short segment must not end on what floats far before it\n"
-    "    return min(u_ssgi_thickness, 2.0 * ssgi_reach); // #if pass == LIGHTS\n"
+    "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
     "}\n" },
 /* ---- the blocker itself, where it is looked at: what it sends, how far it is */
@@ -767,7 +767,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
     "    float r = -dot(ssgi_n, d), c = dot(normalize(ssgi_unpack_normal(s.y)), d);\n"
     "    c = abs(c); // #if two_sided\n"
-    "    float least = u_ssgi_nearest * u_ssgi_radius;\n"
+    "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
     "    return ssgi_unpack_radiance(s.x) * (area * max(r, 0.0) * max(c, 0.0) / (dd * max(dd, least * least)));\n"
     "#elif two_sided\n"
     "    return ssgi_unpack_radiance(s.x);\n"
@@ -810,10 +810,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sender = vec4(L, gap);\n"
     "    ssgi_sender_place = s.y; // #if transfer\n"
     "}\n" },
-{ "ssgi_matter", __LINE__ + 1,
+{ "ssgi_occupancy", __LINE__ + 1,
     "// Where depth s stands at a pixel of camera v: above 0 inside matter, which is from an odd layer to the next;\n"
     "// -1 seen in the open, by more than the slack; 0 not known.\n"
-    "float ssgi_matter(int v, ivec2 p, float s, int layers, float slack) {\n"
+    "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
     "    // matter whose far side is no layer has no end; if thin, ssgi_thickness(); behind, nothing is known\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
@@ -847,7 +847,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
     "    ssgi_way = S - ssgi_P; // #if bounce\n"
-    "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_matter(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
+    "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
     "#if views\n"
     "    for (int v = 0; v < SSGI_VIEWS; ++v) { // a camera that sees S unoccluded overrides the others\n"
     "        vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
@@ -855,7 +855,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        p = ivec2(floor(q.xy / unit));\n"
     "        ivec2 size = ivec2(u_ssgi_view_size[v].xy);\n"
     "        if (q.z > 0.0 && p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y) {\n"
-    "            float m = ssgi_matter(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
+    "            float m = ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
     "            found = min(found, m) < 0.0 ? -1.0 : max(found, m);\n"
     "        }\n"
     "    }\n"
@@ -889,8 +889,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 b, c; // #if bands > 2\n"
     "    vec4 d; // #if bands > 3\n"
     "};\n" },
-{ "ssgi_vectors", __LINE__, "struct ssgi_vectors { ssgi_sh c[3]; }; // #if transfer\n"
-    "struct ssgi_vectors { ssgi_sh c[1]; }; // #if !transfer\n" },
+{ "ssgi_coefficients", __LINE__, "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
+    "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
 { "ssgi_sh_basis", __LINE__ + 1,
     "// real spherical harmonics at a unit direction, l*l + l + m, without the Condon-Shortley sign\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
@@ -1022,8 +1022,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s;\n"
     "}\n" },
 { "ssgi_load", __LINE__, "// what s3ho wrote at a texel of its targets\n"
-    "ssgi_vectors ssgi_load(ivec2 p) {\n"
-    "    ssgi_vectors v;\n"
+    "ssgi_coefficients ssgi_load(ivec2 p) {\n"
+    "    ssgi_coefficients v;\n"
     "#if transfer\n"
     "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
     "#if bands > 2\n"
@@ -1065,7 +1065,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
     "    return u;\n"
     "}\n" },
-{ "ssgi_store", __LINE__, "void ssgi_store(ssgi_vectors v) {\n"
+{ "ssgi_store", __LINE__, "void ssgi_store(ssgi_coefficients v) {\n"
     "#if transfer\n"
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
@@ -1085,18 +1085,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_vectors_none", __LINE__, "ssgi_vectors ssgi_vectors_none() {\n"
-    "    ssgi_vectors v;\n"
+{ "ssgi_coefficients_none", __LINE__, "ssgi_coefficients ssgi_coefficients_none() {\n"
+    "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return v;\n"
     "}\n" },
-{ "ssgi_free", __LINE__, "// ambient visibility, as the vectors know it\n"
-    "vec3 ssgi_free(ssgi_vectors v) {\n"
+{ "ssgi_ambient", __LINE__, "// ambient visibility, as the vectors know it\n"
+    "vec3 ssgi_ambient(ssgi_coefficients v) {\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
     "}\n" },
-{ "ssgi_lacking", __LINE__ + 1,
-    "vec3 ssgi_lacking = vec3(0.0); // what the harmonics lack of an open surface's irradiance over pi\n" },
+{ "ssgi_residual", __LINE__ + 1,
+    "vec3 ssgi_residual = vec3(0.0); // what the harmonics lack of an open surface's irradiance over pi\n" },
 { "ssgi_incoming", __LINE__, "// one channel of irradiance from a vector [S3HO12 eq. 3]\n"
     "float ssgi_incoming(int c, ssgi_sh s) {\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
@@ -1105,10 +1105,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return e;\n"
     "}\n" },
 { "ssgi_irradiance", __LINE__, "// and all three, over pi\n"
-    "vec3 ssgi_irradiance(ssgi_vectors v) {\n"
+    "vec3 ssgi_irradiance(ssgi_coefficients v) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
-    "    e += ssgi_lacking * ssgi_free(v); // #if exact\n"
+    "    e += ssgi_residual * ssgi_ambient(v); // #if residual\n"
     "    return e;\n"
     "}\n" },
 /* ==== >>gather: what a pixel collects =========================================================================== */
@@ -1123,7 +1123,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_reflected", __LINE__ + 1,
     "// the lobe of the sender found on way w, unoccluded, times its albedo [S3HO12 eq. 5, ours of solid angle]\n"
-    "void ssgi_reflected(inout ssgi_vectors v, vec3 w, float share) {\n"
+    "void ssgi_reflected(inout ssgi_coefficients v, vec3 w, float share) {\n"
     "    vec3 o = normalize(ssgi_unpack_normal(ssgi_sender_place)), albedo = ssgi_sender.xyz * share;\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
@@ -1141,7 +1141,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#elif pass == S3HO\n"
     "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less what is blocked of it,\n"
     "// in directions by the cosine [S3HO12 eq. 2]; it is exact where nothing is blocked\n"
-    "void ssgi_gather(vec3 P, vec3 n, vec2 xi, inout ssgi_vectors v) {\n"
+    "void ssgi_gather(vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
     "#endif\n"
     "#if pass == SSAO || pass == SSDO || pass == S3HO\n"
     "    ssgi_P = P; // #if fade || range || bounce && (!two_sided || bounce == PATCH || layers > 1 || views)\n"
@@ -1189,17 +1189,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return sum / float(SSGI_SAMPLES); // #if pass == SSAO\n"
     "#if environment == SH\n"
-    "    ssgi_vectors v = ssgi_vectors_none(); // #if pass == SSDO\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
     "    ssgi_sh_turn(lobe, basis);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
     "#endif\n"
-    "    ssgi_lacking = ssgi_open(transpose(u_ssgi_rotation) * n, 0); // #if exact\n"
+    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "#if pass == SSDO && environment == SH\n"
     "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
     "#elif environment == MAP\n"
     "    // the share of the samples' light that is free, of what the open pixel gets: exact where nothing is\n"
     "    // blocked\n"
-    "    o_ssgi_light.xyz = ssgi_open(world[2], 0) * (1.0 - dark / max(all, 1e-30));\n"
+    "    o_ssgi_light.xyz = ssgi_irradiance_map(world[2], 0) * (1.0 - dark / max(all, 1e-30));\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
     "}\n"
@@ -1364,7 +1364,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_gather(P, ssgi_normal(p, P), xi);\n"
     "    }\n"
     "#else\n"
-    "    ssgi_vectors v = ssgi_vectors_none();\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
     "    if (z < SSGI_FAR) {\n"
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "        ssgi_gather(P, ssgi_normal(p, P), xi, v);\n"
@@ -1412,7 +1412,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
     "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
     "    float size = flat_ ? patch_ : patch_ * q.z;\n"
-    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_steepest);\n"
+    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
     "    float b = size * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
     "    bias = b * length_;\n"
@@ -1444,7 +1444,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        // a segment shorter than a pixel finds nothing\n"
     "        if (bias >= 0.0) reach = min(reach, max(bias, 1.5 * ssgi_footprint(-P.z)));\n"
     "#endif\n"
-    "        ssgi_reach = reach; // #if thin && (shadow == SEGMENT || shadow == FILL)\n"
+    "        ssgi_segment_length = reach; // #if thin && (shadow == SEGMENT || shadow == FILL)\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
     "        g *= 1.0 - ssgi_segment(start, s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
     "#endif\n"
@@ -1492,11 +1492,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
     "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
     "}\n" },
-{ "ssgi_lamp", __LINE__ + 1,
+{ "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light that faces the vector, as harmonics: a cap of the sky as wide as the sphere,\n"
     "// windowed, and such that it lights what faces it openly by what it sends [S3HO12 2.2, normalised]\n"
-    "vec3 ssgi_lamp(ssgi_light s, ssgi_vectors v, vec3 n) // #if exact\n"
-    "vec3 ssgi_lamp(ssgi_light s, ssgi_vectors v) // #if !exact\n"
+    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) // #if residual\n"
+    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v) // #if !residual\n"
     "{\n"
     "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
@@ -1507,8 +1507,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.l);\n"
     "    vec3 e;\n"
     "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
-    "#if exact\n"
-    "    e += ssgi_free(v) * (max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open);\n"
+    "#if residual\n"
+    "    e += ssgi_ambient(v) * (max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open);\n"
     "#endif\n"
     "    return s.colour.xyz * e * s.g;\n"
     "}\n" },
@@ -1521,9 +1521,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    ssgi_vectors v = ssgi_load(ivec2(gl_FragCoord.xy));\n"
-    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z)); // #if exact\n"
-    "    ssgi_lacking = ssgi_open(transpose(u_ssgi_rotation) * n, 0); // #if exact\n"
+    "    ssgi_coefficients v = ssgi_load(ivec2(gl_FragCoord.xy));\n"
+    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z)); // #if residual\n"
+    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "#if shading == HARMONICS\n"
     "    vec3 sum = ssgi_irradiance(v);\n"
     "#else\n"
@@ -1531,30 +1531,30 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz, sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0));\n"
     "#endif\n"
     "#if shading == BENT_NORMAL\n"
-    "    sum *= ssgi_open(axis, 0);\n"
+    "    sum *= ssgi_irradiance_map(axis, 0);\n"
     "#elif shading == BENT_CONE\n"
     "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
     "    float slice = min(bent.w * float(last + 1), float(last));\n"
-    "    sum *= mix(ssgi_open(axis, int(slice)), ssgi_open(axis, min(int(slice) + 1, last)), fract(slice));\n"
+    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), ssgi_irradiance_map(axis, min(int(slice) + 1, last)), fract(slice));\n"
     "#endif\n"
-    "#if lamps\n"
+    "#if lights\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "#if exact\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_lamp(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
+    "#if residual\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
     "#else\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_lamp(ssgi_light_at(i, P), v) * 0.31830989;\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v) * 0.31830989;\n"
     "#endif\n"
     "#endif\n"
     "    o_ssgi_light.xyz = max(sum, 0.0);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
     "#endif\n"
     "}\n" },
-/* ==== >>field: casters whose occlusion was baked ================================================================ */
+/* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
-{ "main_caster", __LINE__, "flat out vec4 v_ssgi_caster[9]; // ssgi_gl_caster from to_field on\n"
+{ "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
-    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_casters, ivec2(0, gl_InstanceID), 0)); // that it reaches\n"
-    "    for (int i = 0; i < 9; ++i) v_ssgi_caster[i] = texelFetch(t_ssgi_casters, ivec2(i + 1, gl_InstanceID), 0);\n"
+    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // that it reaches\n"
+    "    for (int i = 0; i < 9; ++i) v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
     "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
@@ -1629,26 +1629,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 { "ssgi_field_at", __LINE__ + 1,
-    "// where a point is about the caster: direction from the centre, distance; caster: ssgi_gl_caster from\n"
+    "// where a point is about the occluder: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
     "// to_field on\n"
-    "vec4 ssgi_field_at(vec4 caster[9], vec3 P) {\n"
-    "    vec3 w = vec3(dot(caster[0], vec4(P, 1.0)), dot(caster[1], vec4(P, 1.0)), dot(caster[2], vec4(P, 1.0)));\n"
+    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) {\n"
+    "    vec3 w = vec3(dot(occluder[0], vec4(P, 1.0)), dot(occluder[1], vec4(P, 1.0)), dot(occluder[2], vec4(P, 1.0)));\n"
     "    float r = length(w);\n"
     "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
-{ "ssgi_field_occlusion", __LINE__, "// occlusion by a caster, in [0,1]; n: unit normal\n"
-    "float ssgi_field_occlusion(vec4 caster[9], vec4 at, vec3 n) {\n"
+{ "ssgi_field_occlusion", __LINE__, "// occlusion by an occluder, in [0,1]; n: unit normal\n"
+    "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
-    "    ssgi_field_fetch(at.xyz, caster[8].xy, a, b);\n"
-    "    a = caster[4] + caster[6] * a;\n"
-    "    b = caster[5] + caster[7] * b;\n"
-    "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (caster[8].z - hull), 1.0);\n"
+    "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
+    "    a = occluder[4] + occluder[6] * a;\n"
+    "    b = occluder[5] + occluder[7] * b;\n"
+    "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (occluder[8].z - hull), 1.0);\n"
     "    a.xyz = exp2(a.xyz);\n"
     "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r) by its Bernstein form from the hull to the end\n"
     "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
-    "    float c = dot(axis, normalize(vec3(dot(caster[0].xyz, n), dot(caster[1].xyz, n), dot(caster[2].xyz, n))));\n"
+    "    float c = dot(axis, normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n))));\n"
     "#if measure == SOLID_ANGLE\n"
     "    float A = ssgi_cap_any(0.159154943 / max(q, 0.0795774715), c);\n"
     "#else\n"
@@ -1658,19 +1658,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float A = fill * ssgi_cap_any(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c); // #if cap == TABLE\n"
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if cap != TABLE\n"
     "#endif\n"
-    "    if (at.w < hull) A = mix(caster[3].z, A, pow(at.w / hull, caster[3].w));\n"
-    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(caster[3].x, caster[3].y, at.w));\n"
+    "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
+    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
 { "ssgi_field_visibility", __LINE__ + 1,
-    "// what casters 0 .. casters - 1 leave of the ambient light, but those of the object itself\n"
-    "float ssgi_field_visibility(int casters, int object, vec3 P, vec3 n) {\n"
+    "// what occluders 0 .. occluders - 1 leave of the ambient light, but those of the object itself\n"
+    "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
-    "    for (int i = 0; i < casters; ++i) {\n"
-    "        vec4 sphere = texelFetch(t_ssgi_casters, ivec2(0, i), 0), caster[9];\n"
+    "    for (int i = 0; i < occluders; ++i) {\n"
+    "        vec4 sphere = texelFetch(t_ssgi_occluders, ivec2(0, i), 0), occluder[9];\n"
     "        if (!(distance(P, sphere.xyz) < sphere.w)) continue;\n"
-    "        for (int k = 0; k < 9; ++k) caster[k] = texelFetch(t_ssgi_casters, ivec2(k + 1, i), 0);\n"
-    "        if (object != 0 && object == int(caster[8].w)) continue;\n"
-    "        visibility *= 1.0 - ssgi_field_occlusion(caster, ssgi_field_at(caster, P), n);\n"
+    "        for (int k = 0; k < 9; ++k) occluder[k] = texelFetch(t_ssgi_occluders, ivec2(k + 1, i), 0);\n"
+    "        if (object != 0 && object == int(occluder[8].w)) continue;\n"
+    "        visibility *= 1.0 - ssgi_field_occlusion(occluder, ssgi_field_at(occluder, P), n);\n"
     "    }\n"
     "    return visibility;\n"
     "}\n" },
@@ -1678,18 +1678,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
     "    return texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
     "}\n" },
-{ "main_field", __LINE__, "flat in vec4 v_ssgi_caster[9];\n"
+{ "main_field", __LINE__, "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "    vec4 at = ssgi_field_at(v_ssgi_caster, P);\n"
-    "    if (!(z < SSGI_FAR && at.w < v_ssgi_caster[3].y)) discard;\n"
+    "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
+    "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
     "#if objects\n"
     "    uint object = ssgi_object(p);\n"
-    "    if (object != 0u && object == uint(v_ssgi_caster[8].w)) discard; // its own surface\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // its own surface\n"
     "#endif\n"
-    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_caster, at, ssgi_normal(p, P));\n"
+    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
     "}\n" },
 /* ==== >>splat: surfels, and what they do to pixels ============================================================== */
 
@@ -1720,8 +1720,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_surfel.x; // #if orthographic\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_aside", __LINE__, "// how far outside of the frustum\n"
-    "float ssgi_aside(vec3 P) {\n"
+{ "ssgi_outside", __LINE__, "// how far outside of the frustum\n"
+    "float ssgi_outside(vec3 P) {\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
     "#if orthographic\n"
@@ -1754,13 +1754,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        at[c] = v_ssgi_position[0] * w.x + v_ssgi_position[1] * w.y + v_ssgi_position[2] * w.z;\n"
     "    }\n"
     "    vec3 middle = (at[0] + at[1] + at[2]) / 3.0;\n"
-    "    float area = whole / float(n * n), aside = ssgi_aside(middle);\n"
+    "    float area = whole / float(n * n), aside = ssgi_outside(middle);\n"
     "    float extent = max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle)));\n"
     "    empty = empty || aside - extent > u_ssgi_radius;\n"
-    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_more.x * aside;\n"
+    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_offscreen.x * aside;\n"
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
-    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_more.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_offscreen.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
     "    int alive = 0; // of a small triangle's three points: others stand for the rest\n"
     "    for (int i = 0; i < 3; ++i)\n"
     "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
@@ -1787,7 +1787,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_surfel_light", __LINE__, "// irradiance over pi of a surfel, open to the environment\n"
     "vec3 ssgi_surfel_light(vec3 P, vec3 n) {\n"
     "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
-    "    sum += ssgi_open(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
+    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
     "    return sum;\n"
     "}\n" },
 { "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
@@ -1834,8 +1834,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
     "void main() {\n"
     "}\n" },
-{ "ssgi_deal", __LINE__, "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
-    "ivec2 ssgi_deal(ivec2 block, int mask) {\n"
+{ "ssgi_interleave", __LINE__, "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
+    "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
     "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
     "    h ^= h >> 22;\n"
@@ -1848,7 +1848,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    q.y -= l * u_ssgi_level.y;\n"
     "    ivec2 across = (u_ssgi_size + mask) >> l, sub = q / across, block = q - sub * across;\n"
-    "    ivec2 p = (block << l) | ((sub ^ ssgi_deal(block, mask)) & mask);\n"
+    "    ivec2 p = (block << l) | ((sub ^ ssgi_interleave(block, mask)) & mask);\n"
     "    o_ssgi_shuffled = uvec4(floatBitsToUint(vec3(SSGI_FAR)), 0u);\n"
     "    if (max(sub.x, sub.y) > mask || !ssgi_inside(p)) return; // sizes need not be multiples\n"
     "    float z = ssgi_depth(p);\n"
@@ -1861,7 +1861,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    ivec2 p = ivec2(q.x, q.y - l * u_ssgi_level.y), block = p >> l, across = (u_ssgi_size + mask) >> l;\n"
-    "    ivec2 sub = (p & mask) ^ ssgi_deal(block, mask);\n"
+    "    ivec2 sub = (p & mask) ^ ssgi_interleave(block, mask);\n"
     "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
     "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
@@ -1888,7 +1888,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // hashed, not in turn\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 from = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-    "#if enlarge\n"
+    "#if scale_radius\n"
     "    // a pixel meets one surfel of that many, as large as they [DSS14 3.2]\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
     "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
@@ -1926,20 +1926,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// form factor of a surfel's disc but for its area, weight and own cosine; v: way to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "    float dd = dot(v, v);\n"
-    "#if closely > 1\n"
+    "#if near_samples > 1\n"
     "    // close by, the disc as smaller ones, which may rise above the horizon where its centre does not\n"
     "    if (dd < 16.0 * rr) {\n"
     "        vec3 a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
     "        vec2 turn = vec2(1.0, 0.0);\n"
     "        float form = 0.0;\n"
-    "        for (int i = 0; i < SSGI_NEAR; ++i) {\n"
-    "            vec2 o = turn * sqrt((float(i) + 0.5) / float(SSGI_NEAR) * rr);\n"
+    "        for (int i = 0; i < SSGI_NEAR_SAMPLES; ++i) {\n"
+    "            vec2 o = turn * sqrt((float(i) + 0.5) / float(SSGI_NEAR_SAMPLES) * rr);\n"
     "            vec3 w = v + a * o.x + b * o.y;\n"
     "            float ww = dot(w, w);\n"
-    "            form += max(dot(w, n), 0.0) / (max(ww, 1e-30) * (ww + rr / float(SSGI_NEAR)));\n"
+    "            form += max(dot(w, n), 0.0) / (max(ww, 1e-30) * (ww + rr / float(SSGI_NEAR_SAMPLES)));\n"
     "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // by the golden angle\n"
     "        }\n"
-    "        return form / float(SSGI_NEAR);\n"
+    "        return form / float(SSGI_NEAR_SAMPLES);\n"
     "    }\n"
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (max(dd, 1e-30) * (dd + rr));\n"
@@ -2038,7 +2038,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_light.xyz = max(ssgi_open(n, 0) - sum.xyz * ssgi_once(sum.w), 0.0);\n"
+    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_once(sum.w), 0.0);\n"
     "#elif effect == BOUNCE\n"
     "    o_ssgi_bounce = vec4(sum.xyz * ssgi_once(sum.w), z);\n"
     "#elif effect == SPECULAR\n"
@@ -2049,11 +2049,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "main_blur", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "#if colour == VECTORS && half\n"
-    "    ssgi_vectors sum = ssgi_vectors_none();\n"
+    "#if colour == COEFFICIENTS && half\n"
+    "    ssgi_coefficients sum = ssgi_coefficients_none();\n"
     "    float z = ssgi_depth(p), all = 0.0;\n"
-    "#elif colour == VECTORS\n"
-    "    ssgi_vectors sum = ssgi_load(p + u_ssgi_target);\n"
+    "#elif colour == COEFFICIENTS\n"
+    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target);\n"
     "    float z = ssgi_depth(p), all = 1.0;\n"
     "#elif colour == COLOUR && half\n"
     "    vec4 sum = vec4(0.0);\n"
@@ -2084,7 +2084,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            if (x == 0 && y == 0) continue;\n"
     "            ivec2 o = ivec2(x, y), q = p + o, at = q + u_ssgi_target;\n"
     "#endif\n"
-    "#if colour == VECTORS\n"
+    "#if colour == COEFFICIENTS\n"
     "            float d = ssgi_depth(q);\n"
     "#elif colour == COLOUR\n"
     "            vec4 s = texelFetch(t_ssgi_light, at, 0);\n"
@@ -2112,16 +2112,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "            w *= max(dot(n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, d))), 1e-3); // #if filter_normals\n"
     "#endif\n"
-    "#if colour == VECTORS\n"
+    "#if colour == COEFFICIENTS\n"
     "            if (!ssgi_inside(q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
-    "            ssgi_vectors s = ssgi_load(at);\n"
+    "            ssgi_coefficients s = ssgi_load(at);\n"
     "            for (int c = 0; c < s.c.length(); ++c) ssgi_sh_add(sum.c[c], s.c[c], w);\n"
     "            all += w;\n"
     "#else\n"
     "            if (ssgi_inside(q) && d < SSGI_FAR) sum += s * w;\n"
     "#endif\n"
     "        }\n"
-    "#if colour == VECTORS\n"
+    "#if colour == COEFFICIENTS\n"
     "    float scale = z < SSGI_FAR && all > 0.0 ? 1.0 / all : 0.0;\n"
     "    for (int c = 0; c < sum.c.length(); ++c) ssgi_sh_add(sum.c[c], sum.c[c], scale - 1.0);\n"
     "    ssgi_store(sum);\n"
@@ -2131,15 +2131,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
     "}\n" },
-/* ==== >>survey ================================================================================================== */
+/* ==== >>statistics ================================================================================================== */
 
-{ "main_survey", __LINE__ + 1,
+{ "main_statistics", __LINE__ + 1,
     "// one pixel of every 8x8: which share of points around it stands behind what is seen by less than a quarter\n"
     "// of the radius, less than the radius, more; or off the picture\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) * 8 + 4;\n"
     "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
-    "    o_ssgi_survey = vec4(-1.0);\n"
+    "    o_ssgi_statistics = vec4(-1.0);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), start = ssgi_lift(P, n);\n"
     "    vec2 xi = ssgi_noise(p);\n"
@@ -2155,7 +2155,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        bool seen = S.z < 0.0 && ssgi_inside(q);\n"
     "        sum += seen ? vec4(passed - vec3(passed.yz, 0.0), 0.0) : vec4(0.0, 0.0, 0.0, 1.0);\n"
     "    }\n"
-    "    o_ssgi_survey = sum / float(SSGI_SAMPLES);\n"
+    "    o_ssgi_statistics = sum / float(SSGI_SAMPLES);\n"
     "}\n" },
 { "main_triangle", __LINE__, "// one triangle that covers the viewport\n"
     "void main() {\n"
@@ -2192,7 +2192,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__C("SSGI_SAMPLES", samples), SSGI_GL__C("SSGI_DIRECTIONS", directions), SSGI_GL__C("SSGI_STEPS", steps),
     SSGI_GL__C("SSGI_NORMAL_RAYS", normal_rays), SSGI_GL__C("SSGI_LAYERS", layers), SSGI_GL__C("SSGI_VIEWS", views),
     SSGI_GL__C("SSGI_VIEW_LAYERS", view_layers), SSGI_GL__C("SSGI_RECEIVER", receiver),
-    SSGI_GL__C("SSGI_LEVELS", levels), SSGI_GL__C("SSGI_NEAR", closely), SSGI_GL__C("SSGI_AXIS", axis),
+    SSGI_GL__C("SSGI_LEVELS", levels), SSGI_GL__C("SSGI_NEAR_SAMPLES", near_samples), SSGI_GL__C("SSGI_AXIS", axis),
     SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius),
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
@@ -2206,9 +2206,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(thickness, "float", "view units"),
     SSGI_GL__P(phase, "float", "turns"),
     SSGI_GL__P(fade, "float", "view units"),
-    SSGI_GL__P(nearest, "float", "radii"),
+    SSGI_GL__P(distance_clamp, "float", "radii"),
     SSGI_GL__P(gain, "float", ""),
-    SSGI_GL__P(steepest, "float", "tan"),
+    SSGI_GL__P(max_slope, "float", "tan"),
     SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"),
     SSGI_GL__P(lambda, "float", "per radius"),
     SSGI_GL__P(rotation, "mat3", "world to view"),
@@ -2216,8 +2216,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; stillness; splits"),
     SSGI_GL__P(mesh, "mat4", "mesh to view"),
     SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
-    SSGI_GL__P(more, "vec2", "radii per distance; 1: no triangle stands for others"),
-    SSGI_GL__P(front, "float", "view units"),
+    SSGI_GL__P(offscreen, "vec2", "radii per distance; 1: no triangle stands for others"),
+    SSGI_GL__P(near_depth, "float", "view units"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
     SSGI_GL__P(level, "ivec2", "texels of a level"),
@@ -2238,14 +2238,14 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
     SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with "
-               "exact less the harmonics (ssgi_sh_lacking); for cones k of n ssgi_environment_cone, cosine k/n"),
+               "exact less the harmonics (ssgi_sh_residual); for cones k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
     SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
-    SSGI_GL__T("casters", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row a ssgi_gl_caster"),
+    SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
     SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__T("fields", 4, "!eight_bits", "usampler2DArray", "RGBA32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("fields", 4, "eight_bits", "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
@@ -2270,7 +2270,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
     SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
     SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
-    SSGI_GL__O("survey", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the picture's width and height, rounded up: shares of "
+    SSGI_GL__O("statistics", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the picture's width and height, rounded up: shares of "
                "points around a surface; -1 where nothing is seen"),
     SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
     SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
@@ -2309,7 +2309,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL_LIGHTS, "lights", NULL, SSGI_GL__PLAIN("main_lights") },
     { SSGI_GL_SENDERS, "senders", NULL, SSGI_GL__PLAIN("main_senders") },
     { SSGI_GL_SHADE, "shade", NULL, SSGI_GL__PLAIN("main_shade") },
-    { SSGI_GL_FIELD, "field", NULL, { "main_caster", "main_field", NULL, NULL, NULL } },
+    { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
     { SSGI_GL_SHUFFLE, "shuffle", NULL, SSGI_GL__PLAIN("main_shuffle") },
@@ -2320,7 +2320,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL_SMOOTH, "smooth", NULL, SSGI_GL__PLAIN("main_smooth") },
     { SSGI_GL_SUM, "sum", NULL, SSGI_GL__PLAIN("main_sum") },
     { SSGI_GL_BLUR, "blur", NULL, SSGI_GL__PLAIN("main_blur") },
-    { SSGI_GL_SURVEY, "survey", NULL, SSGI_GL__PLAIN("main_survey") }
+    { SSGI_GL_STATISTICS, "statistics", NULL, SSGI_GL__PLAIN("main_statistics") }
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
@@ -2368,10 +2368,10 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE", "LIGHT DIRECT BOTH ALBEDO"),
     SSGI_GL__E(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW", "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate),
     SSGI_GL__I(bands, 4, "0..4"), SSGI_GL__B(packed),
-    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "FREE BOTH REFLECTED"),
-    SSGI_GL__B(shaded), SSGI_GL__B(exact),
+    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"),
+    SSGI_GL__B(shaded), SSGI_GL__B(residual),
     SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__B(lamps), SSGI_GL__B(albedo),
+    SSGI_GL__B(lights), SSGI_GL__B(albedo),
     SSGI_GL__E(storage, SSGI_GL_STORAGE_CUBE, "SSGI_GL_STORAGE", "ATLAS CUBE"),
     SSGI_GL__E(measure, SSGI_FIELD_SOLID_ANGLE, "SSGI_FIELD", "VECTOR SOLID_ANGLE"), SSGI_GL__B(eight_bits),
     SSGI_GL__E(cap, SSGI_GL_CAP_TABLE, "SSGI_GL_CAP", "CLOSED TABLE"),
@@ -2379,9 +2379,9 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
     SSGI_GL__E(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS", "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__B(enlarge), SSGI_GL__I(closely, 16, "0..16"),
+    SSGI_GL__B(scale_radius), SSGI_GL__I(near_samples, 16, "0..16"),
     SSGI_GL__E(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP", "SHARE ADD"), SSGI_GL__B(axis),
-    SSGI_GL__E(colour, SSGI_GL_VECTORS, "SSGI_GL", "GREY COLOUR VECTORS"),
+    SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
     SSGI_GL__B(filter_normals)
 };
@@ -2424,7 +2424,7 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     if (desc->pass == SSGI_GL_SSDO && !desc->environment && !desc->bounce)
         return ssgi_gl__bad(why, "desc.environment: ssdo needs an environment, a bounce or both");
     if (desc->transfer && !desc->packed && ((desc->pass == SSGI_GL_S3HO && !desc->shaded) || desc->pass == SSGI_GL_SHADE
-                                            || (desc->pass == SSGI_GL_BLUR && desc->colour == SSGI_GL_VECTORS)))
+                                            || (desc->pass == SSGI_GL_BLUR && desc->colour == SSGI_GL_COEFFICIENTS)))
         return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
     if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
         return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more");
@@ -2508,7 +2508,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     d.views = plan->cameras;
     d.levels = plan->levels;
     d.filter_radius = plan->filter;
-    if (d.pass == SSGI_GL_S3HO) d.shaded = d.exact = 1;
+    if (d.pass == SSGI_GL_S3HO) d.shaded = d.residual = 1;
     r = ssgi_gl_check(&d, why);
     if (r == SSGI_OK) *desc = d;
     return r;
@@ -2521,9 +2521,9 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     ssgi_gl_desc d = *desc;
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
-    const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_VECTORS);
+    const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_SURVEY ? 32 : 16;
+    if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_STATISTICS ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO ? 6 : 1;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
@@ -2539,9 +2539,9 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
     else if (!ssdo && !surfels) d.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (reflected || !(ssdo ? d.environment == SSGI_GL_ENVIRONMENT_SH : s3ho ? d.shaded : shade && !d.shading))
-        d.exact = 0;
-    if (!shade || d.shading == SSGI_GL_SHADING_BENT) d.lamps = 0;
-    if (shade && d.shading && !d.lamps && d.bands > 2) d.bands = 2;        /* a mean direction needs no more */
+        d.residual = 0;
+    if (!shade || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
+    if (shade && d.shading && !d.lights && d.bands > 2) d.bands = 2;        /* a mean direction needs no more */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
@@ -3063,14 +3063,14 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.offset = 1.5f;
     f.thickness = radius;
     f.fade = 0.3f * radius;
-    f.nearest = 0.25f;
+    f.distance_clamp = 0.25f;
     f.gain = 1.0f;
-    f.steepest = 20.0f;
+    f.max_slope = 20.0f;
     f.lambda = 4.0f;
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
-    f.front = ssgi_view_near(view);
+    f.near_depth = ssgi_view_near(view);
     f.epsilon = 0.1f;
     f.exponent = 32.0f;
     *frame = f;
@@ -3080,18 +3080,18 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why)
 {
-    float scale[4], more[2];
+    float scale[4], offscreen[2];
     int size[2], i;
     ssgi_result r;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
     for (i = 0; mesh_to_view && i < 16; ++i)
         if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR))
             return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    r = ssgi_surfel_scale(scale, more, desc, view, why);
+    r = ssgi_surfel_scale(scale, offscreen, desc, view, why);
     if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
     if (r != SSGI_OK) return r;
     memcpy(frame->surfel, scale, sizeof scale);
-    memcpy(frame->more, more, sizeof more);
+    memcpy(frame->offscreen, offscreen, sizeof offscreen);
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
     return SSGI_OK;
@@ -3103,9 +3103,9 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
     if (!frame || !dipole) return ssgi_gl__bad(why, "frame, dipole: must not be NULL");
     if (!(unit > 0.0f && unit < SSGI_FAR)) return ssgi_gl__bad(why, "unit: must be > 0 and finite");
     for (c = 0; c < 3; ++c) {
-        frame->dipole[c] = (float)dipole->above[c] * unit;
-        frame->dipole[4 + c] = (float)dipole->below[c] * unit;
-        frame->dipole[8 + c] = (float)dipole->fading[c] / unit;
+        frame->dipole[c] = (float)dipole->z_r[c] * unit;
+        frame->dipole[4 + c] = (float)dipole->z_v[c] * unit;
+        frame->dipole[8 + c] = (float)dipole->sigma_tr[c] / unit;
         frame->dipole[12 + c] = 0.25f * (float)dipole->albedo[c];       /* pi r^2 over 4 pi */
     }
     return SSGI_OK;
@@ -3175,25 +3175,25 @@ static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *pic
     int i;
     if (!view || view->width < 1 || view->height < 1)
         return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!picture) return ssgi_gl__bad(why, "picture_world_to_view: must not be NULL");
+    if (!picture) return ssgi_gl__bad(why, "main_world_to_view: must not be NULL");
     if (!other) return ssgi_gl__bad(why, name);
     for (i = 0; i < 16; ++i)
         if (!(picture[i] > -SSGI_FAR && picture[i] < SSGI_FAR && other[i] > -SSGI_FAR && other[i] < SSGI_FAR))
-            return ssgi_gl__bad(why, "picture_world_to_view: both matrices must be finite");
+            return ssgi_gl__bad(why, "main_world_to_view: both matrices must be finite");
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-                                       const float picture_world_to_view[16], const float extra_world_to_view[16],
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why)
 {
     ssgi_result r;
     if (!views) return ssgi_gl__bad(why, "views: must not be NULL");
     if (i < 0 || i > 3) return ssgi_gl__bad(why, "i: must be 0..3");
-    r = ssgi_gl__check_camera(view, picture_world_to_view, extra_world_to_view, "extra_world_to_view: must not be NULL",
+    r = ssgi_gl__check_camera(view, main_world_to_view, extra_world_to_view, "extra_world_to_view: must not be NULL",
                               why);
     if (r != SSGI_OK) return r;
-    ssgi_gl__to_pixels(views->to[i], views->from[i], view, picture_world_to_view, extra_world_to_view);
+    ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view);
     views->decode[i][0] = view->depth[0];
     views->decode[i][1] = view->depth[1];
     views->decode[i][2] = view->clear;
@@ -3206,7 +3206,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-                                       const float picture_world_to_view[16], const float light_world_to_view[16],
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why)
 {
     float to[16], from[16];
@@ -3214,10 +3214,10 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     int i, k;
     if (!light) return ssgi_gl__bad(why, "light: must not be NULL");
     if (x < 0 || y < 0) return ssgi_gl__bad(why, "x: the tile must lie in the atlas, x and y >= 0");
-    r = ssgi_gl__check_camera(view, picture_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
+    r = ssgi_gl__check_camera(view, main_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
                               why);
     if (r != SSGI_OK) return r;
-    ssgi_gl__to_pixels(to, from, view, picture_world_to_view, light_world_to_view);
+    ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view);
     for (i = 0; i < 3; ++i)
         for (k = 0; k < 4; ++k) light->map[i][k] = to[4 * k + i];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
@@ -3232,16 +3232,16 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field *field,
+SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
                                         const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
                                         int object, const char **why)
 {
     ssgi_field_limits l;
-    ssgi_gl_caster c;
+    ssgi_gl_occluder c;
     double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 }, turn;
     const float *m = mesh_to_view;
     int i, k;
-    if (!caster) return ssgi_gl__bad(why, "caster: must not be NULL");
+    if (!occluder) return ssgi_gl__bad(why, "occluder: must not be NULL");
     if (!field || !field->texels || field->resolution < 2)
         return ssgi_gl__bad(why, "field: must come from ssgi_field_bake or ssgi_field_load");
     if (!m) return ssgi_gl__bad(why, "mesh_to_view: must not be NULL");
@@ -3278,18 +3278,18 @@ SSGI_DEF ssgi_result ssgi_gl_caster_set(ssgi_gl_caster *caster, const ssgi_field
         }
         c.to_field[i][3] = (float)shift;
     }
-    c.reach = l.reach * sqrtf((float)square[0]);
+    c.radius = l.reach * sqrtf((float)square[0]);
     c.ramp = l.ramp;
-    c.end = l.reach;
+    c.reach = l.reach;
     c.inside = l.inside;
     c.power = l.power;
     memcpy(c.low, field->low, sizeof c.low);
     memcpy(c.span, field->span, sizeof c.span);
     c.resolution = (float)field->resolution;
     c.slice = (float)slice;
-    c.fitted = field->reach;
+    c.baked_reach = field->reach;
     c.object = (float)object;
-    *caster = c;
+    *occluder = c;
     return SSGI_OK;
 }
 

@@ -21,16 +21,16 @@ const choice choices[] = {
     CHOICE("layers", layers, 2), CHOICE("receiver", receiver, 1), CHOICE("views", views, 2), CHOICE("viewlayers", view_layers, 2), CHOICE("sh", environment, SSGI_GL_ENVIRONMENT_SH),
     CHOICE("solidangle", bounce, SSGI_GL_BOUNCE_SOLID_ANGLE), CHOICE("patch", bounce, SSGI_GL_BOUNCE_PATCH), CHOICE("twosided", two_sided, 1),
     CHOICE("1band", bands, 1), CHOICE("2bands", bands, 2), CHOICE("3bands", bands, 3), CHOICE("4bands", bands, 4), CHOICE("packed", packed, 1), CHOICE("transfer", transfer, SSGI_GL_TRANSFER_BOTH),
-    CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("exact", exact, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
-    CHOICE("bent", shading, SSGI_GL_SHADING_BENT), CHOICE("lamps", lamps, 1), CHOICE("albedo", albedo, 1),
+    CHOICE("reflected", transfer, SSGI_GL_TRANSFER_REFLECTED), CHOICE("shaded", shaded, 1), CHOICE("residual", residual, 1), CHOICE("bentnormal", shading, SSGI_GL_SHADING_BENT_NORMAL), CHOICE("bentcone", shading, SSGI_GL_SHADING_BENT_CONE),
+    CHOICE("bent", shading, SSGI_GL_SHADING_BENT), CHOICE("lights", lights, 1), CHOICE("albedo", albedo, 1),
     CHOICE("map", shadow, SSGI_GL_SHADOW_MAP), CHOICE("fill", shadow, SSGI_GL_SHADOW_FILL), CHOICE("unshadowed", shadow, SSGI_GL_SHADOW_NONE), CHOICE("accumulate", accumulate, 1),
     CHOICE("direct", radiance, SSGI_GL_RADIANCE_DIRECT), CHOICE("both", radiance, SSGI_GL_RADIANCE_BOTH), CHOICE("albedos", radiance, SSGI_GL_RADIANCE_ALBEDO),
     CHOICE("cubemaps", storage, SSGI_GL_STORAGE_CUBE), CHOICE("angle", measure, SSGI_FIELD_SOLID_ANGLE), CHOICE("8bit", eight_bits, 1), CHOICE("table", cap, SSGI_GL_CAP_TABLE),
     CHOICE("objects", objects, SSGI_GL_OBJECTS_TEXTURE), CHOICE("customobjects", objects, SSGI_GL_OBJECTS_CUSTOM),
     CHOICE("light", effect, SSGI_GL_EFFECT_LIGHT), CHOICE("bounce", effect, SSGI_GL_EFFECT_BOUNCE), CHOICE("specular", effect, SSGI_GL_EFFECT_SPECULAR),
     CHOICE("scatter", effect, SSGI_GL_EFFECT_SCATTER), CHOICE("levels", levels, 6), CHOICE("tessellate", tessellate, 1), CHOICE("lit", sends, SSGI_GL_SENDS_LIGHTS),
-    CHOICE("customlight", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("enlarge", enlarge, 1), CHOICE("near", closely, 4), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
-    CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_VECTORS),
+    CHOICE("customlight", sends, SSGI_GL_SENDS_CUSTOM), CHOICE("scale_radius", scale_radius, 1), CHOICE("near", near_samples, 4), CHOICE("add", overlap, SSGI_GL_OVERLAP_ADD), CHOICE("vertical", axis, 1),
+    CHOICE("half", half, 1), CHOICE("colour", colour, SSGI_GL_COLOUR), CHOICE("vectors", colour, SSGI_GL_COEFFICIENTS),
     CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN), CHOICE("normals", filter_normals, 1)
 };
 const int choices_count = (int)(sizeof choices / sizeof choices[0]);
@@ -41,12 +41,12 @@ const variant variants[] = {
     { "`ssdo`, bounce", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE } }, { "`s3ho`", { .pass = SSGI_GL_S3HO } },
     { "`s3ho`, transfer, packed", { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1 } }, { "`s3ho`, shaded", { .pass = SSGI_GL_S3HO, .shaded = 1 } }, { "`lights`", { .pass = SSGI_GL_LIGHTS } },
     { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } }, { "`senders`", { .pass = SSGI_GL_SENDERS } }, { "`shade`", { .pass = SSGI_GL_SHADE } },
-    { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lamps = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`field`", { .pass = SSGI_GL_FIELD } },
+    { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lights = 1 } }, { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } }, { "`field`", { .pass = SSGI_GL_FIELD } },
     { "`field`, cube maps, objects", { .pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .objects = SSGI_GL_OBJECTS_TEXTURE } },
     { "`surfels`, from triangles", { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1 } }, { "`surfels`, lit", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_LIGHTS } },
     { "`shuffle`", { .pass = SSGI_GL_SHUFFLE } }, { "`splat`, occlusion", { .pass = SSGI_GL_SPLAT } }, { "`splat`, light", { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT } },
     { "`unshuffle`", { .pass = SSGI_GL_UNSHUFFLE } }, { "`smooth`", { .pass = SSGI_GL_SMOOTH } }, { "`sum`", { .pass = SSGI_GL_SUM } }, { "`blur`", { .pass = SSGI_GL_BLUR } },
-    { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS } }, { "`survey`", { .pass = SSGI_GL_SURVEY } }
+    { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } }, { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS } }, { "`statistics`", { .pass = SSGI_GL_STATISTICS } }
 };
 const int variants_count = (int)(sizeof variants / sizeof variants[0]);
 

@@ -69,7 +69,7 @@ static const entry deep_ao[] = {               /* rows of one label make one cur
     { "hsao", "hsao-fast", "", 1 }, { "hsao", "hsao", "", 1 }, { "hsao", "hsao-best", "", 1 },
     DSS("dss", "size=0.06", 0), DSS("dss", "size=0.03", 1), DSS("dss", "", 1),
     DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0), DSS("dss, epsilon 0.02, 4 levels", "epsilon=0.02,levels=4", 0),
-    DSS("dss, every triangle", "size=0.03,every=1", 0)
+    DSS("dss, every triangle", "size=0.03,keep_small=1", 0)
 };
 static const entry deep_figure8[] = {
     DSS("epsilon", COARSE ",levels=4,epsilon=0.2", 1), DSS("epsilon", COARSE ",levels=4,epsilon=0.1", 1), DSS("epsilon", COARSE ",levels=4,epsilon=0.05", 0),
@@ -78,10 +78,10 @@ static const entry deep_figure8[] = {
     DSS("levels", COARSE ",epsilon=0.1,levels=4", 1), DSS("levels", COARSE ",epsilon=0.1,levels=5", 0), DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
 };
 static const entry deep_choices[] = {
-    DSS("defaults", COARSE, 1), DSS("enlarged, not weighted", COARSE ",enlarge=1", 1), DSS("weighted, epsilon 0.02", COARSE ",epsilon=0.02", 0),
-    DSS("enlarged, epsilon 0.02", COARSE ",epsilon=0.02,enlarge=1", 0), DSS("form factors added", COARSE ",overlap=add", 1),
-    DSS("every triangle", COARSE ",every=1", 0), DSS("every triangle, added", COARSE ",every=1,overlap=add", 0), DSS("aside: as published", COARSE ",aside=0", 0),
-    DSS("front: the near plane", COARSE ",front=0", 0), DSS("closely: the centre alone", COARSE ",closely=1", 0),
+    DSS("defaults", COARSE, 1), DSS("enlarged, not weighted", COARSE ",scale_radius=1", 1), DSS("weighted, epsilon 0.02", COARSE ",epsilon=0.02", 0),
+    DSS("enlarged, epsilon 0.02", COARSE ",epsilon=0.02,scale_radius=1", 0), DSS("form factors added", COARSE ",overlap=add", 1),
+    DSS("every triangle", COARSE ",keep_small=1", 0), DSS("every triangle, added", COARSE ",keep_small=1,overlap=add", 0), DSS("aside: as published", COARSE ",offscreen_growth=0", 0),
+    DSS("front: the near plane", COARSE ",near_depth=0", 0), DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
     DSS("no smoothing", COARSE ",smooth=0", 0), DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
     DSS("jittered", COARSE ",jitter=1", 0), DSS("toward the centroid", COARSE ",shrink=centroid", 0),
     DSS("by tessellation", COARSE ",way=capture", 0), DSS("by geometry shader", COARSE ",way=direct", 0)
@@ -94,12 +94,12 @@ static const entry deep_mirrors[] = { { "dss-gloss", "dss-gloss", "exponent=8,si
     { "dss-gloss", "dss-gloss", "exponent=8", 0 }, { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02", 0 } };
 static const entry deep_marbles[] = { { "dss-scatter", "dss-scatter", MARBLE, 1 }, { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
     { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
-    { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",every=0", 1 }, { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",every=0,size=0.0075", 0 } };
+    { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 }, { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0,size=0.0075", 0 } };
 static const entry deep_effects[] = { { "ambient occlusion", "dss", "way=capture", 1 }, { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
     { "one specular bounce", "dss-gloss", "way=capture", 1 }, { "scattering", "dss-scatter", "way=capture," MARBLE, 1 } };
 static const entry deep_watched[] = { { "hsao", "hsao", "", 1 }, { "ssdo", "ssdo", "bounce=none", 1 }, { "dss", "dss", COARSE, 1 }, { "dss, finer", "dss", "", 0 } };
 static const entry deep_moved[]   = { { "hsao", "hsao", "", 1 }, { "ssao", "ssao", "", 0 }, { "dss", "dss", COARSE, 1 }, { "dss, finer", "dss", "", 0 },
-    { "dss, every triangle", "dss", COARSE ",every=1", 0 } };
+    { "dss, every triangle", "dss", COARSE ",keep_small=1", 0 } };
 
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the picture's width and height,
    brought to full size bilinearly. */

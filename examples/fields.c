@@ -1,5 +1,5 @@
-/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits buy, what casters cost, what bakes
-   take, how two casters add up. Declared in report.h. */
+/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits buy, what occluders cost, what bakes
+   take, how two occluders add up. Declared in report.h. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
@@ -31,8 +31,8 @@ static const entry sunk_entries[]     = { AOF("A_0 as measured", "resolution=8",
 typedef struct field_part { const char *title, *about; setup setup; const entry *entries; int count, crop[MOST_CROPS][4]; } field_part;
 #define MOVING(name, time) { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), { { 0 } }
 static const field_part field_parts[] = {
-    { "Fields: casters that move", "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,", MOVING("casters-0", 0) },
-    { NULL, "a third of a period later,", MOVING("casters-1", 1 / 3.0) },
+    { "Fields: occluders that move", "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,", MOVING("occluders-0", 0) },
+    { NULL, "a third of a period later,", MOVING("occluders-1", 1 / 3.0) },
     { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
       { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL }, NO_SPOTS,
         { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f },
@@ -58,22 +58,22 @@ static const field_scene field_scenes[] = {
     { "Ball on a ground",  { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 32, { "ball, vector", "ball, solid angle" } },
     { "Cube on a ground",  { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 32, { "cube, vector", "cube, solid angle" } },
     { "Bunny on a floor",  { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 1024 }, 32, { "bunny, vector", "bunny, solid angle" } },
-    { "Two dozen casters", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, { NULL, NULL } }
+    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, { NULL, NULL } }
 };
 
-/* casters: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the caster's bounding sphere in its place. */
-typedef struct cost { const char *label, *settings; int casters; float size; int quick; } cost;
+/* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the occluder's bounding sphere in its place. */
+typedef struct cost { const char *label, *settings; int occluders; float size; int quick; } cost;
 static const cost of_triangles[] = { { "bunny, 69,000 triangles", "", 0, 0, 1 }, { "cube, 12 triangles", "", -1, 0, 1 } };
 static const cost of_pixels[]    = { { "one ball, size 2", "", 0, 2, 0 }, { "one ball, size 1", "", 0, 1, 1 }, { "one ball, size 1/2", "", 0, 0.5f, 0 }, { "one ball, size 1/4", "", 0, 0.25f, 1 }, { "one ball, size 1/8", "", 0, 0.125f, 0 } };
-static const cost of_casters[]   = {
-    { "1 caster", "", 1, 0, 1 }, { "10 casters", "", 10, 0, 1 }, { "24 casters", "", 24, 0, 1 }, { "24 casters", "draw=each", 24, 0, 0 }, { "24 casters", "storage=cube", 24, 0, 0 }, { "24 casters", "cap=table", 24, 0, 0 },
-    { "100 casters", "", 100, 0, 1 }, { "100 casters", "draw=each", 100, 0, 1 }, { "100 casters", "storage=cube", 100, 0, 1 }, { "100 casters", "cap=table", 100, 0, 1 },
-    { "100 casters", "storage=cube,cap=table", 100, 0, 0 }, { "100 casters", "bits=8", 100, 0, 0 }, { "100 casters", "measure=solid-angle", 100, 0, 0 }, { "100 casters", "reach=4", 100, 0, 0 }
+static const cost of_occluders[]   = {
+    { "1 occluder", "", 1, 0, 1 }, { "10 occluders", "", 10, 0, 1 }, { "24 occluders", "", 24, 0, 1 }, { "24 occluders", "draw=each", 24, 0, 0 }, { "24 occluders", "storage=cube", 24, 0, 0 }, { "24 occluders", "cap=table", 24, 0, 0 },
+    { "100 occluders", "", 100, 0, 1 }, { "100 occluders", "draw=each", 100, 0, 1 }, { "100 occluders", "storage=cube", 100, 0, 1 }, { "100 occluders", "cap=table", 100, 0, 1 },
+    { "100 occluders", "storage=cube,cap=table", 100, 0, 0 }, { "100 occluders", "bits=8", 100, 0, 0 }, { "100 occluders", "measure=solid-angle", 100, 0, 0 }, { "100 occluders", "reach=4", 100, 0, 0 }
 };
 static const struct { setup setup; const cost *costs; int count; } cost_sets[] = {
     { { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 16 }, of_triangles, COUNT(of_triangles) },
     { { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 16 }, of_pixels, COUNT(of_pixels) },
-    { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, of_casters, COUNT(of_casters) }
+    { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, of_occluders, COUNT(of_occluders) }
 };
 
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */
@@ -131,7 +131,7 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
 {
     static const float hidden[3] = { 0, -0.1f, 0 }, grey[3] = { 0.72f, 0.72f, 0.7f };
     float to_world[16];
-    int spots = 0, casters = 0, last = 0;
+    int spots = 0, occluders = 0, last = 0;
     if (stage_load(s, &f->view, err)) return -1;
     const int own = s->scene.objects;
     kit_scene_move(&s->scene, f->time);
@@ -149,8 +149,8 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
     s->between = 1;
     s->rays = f->rays;
     if (stage_show(s, &f->view, width, height, err)) return -1;
-    for (int i = 0; i < s->scene.objects; ++i) if (s->scene.object[i].casts) { ++casters; last = i; }
-    return casters == 1 ? leave_out(s, last, err) : 0;
+    for (int i = 0; i < s->scene.objects; ++i) if (s->scene.object[i].casts) { ++occluders; last = i; }
+    return occluders == 1 ? leave_out(s, last, err) : 0;
 }
 
 row blank(int of, const char *scene, const char *label, const char *settings)
@@ -184,7 +184,7 @@ static int baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_er
     r->figure[SECONDS] = fmax(r->figure[SECONDS], 0) + seconds;
     r->figure[BAKED_MEDIAN] = fmax(r->figure[BAKED_MEDIAN], (double)f->median);
     r->figure[BAKED_P95] = fmax(r->figure[BAKED_P95], (double)f->p95);
-    r->figure[BAKED_MOST] = fmax(r->figure[BAKED_MOST], (double)f->most);
+    r->figure[BAKED_MOST] = fmax(r->figure[BAKED_MOST], (double)f->max_error);
     return 0;
 }
 
@@ -337,7 +337,7 @@ static void curve_of(row *curve, int *points, const field_scene *f, const row *r
     }
 }
 
-/* Pixels that casters reach, each caster's, over all pixels. */
+/* Pixels that occluders reach, each occluder's, over all pixels. */
 static int reached(double *share, const stage *s, const ssgi_field_desc *d, kit_error *err)
 {
     const float *z = kit_image_channel(&s->frame, "Z");
@@ -369,7 +369,7 @@ static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error 
 {
     static const float grey[3] = { 0.7f, 0.7f, 0.7f };
     int one = 0;
-    for (int i = 1; i < s->scene.objects && c->casters > 0; ++i) s->scene.object[i].casts = i <= c->casters;
+    for (int i = 1; i < s->scene.objects && c->occluders > 0; ++i) s->scene.object[i].casts = i <= c->occluders;
     while (!s->scene.object[one].casts) ++one;
     if (c->size > 0) {
         const float at[3] = { 0, 0.5f * c->size + 0.001f, 0 };
@@ -377,7 +377,7 @@ static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error 
         place_at(to_world, c->size, at);
         if (kit_scene_place(&s->scene, one, to_world, err)) return -1;
     }
-    if (c->casters < 0) {
+    if (c->occluders < 0) {
         const ssgi_field *f = kit_field(&s->scene.shape[s->scene.object[one].shape], d, NULL, err);
         float lower[3], upper[3];
         for (int k = 0; k < 3 && f; ++k) {
@@ -394,7 +394,7 @@ static int costs_of(row *all, int quick, kit_error *err)
 {
     int sum = 0;
     for (int k = 0; k < COUNT(cost_sets); ++k) {
-        kit_run run[COUNT(of_casters)];
+        kit_run run[COUNT(of_occluders)];
         row *const rows = all + sum;
         int count = 0;
         stage s;
@@ -437,12 +437,12 @@ static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
 static int bakes_of(row *rows, int quick, kit_error *err)
 {
     int count = 0;
-    kit_scene casters, bunny;
+    kit_scene occluders, bunny;
     const kit_mesh *cube = NULL;
     const char *threads = getenv("KIT_THREADS");
     char *was = threads ? strdup(threads) : NULL;
-    if (kit_scene_load(&casters, "casters", 0, err) || kit_scene_load(&bunny, BUNNY, 0, err)) return -1;
-    for (int i = 0; i < casters.objects && !cube; ++i) if (!strcmp(casters.object[i].name, "cube")) cube = &casters.shape[casters.object[i].shape];
+    if (kit_scene_load(&occluders, "casters", 0, err) || kit_scene_load(&bunny, BUNNY, 0, err)) return -1;
+    for (int i = 0; i < occluders.objects && !cube; ++i) if (!strcmp(occluders.object[i].name, "cube")) cube = &occluders.shape[occluders.object[i].shape];
     for (int i = 0; i < COUNT(bakes); ++i) {
         const bake *b = &bakes[i];
         row *r = &rows[count];
@@ -460,12 +460,12 @@ static int bakes_of(row *rows, int quick, kit_error *err)
         ++count;
     }
     free(was);
-    kit_scene_free(&casters);
+    kit_scene_free(&occluders);
     kit_scene_free(&bunny);
     return count;
 }
 
-/* Two casters' visibilities, each alone, against that of both. */
+/* Two occluders' visibilities, each alone, against that of both. */
 static void combined(row *r, const stage *s, const kit_image *each)
 {
     const double tolerance = 0.002;                             /* the truth's own error */
@@ -513,15 +513,15 @@ static int pairs_of(row *rows, kit_error *err)
     return count;
 }
 
-static const char *field_title(int k) { return k < FIELD_SCENES ? field_scenes[k].title : k == COST_SET ? "Fields: what casters cost" : k == BAKE_SET ? "Fields: what a bake takes" : "Fields: two casters"; }
+static const char *field_title(int k) { return k < FIELD_SCENES ? field_scenes[k].title : k == COST_SET ? "Fields: what occluders cost" : k == BAKE_SET ? "Fields: what a bake takes" : "Fields: two occluders"; }
 
 static int field_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
 {
     static const char *const about[] = {
-        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone. Covered: pixels within the casters' reach, "
-        "each caster's; a software rasteriser works for all pixels of the rectangles around those spheres.",
+        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
+        "each occluder's; a software rasteriser works for all pixels of the rectangles around those spheres.",
         "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of both.",
-        "Two casters by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
+        "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
     if (!asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
     if (!rows) return 1;
     if (!k) fputs("<h2>Fields: error against memory</h2>\n", html);

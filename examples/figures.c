@@ -249,12 +249,12 @@ static const struct { const char *file, *scene, *label, *title, *about; } titles
     { "aof", "ball-on-ground", "vector", "What resolution buys: a ball on a ground", "" },
     { "aof", "cube-on-ground", "vector", "What resolution buys: a cube on a ground", "" },
     { "aof", "bunny-on-floor", "vector", "What resolution buys: the bunny on a floor", "" },
-    { "aof", "casters", "", "What resolution buys: two dozen casters on a ground and on each other", "" },
-    { "aof", "bunny-on-floor", "bunny, 69", "What casters cost a frame",
-      "The pass alone, which needs no filter. Covered: pixels within a caster's reach over the picture's, summed "
-      "over the casters." },
+    { "aof", "casters", "", "What resolution buys: two dozen occluders on a ground and on each other", "" },
+    { "aof", "bunny-on-floor", "bunny, 69", "What occluders cost a frame",
+      "The pass alone, which needs no filter. Covered: pixels within an occluder's reach over the picture's, summed "
+      "over the occluders." },
     { "aof", "bake", "", "What a bake takes", "" },
-    { "aof", "two-balls", "", "Two casters, one's occlusion a, the other's b: RMSE of three rules",
+    { "aof", "two-balls", "", "Two occluders, one's occlusion a, the other's b: RMSE of three rules",
       "Between: share of the pixels whose true occlusion lies from max(a, b) to a + b." },
     { "deep", "bunny-on-floor", "ssao", "Speed against accuracy: bunny on a floor", "" },
     { "deep", "room", "ssao", "Speed against accuracy: `room`", "" },
@@ -572,14 +572,14 @@ static const char once[] =
     "  screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339\n"
     "- surfels without `aside` and `most`, 480x270, for the same pixels: 6.6 times as many in `room`, 66 times in\n"
     "  `colonnade`\n"
-    "- a trial of 3000 places of 64 rays, one core: 0.08 s in the bunny's 70,000 triangles, 0.05 s in a tree;\n"
+    "- a calibration of 3000 places of 64 rays, one core: 0.08 s in the bunny's 70,000 triangles, 0.05 s in a tree;\n"
     "  within 3 to 6 % of the whole picture's error\n"
     "- errors that the plan predicts spread by 3 to 14 % for `hsao`, 13 % for `dss`, 28 % with cameras, 12 to 25\n"
     "  % for light\n"
     "- `half` with as many neighbours on either side of odd pixels: 1.7 times the time for 0.003 less error\n"
     "- 3 steps: bias +0.039, mean of four scenes\n"
     "- a moving camera or object: deviation 0.008 with `blur=2` (`hsao`), 0.005 with `samples=16` (`ssdo`)\n"
-    "- the camera comes closer, `dss`: deviation 0.007 with `every=1`, 0.008 with `size=0.015`\n"
+    "- the camera comes closer, `dss`: deviation 0.007 with `keep_small=1`, 0.008 with `size=0.015`\n"
     "- off screen and hidden, `ssdo` with `views=4`: 0.038, 0.032; layers do not help\n"
     "- `ssao`, a wall one radius behind an edge: 0.024 with `thickness=0.5`, 0.010 with `range=1`, both of which\n"
     "  lose in grass; 0.053 with `thickness=0.7`, by which bunny, grass and colonnade lose 8 to 12 %\n"

@@ -64,20 +64,20 @@ int main(int argc, char **argv)
         measured *m = &row[count];
         ssgi_plan_scene *s = &m->scene;
         memset(m, 0, sizeof *m);
-        if (sscanf(line, "%127[^,],%d,%d,%d,%lf,%lf,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f", name, &fits, &s->wanted, &m->choice, &m->error, &m->cost, &s->trial.open, &s->trial.picture, &s->reach, &s->albedo,
-                   &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3], &s->survey.seen, &s->survey.blocked[0], &s->survey.blocked[1], &s->survey.blocked[2], &s->survey.off, &s->survey.square[0],
-                   &s->survey.square[1], &s->survey.square[2], &s->survey.square[3]) != 23) { fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], count + 1); return 2; }
-        s->trial.known = 1;
+        if (sscanf(line, "%127[^,],%d,%d,%d,%lf,%lf,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f", name, &fits, &s->wanted, &m->choice, &m->error, &m->cost, &s->calibration.unoccluded, &s->calibration.hsao, &s->screen_radius, &s->albedo,
+                   &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3], &s->statistics.visible, &s->statistics.blocked[0], &s->statistics.blocked[1], &s->statistics.blocked[2], &s->statistics.offscreen, &s->statistics.square[0],
+                   &s->statistics.square[1], &s->statistics.square[2], &s->statistics.square[3]) != 23) { fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], count + 1); return 2; }
+        s->calibration.known = 1;
         snprintf(m->view, sizeof m->view, "%.63s", name);
         count += fits && m->choice >= 0 && m->choice < SSGI_PLAN_CHOICES;
     }
     fclose(f);
-    for (int i = 0; i < count; ++i)                                  /* a trial of some places is noisy: of these views all is known */
+    for (int i = 0; i < count; ++i)                                  /* a calibration of some places is noisy: of these views all is known */
         for (int k = 0; k < count; ++k) {
             const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
-            if (r->method == SSGI_PLAN_NOTHING) row[k].scene.trial.open = (float)row[i].error;
-            if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 6) row[k].scene.trial.picture = (float)row[i].error;      /* the preset BALANCED */
+            if (r->method == SSGI_PLAN_NOTHING) row[k].scene.calibration.unoccluded = (float)row[i].error;
+            if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 6) row[k].scene.calibration.hsao = (float)row[i].error;      /* the preset BALANCED */
         }
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
         const ssgi__plan_row *r = &ssgi__plan_rows[c];
@@ -99,17 +99,17 @@ int main(int argc, char **argv)
         fprintf(stderr, "%s choice %d: %d rows, spread %.3f", c ? "\n" : "", c, n, spread);
         putchar('\n');
     }
-    for (int of = 0; of < 2; ++of) {                                 /* what a survey alone tells of a trial */
+    for (int of = 0; of < 2; ++of) {                                 /* what a statistics pass alone tells of a calibration */
         int n = 0;
         for (int i = 0; i < count; ++i) {
             const ssgi_plan_scene *s = &row[i].scene;
-            if (s->wanted || (i && row[i - 1].scene.trial.open == s->trial.open)) continue;
-            equations[n].square = of ? (double)s->trial.picture * (double)s->trial.picture : (double)s->trial.open * (double)s->trial.open;
-            for (int k = 0; k < 4; ++k) equations[n].term[k] = (double)s->survey.square[k];
+            if (s->wanted || (i && row[i - 1].scene.calibration.unoccluded == s->calibration.unoccluded)) continue;
+            equations[n].square = of ? (double)s->calibration.hsao * (double)s->calibration.hsao : (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
+            for (int k = 0; k < 4; ++k) equations[n].term[k] = (double)s->statistics.square[k];
             ++n;
         }
         const double spread = solve(x, equations, n, 4);
-        fprintf(stderr, "\n%s from a survey: %.4g %.4g %.4g %.4g, spread %.3f of %d", of ? "picture" : "open", x[0], x[1], x[2], x[3], spread, n);
+        fprintf(stderr, "\n%s from a statistics pass: %.4g %.4g %.4g %.4g, spread %.3f of %d", of ? "picture" : "open", x[0], x[1], x[2], x[3], spread, n);
     }
     fputc('\n', stderr);
     return 0;

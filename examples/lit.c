@@ -91,9 +91,9 @@ static const entry harmonics_entries[] = {
     { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
 };
 static const entry probe_entries[] = {      /* the paper's two steps along a direction */
-    { "S3HO",           "s3ho", "samples=8,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
-    { "S3HO",           "s3ho", "samples=16,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
-    { "S3HO",           "s3ho", "samples=32,steps=2,indirect=none,exact=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho", "samples=8,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho", "samples=32,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
     { "S3HO, exact",    "s3ho", "samples=8,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "S3HO, exact",    "s3ho", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "S3HO, exact",    "s3ho", "samples=32,steps=2,indirect=none,blur=0," PLAIN, 1 },
@@ -108,10 +108,10 @@ static const entry probe_entries[] = {      /* the paper's two steps along a dir
     { "SSAO",           "ssao", "samples=32,steps=2,blur=0," PLAIN, 1 }
 };
 static const entry band_entries[] = {
-    { "1 band, as published",  "s3ho", "bands=1,indirect=none,exact=0", 1 },
-    { "2 bands, as published",  "s3ho", "bands=2,indirect=none,exact=0", 1 },
-    { "3 bands, as published",  "s3ho", "bands=3,indirect=none,exact=0", 1 },
-    { "4 bands, as published",  "s3ho", "bands=4,indirect=none,exact=0", 1 },
+    { "1 band, as published",  "s3ho", "bands=1,indirect=none,residual=0", 1 },
+    { "2 bands, as published",  "s3ho", "bands=2,indirect=none,residual=0", 1 },
+    { "3 bands, as published",  "s3ho", "bands=3,indirect=none,residual=0", 1 },
+    { "4 bands, as published",  "s3ho", "bands=4,indirect=none,residual=0", 1 },
     { "1 band",  "s3ho", "bands=1,indirect=none", 1 },
     { "2 bands",  "s3ho", "bands=2,indirect=none", 1 },
     { "3 bands",  "s3ho", "bands=3,indirect=none", 1 },

@@ -69,7 +69,7 @@ const char *settings_of(const row *r) { return *r->settings ? r->settings : isna
 
 typedef struct column { int of; const char *head, *key, *about; size_t offset; int digits, sign; } column;
 static const column columns[] = {
-    { OF_BAKE, "triangles", "triangles",     "of the caster",                                      offsetof(row, figure[TRIANGLES]),  0, 0 },
+    { OF_BAKE, "triangles", "triangles",     "of the occluder",                                      offsetof(row, figure[TRIANGLES]),  0, 0 },
     { OF_BAKE, "texels",    "resolution",    "along the side of a face of the cube map",           offsetof(row, figure[RESOLUTION]), 0, 0 },
     { OF_BAKE, "radii",     "radii",         "distances sampled along each direction",             offsetof(row, figure[RADII]),      0, 0 },
     { OF_BAKE, "rays",      "rays",          "a sample",                                           offsetof(row, figure[BAKE_RAYS]),  0, 0 },
@@ -80,7 +80,7 @@ static const column columns[] = {
     { OF_FIELD | OF_BAKE, "b. median", "baked_median", "error of occlusion that the bake reports, at receivers that took no part in it: half are off by less; of several fields the worst", offsetof(row, figure[BAKED_MEDIAN]), 4, 0 },
     { OF_FIELD | OF_BAKE, "b. p95", "baked_p95", "the same: 95 % of them",                         offsetof(row, figure[BAKED_P95]),  4, 0 },
     { OF_FIELD | OF_BAKE, "b. most", "baked_most", "the same: all of them",                        offsetof(row, figure[BAKED_MOST]), 4, 0 },
-    { OF_COST, "covered",   "covered",       "pixels within a caster's reach over all pixels, summed over the casters", offsetof(row, figure[COVERED]), 3, 0 },
+    { OF_COST, "covered",   "covered",       "pixels within an occluder's reach over all pixels, summed over the occluders", offsetof(row, figure[COVERED]), 3, 0 },
     { OF_GROWTH | OF_STAGES, "pixels", "pixels_thousands", "of the picture, thousands",                 offsetof(row, figure[PICTURE]), 1, 0 },
     { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "surfels", "surfels", "how many discs the triangles became", offsetof(row, figure[SURFELS]), 0, 0 },
     { OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES, "splats", "splat_pixels", "texels that splats cover at all levels, over the picture's pixels; predicted", offsetof(row, figure[SPLATS]), 1, 0 },
@@ -98,7 +98,7 @@ static const column columns[] = {
     { OF_PHASES, "model",   "model_error",   "RMSE of the mean over the phases of the noise, less what noise that still has", offsetof(row, split[1]), 4, 0 },
     { OF_PHASES, "noise",   "noise",         "root of a pixel's variance over the phases of the noise, its mean over the pixels", offsetof(row, split[2]), 4, 0 },
     { OF_FIELD, "most",     "most",          "the worst pixel",                                    offsetof(row, figure[MOST]), 3, 0 },
-    { OF_PAIR, "product",   "product",       "RMSE of 1 - (1 - a)(1 - b), a and b being the two casters' occlusions", offsetof(row, figure[BY_PRODUCT]), 4, 0 },
+    { OF_PAIR, "product",   "product",       "RMSE of 1 - (1 - a)(1 - b), a and b being the two occluders' occlusions", offsetof(row, figure[BY_PRODUCT]), 4, 0 },
     { OF_PAIR, "max",       "max_of_two",    "RMSE of the larger one",                             offsetof(row, figure[BY_MOST]), 4, 0 },
     { OF_PAIR, "sum",       "sum_of_two",    "RMSE of the sum, at most 1",                         offsetof(row, figure[BY_SUM]),  4, 0 },
     { OF_PAIR, "between",   "between",       "share of the pixels whose true occlusion lies from the larger one to the sum", offsetof(row, figure[BETWEEN]), 3, 0 },
@@ -480,9 +480,9 @@ void lit_terms(FILE *f)
 
 void field_terms(FILE *f)
 {
-    fputs("<dl>\n<dt>occlusion between objects<dd>What rigid casters take from the ambient light of other things, at any distance; casters do not shade themselves. Its truth: rays that are blocked by all casters but the one "
-        "that the pixel shows, at any distance; the fields end at eight radii of a caster's bounding sphere. Errors are of occlusion, over the pixels that show something else than the only caster.\n"
-        "<dt>vector, solid angle<dd>What a field keeps of the caster: its vector irradiance and how full its cap is, or its solid angle as published.\n</dl>\n", f);
+    fputs("<dl>\n<dt>occlusion between objects<dd>What rigid occluders take from the ambient light of other things, at any distance; occluders do not shade themselves. Its truth: rays that are blocked by all occluders but the one "
+        "that the pixel shows, at any distance; the fields end at eight radii of an occluder's bounding sphere. Errors are of occlusion, over the pixels that show something else than the only occluder.\n"
+        "<dt>vector, solid angle<dd>What a field keeps of the occluder: its vector irradiance and how full its cap is, or its solid angle as published.\n</dl>\n", f);
 }
 
 void deep_terms(FILE *f)

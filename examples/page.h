@@ -9,7 +9,7 @@ enum { OF_AO = 1, OF_LIT = 2, OF_SPLIT = 4, OF_FIELD = 8, OF_COST = 16, OF_BAKE 
        OF_DEEP = 128, OF_DEEP_LIT = 256, OF_GROWTH = 512, OF_STAGES = 1024, OF_TURN = 2048, OF_MOTION = 4096, OF_PHASES = 8192, OF_PEER = 16384,
        OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION, SPLITS = 5 };
 
-/* What is known of fields: of the bake; of a picture's error beside its score; the casters' reach as a share of the picture, each counted; of two casters' occlusions. Of deep screen space:
+/* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the picture, each counted; of two occluders' occlusions. Of deep screen space:
    what is splatted; its stages' shares of the time; how far the camera is turned; what a place's visibility varies by while the camera moves. */
 enum { TRIANGLES, RESOLUTION, RADII, BAKE_RAYS, THREADS, SECONDS, WORK, BYTES, BAKED_MEDIAN, BAKED_P95, BAKED_MOST, MEDIAN, MOST, COVERED, BY_PRODUCT, BY_MOST, BY_SUM, BETWEEN,
        SURFELS, SPLATS, PICTURE, STAGE, STAGES = 7, DEGREES = STAGE + STAGES, FLICKER, FLICKER_TRUE, FLICKER_ADDED, FITTED, FIGURES };

@@ -135,7 +135,7 @@ static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *
         char text[2][320];
         int taken = -1, best = -1;
         numbers.error = (float)asked;
-        if (blind) numbers.trial.known = 0;
+        if (blind) numbers.calibration.known = 0;
         if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) continue;
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             if (isnan(r->error[i])) continue;
@@ -189,10 +189,10 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     const ssgi_plan_scene *n = &r->numbers;
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (isnan(r->error[i])) continue;
-        fprintf(f, "%s,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g", r->name, fits, n->wanted, i, r->error[i], r->cost[i], (double)n->trial.open, (double)n->trial.picture, (double)n->reach, (double)n->albedo,
-                (double)n->energy[0], (double)n->energy[1], (double)n->energy[2], (double)n->energy[3], (double)n->survey.seen);
-        for (int k = 0; k < 4; ++k) fprintf(f, ",%g", k < 3 ? (double)n->survey.blocked[k] : (double)n->survey.off);
-        for (int k = 0; k < 4; ++k) fprintf(f, k < 3 ? ",%g" : ",%g\n", (double)n->survey.square[k]);
+        fprintf(f, "%s,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g", r->name, fits, n->wanted, i, r->error[i], r->cost[i], (double)n->calibration.unoccluded, (double)n->calibration.hsao, (double)n->screen_radius, (double)n->albedo,
+                (double)n->energy[0], (double)n->energy[1], (double)n->energy[2], (double)n->energy[3], (double)n->statistics.visible);
+        for (int k = 0; k < 4; ++k) fprintf(f, ",%g", k < 3 ? (double)n->statistics.blocked[k] : (double)n->statistics.offscreen);
+        for (int k = 0; k < 4; ++k) fprintf(f, k < 3 ? ",%g" : ",%g\n", (double)n->statistics.square[k]);
     }
 }
 
@@ -255,11 +255,11 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
         planned_judge(&verdicts[1], NULL, NULL, &rows[i], 1);
         planned_numbers_csv(numbers.file, &rows[i], 0);
     }
-    fprintf(html, "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the survey alone, without a trial: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by less than a tenth of the error without the last of "
+    fprintf(html, "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the statistics alone, without a calibration: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by less than a tenth of the error without the last of "
             "them. The same as text: <a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more,
             verdicts[0].needless);
     if (page_open(&summary, err)) return -1;
-    fprintf(summary.file, "what,good,pairs\nwith a trial,%d,%d\n\"with a trial, where leaving it out would not do\",%d,%d\n\"without a trial, from the survey alone\",%d,%d\n"
+    fprintf(summary.file, "what,good,pairs\nwith a calibration,%d,%d\n\"with a calibration, where leaving it out would not do\",%d,%d\n\"without a calibration, from the statistics alone\",%d,%d\n"
         "\"with bands, layers, cameras or levels, the last of which is needed\",%d,%d\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed,
         verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more - verdicts[0].needless, verdicts[0].asked_more);
     if (page_close(&summary, o->out, "plan-summary.csv", err)) return -1;
@@ -269,6 +269,6 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
 void plan_text(FILE *f)
 {
     const verdict *v = verdicts;
-    fprintf(f, "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a trial %d of %d; asks needlessly %d times of %d\n", v[0].good, v[0].pairs, v[0].good_needed,
+    fprintf(f, "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a calibration %d of %d; asks needlessly %d times of %d\n", v[0].good, v[0].pairs, v[0].good_needed,
             v[0].needed, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
 }

@@ -296,7 +296,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
             printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
             print_string(kit_gl_name());
-            if (m->between) printf(", \"casters\": %d, \"field_bytes\": %zu", r->run->casters, r->run->field_bytes);
+            if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
         }
         if (o->time && r->run) {
             printf(", \"frames\": %d, \"passes\": [", r->frames);

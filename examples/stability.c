@@ -445,7 +445,7 @@ static int through(result *r, int steps, kit_error *err)
     ssgi_trace trace;
     if (kit_scene_load(&scene, "casters", 0, err)) return -1;
     for (int i = 0; i < scene.objects && !table; ++i) if (!strcmp(scene.object[i].name, "table")) table = &scene.shape[scene.object[i].shape];
-    if (!table) return kit_fail(err, "casters: has no table");
+    if (!table) return kit_fail(err, "occluders: has no table");
     const size_t size = ssgi_trace_size(table->triangles);
     void *memory = malloc(size);
     if (!memory || ssgi_trace_build(&trace, memory, size, table->position, 3 * sizeof(float), NULL, table->triangles, &why) != SSGI_OK)
@@ -495,7 +495,7 @@ static int hull_steps(result *r, kit_error *err) { return through(r, 1, err); }
 static int popping(result *r, kit_error *err)
 {
     static const struct { const char *label; ssgi_surfel_desc d; } kept[] = {
-        { "0.03", { .size = 0.03f } }, { "0.015", { .size = 0.015f } }, { "0.03, every triangle", { .size = 0.03f, .every = 1 } } };
+        { "0.03", { .size = 0.03f } }, { "0.015", { .size = 0.015f } }, { "0.03, every triangle", { .size = 0.03f, .keep_small = 1 } } };
     look l = { .scene = "casters", .width = 320, .height = 180, .stride = 1 };
     const char *why = "";
     kit_scene scene;
@@ -513,7 +513,7 @@ static int popping(result *r, kit_error *err)
             ssgi_surfel_source source = { .position = mesh->position, .normal = mesh->normal, .triangles = mesh->triangles };
             ssgi_surfel_desc d = kept[m].d;
             float projection[16];
-            d.most = scene.radius;
+            d.max_distance = scene.radius;
             l.nearer = 1 - (float)pow(1.01, k);
             aim(&camera_, &l);
             kit_camera_planes(&camera_, mesh);

@@ -269,9 +269,9 @@ static const cause causes[] = {
       "Irradiance over that of an open surface that faces the sun.", "most negative irradiance", "irradiance" },
     { "sh-shade",   "Ringing of a sun as harmonics: in shade", "angle of the sun to the normal, degrees", ERROR, 0, 0, 0, 0, NULL, ringing_in_shade, { 0 },
       "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.", "most negative irradiance", "irradiance" },
-    { "hull",       "Through the hull of a field's caster", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull, { 0 },
+    { "hull",       "Through the hull of a field's occluder", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull, { 0 },
       "Occlusion by a table, on a line between its legs, facing up.", "largest error", "occlusion" },
-    { "hull-steps", "Through the hull of a field's caster: steps", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull_steps, { 0 },
+    { "hull-steps", "Through the hull of a field's occluder: steps", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull_steps, { 0 },
       "What a hundredth of the table's size adds.", "largest step", "step of occlusion" },
     { "surfels",    "Surfel counts with the camera's distance", "distance of the camera, times the nearest", ERROR, 0, 0, 0, 1, NULL, popping, { 0 },
       "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.", "largest change", "change of the count, a share of it" }

@@ -133,7 +133,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
         else MUST(ssgi_view_from_projection(&other, projection, SSGI_CLIP_GL, 64, 64, &why) == SSGI_OK && all_finite(to, 16));
     }
     if (ssgi_gl_views_set(&views, (int)(count % 4), view, f, last, &why) != SSGI_OK)
-        MUST(!strncmp(why, "picture_world_to_view:", 22) && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
+        MUST(!strncmp(why, "main_world_to_view:", 19) && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
@@ -154,8 +154,8 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     d.jitter = f[4];
     d.splits = (int)(count % 4);
     d.shrink = (int)(count % 5);
-    d.aside = count % 7 ? 0.1f : f[6];
-    d.every = (int)(count & 1);
+    d.offscreen_growth = count % 7 ? 0.1f : f[6];
+    d.keep_small = (int)(count & 1);
     splat.levels = levels;
     source.position = f;
     source.normal = count & 2 ? f + 3 : NULL;
@@ -235,25 +235,25 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     const char *why = NULL;
     ssgi_plan_scene s;
     ssgi_plan plan, was;
-    ssgi_survey survey;
+    ssgi_depth_statistics statistics;
     memset(&s, 0, sizeof s);
     memset(&was, 7, sizeof was);
     plan = was;
     s.wanted = data[0] % 6 - 1;
     s.layers = data[1 % size] % 7 - 1;
     s.cameras = data[2 % size] % 5;
-    s.casters = data[3 % size];
+    s.occluders = data[3 % size];
     s.map = data[4 % size] % 2;
     s.triangles = data[5 % size] % 2 ? 1e6 : 0;
     s.error = f[0];
     s.budget = f[1];
-    s.reach = f[2];
+    s.screen_radius = f[2];
     s.albedo = f[3];
-    s.trial.known = data[6 % size] % 2;
-    s.trial.open = f[4];
-    s.trial.picture = f[5];
+    s.calibration.known = data[6 % size] % 2;
+    s.calibration.unoccluded = f[4];
+    s.calibration.hsao = f[5];
     memcpy(s.energy, f + count - 4, sizeof s.energy);
-    if (ssgi_survey_of(&survey, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK) s.survey = survey;
+    if (ssgi_depth_statistics_of(&statistics, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK) s.statistics = statistics;
     if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
         MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error) && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8 && strlen(plan.why) < sizeof plan.why - 1);
     else MUST(!strncmp(why, "scene.", 6) && !memcmp(&plan, &was, sizeof plan));

@@ -97,7 +97,7 @@ static const char *const field_rooms =
     "int field(void) {\n"
     "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, up[3] = { 0, 0, 1 };\n"
     "    static float work[1 << 17]; static uint32_t texels[864], face[32]; static unsigned char file[8192];\n"
-    "    ssgi_field_desc desc; ssgi_field f; ssgi_gl_desc gl; ssgi_gl_caster caster; float axis[3], angle, fill; char text[64]; size_t i, n; int bad = 0;\n"
+    "    ssgi_field_desc desc; ssgi_field f; ssgi_gl_desc gl; ssgi_gl_occluder occluder; float axis[3], angle, fill; char text[64]; size_t i, n; int bad = 0;\n"
     "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
     "    for (i = 0; i < sizeof gl; ++i) ((char *)&gl)[i] = 0;\n"
     "    desc.resolution = desc.radii = 4;\n"
@@ -108,7 +108,7 @@ static const char *const field_rooms =
     "    ssgi_field_cube(&f, 0, face, NULL);\n"
     "    i = ssgi_field_save(file, sizeof file, &f);\n"
     "    bad += i > sizeof file || ssgi_field_peek(&n, file, i, NULL) != SSGI_OK || ssgi_field_load(&f, texels, n, file, i, NULL) != SSGI_OK;\n"
-    "    return bad + (ssgi_gl_caster_set(&caster, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, sizeof text, &gl);\n"
+    "    return bad + (ssgi_gl_occluder_set(&occluder, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, sizeof text, &gl);\n"
     "}\n";
 static const char *const deep_rooms =
     "#include \"ssgi_gl.h\"\n"
@@ -116,7 +116,7 @@ static const char *const deep_rooms =
     "int deep(void) {\n"
     "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };\n"
     "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
-    "    static ssgi_surfel surfel[64]; float scale[4], more[2]; double far_[3] = { 0, 0, 9 }; int size[2]; size_t i, n = 0;\n"
+    "    static ssgi_surfel surfel[64]; float scale[4], offscreen[2]; double far_[3] = { 0, 0, 9 }; int size[2]; size_t i, n = 0;\n"
     "    ssgi_surfel_desc desc; ssgi_surfel_source source; ssgi_splat splat; ssgi_surfel_cost cost; ssgi_view v; ssgi_dipole dipole; ssgi_gl_frame frame; int bad = 0;\n"
     "    const ssgi_material *material = ssgi_material_of(0);\n"
     "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
@@ -126,9 +126,9 @@ static const char *const deep_rooms =
     "    desc.size = 0.2f;\n"
     "    source.position = tri;\n"
     "    source.triangles = 1;\n"
-    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > 0.0f) || !(ssgi_view_aside(&v, far_) > 0.0);\n"
+    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > 0.0f) || !(ssgi_view_outside(&v, far_) > 0.0);\n"
     "    bad += ssgi_tess_count(1) != 3 || ssgi_tess_level(1.0, 1.0) != 1;\n"
-    "    bad += ssgi_surfel_scale(scale, more, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, &desc, &v, &source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_surfel_scale(scale, offscreen, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, &desc, &v, &source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
     "    bad += ssgi_surfels(surfel, 64, &n, &desc, &v, &source, NULL) != SSGI_OK || n < 1 || n > 64;\n"
     "    bad += ssgi_surfels_predict(&cost, &desc, &splat, &v, &source, NULL) != SSGI_OK || cost.surfels != n || ssgi_splat_predict(&cost, &splat, &v, surfel, n, NULL) != SSGI_OK;\n"
     "    bad += ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL) != SSGI_OK || !(ssgi_dipole_total(&dipole, 0) > 0.0) || !(ssgi_dipole_reflectance(&dipole, 0, 1.0) > 0.0);\n"
@@ -253,7 +253,7 @@ static void documentation(void)
         "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"),
         getenv("PWD")),
           "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
-    CHECK(!shell(text, sizeof text, "grep -q 'v0.1 ' '%s/ssgi.h' && grep -q 'v0.1 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 100, "the headers' first lines and SSGI_VERSION disagree");
+    CHECK(!shell(text, sizeof text, "grep -q 'v0.2 ' '%s/ssgi.h' && grep -q 'v0.2 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 200, "the headers' first lines and SSGI_VERSION disagree");
 }
 
 static void fuzz(void)

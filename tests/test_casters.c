@@ -1,4 +1,4 @@
-/* test_casters.c - fields of casters through the whole of GL: the shader against the CPU, pictures against closed forms and truth, what one draw covers, how casters combine. */
+/* test_casters.c - fields of occluders through the whole of GL: the shader against the CPU, pictures against closed forms and truth, what one draw covers, how occluders combine. */
 #include "t.h"
 #include "frames.h"
 
@@ -28,10 +28,10 @@ static void placed(float m[16], float angle, float scale, float x, float y, floa
 
 /* ---- the functions of ssgi_gl_field against their twins ----------------------------------------------------------------- */
 
-/* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures: t_ssgi_casters, _fields, _field, _field_centre, _cap. 0 on failure. */
+/* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures: t_ssgi_occluders, _fields, _field, _field_centre, _cap. 0 on failure. */
 static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first, const float *second, const GLuint textures[5])
 {
-    static const char *const names[7] = { "t_ssgi_casters", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre", "t_ssgi_cap", "u_first", "u_second" };
+    static const char *const names[7] = { "t_ssgi_occluders", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre", "t_ssgi_cap", "u_first", "u_second" };
     static const GLenum kinds[7] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D };
     static char text[20000];
     GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[7] = { textures[0], textures[1], textures[2], textures[3], textures[4] };
@@ -124,7 +124,7 @@ static void same_as_on_the_cpu(void)
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         const ssgi_field *f[2] = { field_of(&scene, 3 + m, row[m].measure, row[m].bits, 8), field_of(&scene, 12, row[m].measure, row[m].bits, 5) };
         ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .storage = row[m].storage, .measure = row[m].measure, .eight_bits = row[m].bits == 8, .cap = row[m].cap };
-        ssgi_gl_caster caster[2];
+        ssgi_gl_occluder occluder[2];
         GLuint textures[5] = { 0 };
         float to[2][16];
         double worst = 0, sum = 0;
@@ -135,18 +135,18 @@ static void same_as_on_the_cpu(void)
             l.ramp *= 0.5f + 0.2f * (float)k;
             l.power = 1.7f;
             placed(to[k], 0.7f + (float)m, k ? 0.4f : 3, 1, -2.5f * (float)k, 0.5f);
-            if (!CHECK(ssgi_gl_caster_set(&caster[k], f[k], &l, to[k], k, 5 + k, &why) == SSGI_OK, "%s", why)) return;
+            if (!CHECK(ssgi_gl_occluder_set(&occluder[k], f[k], &l, to[k], k, 5 + k, &why) == SSGI_OK, "%s", why)) return;
         }
         for (int i = 0; i < POINTS; ++i) {     /* in the space of the pass, around the first, in its hull too; normals any */
             float p[3], n[3];
             direction(p);
             direction(n);
-            const float r = caster[0].reach * (i % 4 ? powf(chance(), 3) : 0.2f * chance());
-            for (int k = 0; k < 3; ++k) { first[4 * i + k] = caster[0].at[k] + r * p[k]; second[4 * i + k] = n[k]; }
+            const float r = occluder[0].radius * (i % 4 ? powf(chance(), 3) : 0.2f * chance());
+            for (int k = 0; k < 3; ++k) { first[4 * i + k] = occluder[0].at[k] + r * p[k]; second[4 * i + k] = n[k]; }
             first[4 * i + 3] = second[4 * i + 3] = 0;
             expected[i] = 1;
             for (int c = 0; c < (row[m].storage ? 1 : 2); ++c) {
-                ssgi_field_limits l = { caster[c].ramp, caster[c].end, caster[c].inside, caster[c].power };
+                ssgi_field_limits l = { occluder[c].ramp, occluder[c].reach, occluder[c].inside, occluder[c].power };
                 const float square = to[c][0] * to[c][0] + to[c][1] * to[c][1] + to[c][2] * to[c][2];
                 float q[3] = { 0 }, turned[3] = { 0 };
                 for (int k = 0; k < 3; ++k)
@@ -157,7 +157,7 @@ static void same_as_on_the_cpu(void)
                 expected[i] *= 1 - ssgi_field_occlusion(f[c], &l, q, turned);
             }
         }
-        textures[0] = kit_texture(10, 2, GL_RGBA32F, caster[0].at);
+        textures[0] = kit_texture(10, 2, GL_RGBA32F, occluder[0].at);
         textures[1] = kit_field_atlas(f, 2);
         if (row[m].storage) CHECK(kit_field_cubes(&textures[2], f[0]), "no cube maps");
         textures[4] = table_of(64);
@@ -168,7 +168,7 @@ static void same_as_on_the_cpu(void)
         }
         CHECK(worst < row[m].limit && sum < 0.95, "storage %d measure %d bits %d cap %d: off by %.2g, mean %.3f", row[m].storage, row[m].measure, row[m].bits, row[m].cap, worst, sum);
         t_note("%s of %d bits, %s, %s: off by %.1e at most", row[m].storage ? "cube" : "atlas", row[m].bits, row[m].measure ? "solid angle" : "vector", row[m].cap ? "table" : "closed form", worst);
-        if (!m) {                              /* a caster that is the object itself is left out */
+        if (!m) {                              /* an occluder that is the object itself is left out */
             if (!evaluated(out, &d, "abs(ssgi_field_visibility(1, 5, a.xyz, b.xyz) - 1.0) + abs(ssgi_field_visibility(2, 6, a.xyz, b.xyz) - ssgi_field_visibility(1, 0, a.xyz, b.xyz))", first, second, textures)) return;
             for (int i = 0; i < POINTS; ++i) CHECK(out[i] < 1e-6f, "own object: off by %g", (double)out[i]);
         }
@@ -233,7 +233,7 @@ static void ball_on_a_plane(void)
     kit_scene_free(&scene);
 }
 
-/* A draw covers each caster's sphere of influence, from outside, from within, beside the picture and behind the eye: against all casters at every pixel, on the CPU. */
+/* A draw covers each occluder's sphere of influence, from outside, from within, beside the picture and behind the eye: against all occluders at every pixel, on the CPU. */
 static void what_a_draw_covers(void)
 {
     static const struct { float eye[3], target[3], fovy, height; int depth; } camera[] = {
@@ -314,7 +314,7 @@ static void what_a_draw_covers(void)
     t_note("five cameras, off by %.1e at most", worst);
 }
 
-/* One draw, a draw each, and fields as cube maps give one picture; casters together lie between the most of them and their sum; a pixel's own object makes no difference to others. */
+/* One draw, a draw each, and fields as cube maps give one picture; occluders together lie between the most of them and their sum; a pixel's own object makes no difference to others. */
 static void combination(void)
 {
     kit_scene scene;
@@ -343,7 +343,7 @@ static void combination(void)
     scene.object[1].casts = scene.object[2].casts = 0;
     if (!drawn_aof(&other, &g, &scene, "")) return;
     for (int i = 0; i < W * H; ++i) bad += other.data[i] != 1;
-    CHECK(!bad, "without casters %d pixels are not open", bad);
+    CHECK(!bad, "without occluders %d pixels are not open", bad);
     kit_image_free(&other);
     kit_image_free(&both);
     for (int s = 0; s < 2; ++s) kit_image_free(&single[s]);
@@ -378,14 +378,14 @@ static void against_truth(void)
 static void refusals(void)
 {
     kit_scene scene;
-    ssgi_gl_caster caster, was;
+    ssgi_gl_occluder occluder, was;
     float m[16];
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     const ssgi_field *f = field_of(&scene, 3, 0, 16, 4);
     const ssgi_field_limits fine = ssgi_field_limits_of(f);
     memset(&was, 0x5a, sizeof was);
     for (int k = 0; k < 14; ++k) {
-        static const char *const names[] = { "caster", "field", "mesh_to_view", "slice", "slice", "object", "limits.reach", "limits.reach", "limits.reach", "limits.inside", "limits.power", "mesh_to_view", "mesh_to_view", "mesh_to_view" };
+        static const char *const names[] = { "occluder", "field", "mesh_to_view", "slice", "slice", "object", "limits.reach", "limits.reach", "limits.reach", "limits.inside", "limits.power", "mesh_to_view", "mesh_to_view", "mesh_to_view" };
         ssgi_field_limits l = fine;
         ssgi_field none = *f;
         const char *why = "";
@@ -399,9 +399,9 @@ static void refusals(void)
         if (k == 11) for (int i = 0; i < 3; ++i) m[i] *= 1.1f;
         if (k == 12) for (int i = 0; i < 3; ++i) m[i] = -m[i];
         if (k == 13) m[13] = INFINITY;
-        caster = was;
-        CHECK(ssgi_gl_caster_set(k ? &caster : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m, k == 3 ? -1 : k == 4 ? 2048 : 0, k == 5 ? 1 << 24 : 0, &why) == SSGI_BAD_ARGUMENT
-              && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&caster, &was, sizeof was), "%d: \"%s\" (expected %s)", k, why, names[k]);
+        occluder = was;
+        CHECK(ssgi_gl_occluder_set(k ? &occluder : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m, k == 3 ? -1 : k == 4 ? 2048 : 0, k == 5 ? 1 << 24 : 0, &why) == SSGI_BAD_ARGUMENT
+              && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&occluder, &was, sizeof was), "%d: \"%s\" (expected %s)", k, why, names[k]);
     }
     kit_scene_free(&scene);
 }
@@ -412,10 +412,10 @@ void test_casters(void)
     RUN("the shader's caps are the CPU's: closed form and table", caps);
     RUN("the shader's fields are the CPU's: atlas and cube maps, both measures, 16 and 8 bits, turned, scaled and moved", same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
-    RUN("a draw covers each caster's sphere of influence from anywhere", what_a_draw_covers);
-    RUN("casters combine to between the most and the sum; one draw, a draw each and cube maps agree", combination);
-    RUN("two dozen casters against rays", against_truth);
-    RUN("a caster that cannot be set is refused", refusals);
+    RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
+    RUN("occluders combine to between the most and the sum; one draw, a draw each and cube maps agree", combination);
+    RUN("two dozen occluders against rays", against_truth);
+    RUN("an occluder that cannot be set is refused", refusals);
     kit_fields_free();
     kit_gl_close();
 }

@@ -194,7 +194,7 @@ static void fits(void)
         CHECK(least_of(q) * 4 * PI >= 1 - 1e-12, "row %zu: more than the sphere, 4 pi q = %g", i, least_of(q) * 4 * PI);
     }
     t_note("worst error of a fit: %.4f of the reference's", worst);
-    for (int i = 0; i < 800; ++i) {          /* slabs, rods, a cube from everywhere, edge-on too, and what no caster would be */
+    for (int i = 0; i < 800; ++i) {          /* slabs, rods, a cube from everywhere, edge-on too, and what no occluder would be */
         static const double halves[4][3] = { { 1, 1, 0.05 }, { 1, 0.1, 0.1 }, { 1, 1, 1 }, { 1, 0.3, 0.02 } };
         const int count = 3 + i * 7 % 62;
         const double most = i % 2 ? PI : 4 * PI;
@@ -205,7 +205,7 @@ static void fits(void)
         for (int k = 0; k < count; ++k) s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? uniform(0, most) : uniform(-1, 1) > 0 ? most : 0;
         const double error = ssgi__field_fit(q, s.radii, s.values, count, most);
         for (int k = 0; k < count; ++k) sum += pow(1 / quadratic(q, (s.radii[k] - s.radii[0]) / (s.radii[count - 1] - s.radii[0])) - s.values[k], 2);
-        CHECK(least_of(q) * most >= 1 - 1e-12 && fabs(sum - error) <= 1e-9 * sum + 1e-12, "caster %d, %d samples: at least %g, error %g is %g", i, count, least_of(q) * most, error, sum);
+        CHECK(least_of(q) * most >= 1 - 1e-12 && fabs(sum - error) <= 1e-9 * sum + 1e-12, "occluder %d, %d samples: at least %g, error %g is %g", i, count, least_of(q) * most, error, sum);
     }
 }
 
@@ -239,7 +239,7 @@ static void centres(void)
     }
 }
 
-/* ---- casters ----------------------------------------------------------------------------------------------------- */
+/* ---- occluders ----------------------------------------------------------------------------------------------------- */
 
 typedef struct mesh { size_t triangles; float position[9 * 2048]; } mesh;
 
@@ -504,8 +504,8 @@ static void reported_errors(void)
         const double median = error[RECEIVERS / 2], p95 = error[RECEIVERS * 19 / 20];
         CHECK(fabs(median - (double)f.median) < 0.004 && fabs(p95 - (double)f.p95) < 0.2 * p95 + 0.005, "measure %d: median %.4f, 95 %% within %.4f; reported are %.4f, %.4f",
               measure, median, p95, (double)f.median, (double)f.p95);
-        CHECK(f.median <= f.p95 && f.p95 <= f.most && f.p95 < (measure ? 0.25f : 0.15f), "reported: %g %g %g", (double)f.median, (double)f.p95, (double)f.most);
-        t_note("a table, %s: error %.3f in the middle, 95 %% within %.3f, most %.3f (own rays: %.3f, %.3f)", measure ? "solid angle" : "vector", (double)f.median, (double)f.p95, (double)f.most, median, p95);
+        CHECK(f.median <= f.p95 && f.p95 <= f.max_error && f.p95 < (measure ? 0.25f : 0.15f), "reported: %g %g %g", (double)f.median, (double)f.p95, (double)f.max_error);
+        t_note("a table, %s: error %.3f in the middle, 95 %% within %.3f, most %.3f (own rays: %.3f, %.3f)", measure ? "solid angle" : "vector", (double)f.median, (double)f.p95, (double)f.max_error, median, p95);
     }
 }
 
@@ -665,19 +665,19 @@ static void degenerate(void)
 {
     static const struct { const char *name; float position[9]; } few[] = { { "a triangle", { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f } }, { "a needle", { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 } } };
     static const double flat[3] = { 1, 0.7, 0 };
-    static mesh casters[4], m;
+    static mesh occluders[4], m;
     const ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16 };
     for (int c = 0; c < 4; ++c) {
         const char *name = c < 2 ? few[c].name : c == 2 ? "a flat box" : "a cube";
-        casters[c].triangles = 0;
-        if (c < 2) { memcpy(casters[c].position, few[c].position, sizeof few[c].position); casters[c].triangles = 1; }
-        else add_box(&casters[c], origin, c == 2 ? flat : cube);
-        const ssgi_field plain = baked(0, &d, &casters[c]);
+        occluders[c].triangles = 0;
+        if (c < 2) { memcpy(occluders[c].position, few[c].position, sizeof few[c].position); occluders[c].triangles = 1; }
+        else add_box(&occluders[c], origin, c == 2 ? flat : cube);
+        const ssgi_field plain = baked(0, &d, &occluders[c]);
         CHECK(sane(&plain), "%s: not in [0,1]", name);
         for (int k = 0; k < 3; ++k) {
             const float scale = k == 0 ? ldexpf(1, -13) : k == 1 ? ldexpf(1, 17) : 1, far_away = k == 2 ? 1e5f : 0;
-            m.triangles = casters[c].triangles;
-            for (size_t i = 0; i < 9 * m.triangles; ++i) m.position[i] = casters[c].position[i] * scale + far_away;
+            m.triangles = occluders[c].triangles;
+            for (size_t i = 0; i < 9 * m.triangles; ++i) m.position[i] = occluders[c].position[i] * scale + far_away;
             if ((c == 1 && k == 2) || (c == 2 && k < 2)) continue;      /* nothing is left of its width; the others tell */
             const ssgi_field f = baked(1, &d, &m);
             CHECK(sane(&f), "%s, scaled by %g, %g away: not in [0,1]", name, (double)scale, (double)far_away);
@@ -804,7 +804,7 @@ static void eight_bits(void)
     t_note("8 bits against 16: occlusion differs by up to %.4f", off);
 }
 
-/* Rays that follow no caster: texels have nothing to do with their neighbours. */
+/* Rays that follow no occluder: texels have nothing to do with their neighbours. */
 static int wild_hit(void *user, const float o[3], const float d[3])
 {
     const double p[3] = { (double)o[0], (double)o[1], (double)o[2] }, r = sqrt(dot(p, p));
@@ -931,7 +931,7 @@ static void files(void)
         memset(place[1], 0x5a, sizeof place[1]);
         CHECK(ssgi_field_load(&g, place[1], bytes, file, size, &why) == SSGI_OK && g.texels == place[1] && same(&f, &g) && !memcmp(place[0], place[1], room) && place[1][room / 4] == 0x5a5a5a5au, "loaded is not what was saved: %s", why);
         g.texels = f.texels;
-        CHECK(!memcmp(&f, &g, offsetof(ssgi_field, most) + sizeof g.most), "loaded numbers are not what was saved");
+        CHECK(!memcmp(&f, &g, offsetof(ssgi_field, max_error) + sizeof g.max_error), "loaded numbers are not what was saved");
         g = was;
 #define REFUSES(start, result, to, texels, space, data, n) CHECK(ssgi_field_load(to, texels, space, data, n, &why) == result && NAMES(why, start), "%s \"%s\"", start, why)
         REFUSES("field:", SSGI_BAD_ARGUMENT, NULL, place[2], room, file, size);
@@ -999,7 +999,7 @@ void test_field(void)
     RUN("a ray caster of one's own gives the same field", own_rays);
     RUN("progress ascends to 1, and giving up leaves the field untouched", progress);
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
-    RUN("triangles, needles, flat casters, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
+    RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
     RUN("hulls are where the mesh ends, and what touches one is dark", hulls);
     RUN("a wanted error takes the smallest field that has it, and one out of reach is owned up to", wanted_error);
     RUN("a ball on a plane has the closed form's contact shadow", ball_on_plane);

@@ -894,7 +894,7 @@ static void lacking(void)
                         for (int k = 0; k < count; ++k) want += fmax(0, dot(n, suns[k].direction)) * (double)suns[k].irradiance[c] / PI;
                         CHECK(fabs(sum - want) < 2e-6, "%d bands, %d suns, texel %d: %.9g, open %.9g", bands, count, i, sum, want);
                     }
-                    if (!pass && i == SIDE * SIDE - 1) CHECK(ssgi_sh_lacking(map, SIDE, coefficients, bands, suns, count, NULL) == SSGI_OK, "refused");
+                    if (!pass && i == SIDE * SIDE - 1) CHECK(ssgi_sh_residual(map, SIDE, coefficients, bands, suns, count, NULL) == SSGI_OK, "refused");
                 }
         }
 }
@@ -934,10 +934,10 @@ static void bad_light(void)
     NAMED("rgb:", ssgi_environment_map, out, 8, NULL, 2, 2, 0);
     NAMED("out:", ssgi_environment_cone, NULL, 8, grid, 2, 2, 0);
     NAMED("rgb:", ssgi_environment_cone, out, 8, NULL, 2, 2, 0);
-    NAMED("map:", ssgi_sh_lacking, NULL, 8, grid, 2, suns, 1);
-    NAMED("coefficients:", ssgi_sh_lacking, out, 8, NULL, 2, suns, 1);
-    NAMED("suns:", ssgi_sh_lacking, out, 8, grid, 2, NULL, 1);
-    NAMED("suns:", ssgi_sh_lacking, out, 8, grid, 2, suns, -1);
+    NAMED("map:", ssgi_sh_residual, NULL, 8, grid, 2, suns, 1);
+    NAMED("coefficients:", ssgi_sh_residual, out, 8, NULL, 2, suns, 1);
+    NAMED("suns:", ssgi_sh_residual, out, 8, grid, 2, NULL, 1);
+    NAMED("suns:", ssgi_sh_residual, out, 8, grid, 2, suns, -1);
     NAMED("coefficients:", ssgi_sh_light, NULL, 3, c, 0, grid, 0);
     NAMED("coefficients:", ssgi_sh_sky, NULL, 3, c, grid, grid);
     NAMED("coefficients:", ssgi_sh_dering, NULL, 3, strength);
@@ -976,8 +976,8 @@ static void bad_light(void)
         NAMED("bands:", ssgi_sh_sky, out, k ? 7 : 0, c, grid, grid);
         NAMED("bands:", ssgi_sh_dering, out, k ? 7 : 0, strength);
         NAMED("size:", ssgi_environment_cone, out, k ? 257 : 7, grid, 2, 2, 0);
-        NAMED("size:", ssgi_sh_lacking, out, k ? 257 : 7, grid, 2, suns, 1);
-        NAMED("bands:", ssgi_sh_lacking, out, 8, grid, k ? 7 : 0, suns, 1);
+        NAMED("size:", ssgi_sh_residual, out, k ? 257 : 7, grid, 2, suns, 1);
+        NAMED("bands:", ssgi_sh_residual, out, 8, grid, k ? 7 : 0, suns, 1);
         NAMED("solid_angle:", ssgi_environment_map, out, 8, grid, 2, 2, k ? NAN : -1);
         NAMED("count:", ssgi_environment_suns, suns, k ? 1025 : 0, grid, 2, 2);
         NAMED("width:", ssgi_environment_suns, suns, 8, grid, side, 2);

@@ -1,4 +1,4 @@
-/* test_plan.c - what a scene needs: survey, trial, choice. */
+/* test_plan.c - what a scene needs: statistics, calibration, choice. */
 #include "t.h"
 #include "../examples/kit/kit_gl.h"
 #include <math.h>
@@ -19,7 +19,7 @@ static void follows(void)
 {
     const float up[3] = { 0, 1, 0.2f }, left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f }, turquoise[3] = { 0.5f, 2.3f, 2.2f };
     float sh[48] = { 0 };
-    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT, .reach = 0.2f, .trial = { 1, 0.15f, 0.045f }, .survey = { 1, { 0.02f, 0.03f, 0.03f }, 0.02f, { 0.002f, 0.004f, 0.01f, 0.002f } }, .layers = 4, .cameras = 4, .triangles = 1e5, .map = 1 };
+    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT, .screen_radius = 0.2f, .calibration = { 1, 0.15f, 0.045f }, .statistics = { 1, { 0.02f, 0.03f, 0.03f }, 0.02f, { 0.002f, 0.004f, 0.01f, 0.002f } }, .layers = 4, .cameras = 4, .triangles = 1e5, .map = 1 };
     ssgi_plan p;
     ssgi_sh_sky(sh, 4, up, pink, pink, NULL);
     ssgi_sh_energy(s.energy, 4, sh, 3);
@@ -32,7 +32,7 @@ static void follows(void)
     ssgi_sh_light(sh, 4, left, 0.25f, pink, SSGI_SH_WINDOW_NONE, NULL);
     ssgi_sh_light(sh, 4, right, 0.25f, turquoise, SSGI_SH_WINDOW_NONE, NULL);
     ssgi_sh_energy(s.energy, 4, sh, 3);
-    s.trial = (ssgi_trial){ 1, 0.16f, 0.11f };
+    s.calibration = (ssgi_calibration){ 1, 0.16f, 0.11f };
     s.layers = s.cameras = s.map = 0;
     int bands = 0;
     for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
@@ -44,18 +44,18 @@ static void follows(void)
 
     /* One layer: nothing stands behind what is seen by more than the radius. */
     memset(&s, 0, sizeof s);
-    s.trial = (ssgi_trial){ 1, 0.15f, 0.07f };
+    s.calibration = (ssgi_calibration){ 1, 0.15f, 0.07f };
     s.layers = s.cameras = 4;
     s.map = 1;
-    s.survey = (ssgi_survey){ 1, { 0.05f, 0, 0 }, 0, { 0.006f, 0, 0, 0 } };
+    s.statistics = (ssgi_depth_statistics){ 1, { 0.05f, 0, 0 }, 0, { 0.006f, 0, 0, 0 } };
     for (s.wanted = 0; s.wanted < 3; ++s.wanted)
         for (s.error = 0.01f; s.error < 0.2f; s.error *= 1.3f) {
             p = made(&s);
             CHECK(p.layers <= 1 && !p.cameras, "one layer, %g of %d: %s", (double)s.error, s.wanted, p.why);
         }
 
-    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and casters. */
-    s = (ssgi_plan_scene){ .trial = { 1, 0.15f, 0.05f }, .layers = 4, .cameras = 4, .triangles = 1e5, .casters = 10, .map = 1 };
+    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and occluders. */
+    s = (ssgi_plan_scene){ .calibration = { 1, 0.15f, 0.05f }, .layers = 4, .cameras = 4, .triangles = 1e5, .occluders = 10, .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted) {
         float last = 1e9f, cost = 0;
         s.error = 0;
@@ -83,10 +83,10 @@ static void follows(void)
 static void by_hand(void)
 {
     static const struct { ssgi_plan_scene scene; int method, directions, samples, bands; float size; double error; } row[] = {
-        { { .wanted = SSGI_PLAN_VISIBILITY, .trial = { 1, 0.02f, 0.001f } }, SSGI_PLAN_HSAO, 2, 0, 0, 0, 0.00193781 },            /* 0.0047, 0.8351, 0.0104 */
-        { { .wanted = SSGI_PLAN_VISIBILITY, .trial = { 1, 0.15f, 0.05f }, .triangles = 1, .reach = 0.15f }, SSGI_PLAN_SURFELS, 0, 0, 0, 0.03f, 0.0711323 },    /* 0.0012, 0, coarse 1.1184 */
-        { { .wanted = SSGI_PLAN_LIGHT, .trial = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f }, .map = 1 }, SSGI_PLAN_SSDO, 0, 4, 0, 0, 0.00882553 },   /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
-        { { .wanted = SSGI_PLAN_BOUNCE, .trial = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } }, SSGI_PLAN_S3HO, 0, 4, 4, 0, 0.0163832 } };           /* 0.3195, uneven 0.0196, 2.3450 */
+        { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.02f, 0.001f } }, SSGI_PLAN_HSAO, 2, 0, 0, 0, 0.00193781 },            /* 0.0047, 0.8351, 0.0104 */
+        { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.15f, 0.05f }, .triangles = 1, .screen_radius = 0.15f }, SSGI_PLAN_SURFELS, 0, 0, 0, 0.03f, 0.0711323 },    /* 0.0012, 0, coarse 1.1184 */
+        { { .wanted = SSGI_PLAN_LIGHT, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f }, .map = 1 }, SSGI_PLAN_SSDO, 0, 4, 0, 0, 0.00882553 },   /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
+        { { .wanted = SSGI_PLAN_BOUNCE, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } }, SSGI_PLAN_S3HO, 0, 4, 4, 0, 0.0163832 } };           /* 0.3195, uneven 0.0196, 2.3450 */
     for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
         int met = 0;
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
@@ -104,11 +104,11 @@ static void refused(void)
     const ssgi_plan_scene good = { .error = 0.05f };
     const float nan_ = NAN;
     ssgi_plan plan, was;
-    ssgi_survey survey, none;
+    ssgi_depth_statistics statistics, none;
     const struct { size_t offset; int whole; float value; const char *start; } bad[] = {
         { offsetof(ssgi_plan_scene, wanted), 1, 4, "scene.wanted" }, { offsetof(ssgi_plan_scene, wanted), 1, -1, "scene.wanted" }, { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
-        { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" }, { offsetof(ssgi_plan_scene, reach), 0, INFINITY, "scene.error, .budget, .reach" }, { offsetof(ssgi_plan_scene, layers), 1, 5, "scene.layers" },
-        { offsetof(ssgi_plan_scene, casters), 1, -1, "scene.layers, .cameras, .casters" }, { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" }, { offsetof(ssgi_plan_scene, trial) + 4, 0, nan_, "scene.trial" } };
+        { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" }, { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" }, { offsetof(ssgi_plan_scene, layers), 1, 5, "scene.layers" },
+        { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.layers, .cameras, .occluders" }, { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" }, { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
     memset(&was, 7, sizeof was);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         ssgi_plan_scene s = good;
@@ -119,10 +119,10 @@ static void refused(void)
         CHECK(ssgi_plan_make(&plan, &s, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan), "%s: \"%s\"", bad[i].start, why);
     }
     memset(&none, 7, sizeof none);
-    survey = none;
+    statistics = none;
     const float texel[4] = { 0.5f, 0, 0, 0 };
-    CHECK(ssgi_survey_of(&survey, NULL, 1, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_survey_of(&survey, texel, 0, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_survey_of(&survey, texel, 1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
-          && !memcmp(&survey, &none, sizeof none), "a bad survey is taken");
+    CHECK(ssgi_depth_statistics_of(&statistics, NULL, 1, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_depth_statistics_of(&statistics, texel, 0, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_depth_statistics_of(&statistics, texel, 1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
+          && !memcmp(&statistics, &none, sizeof none), "a bad statistics is taken");
     ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
     memset(&plan, 0, sizeof plan);
     CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT && !memcmp(&desc, &kept, sizeof desc), "nothing becomes a desc");
@@ -131,7 +131,7 @@ static void refused(void)
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
 static void drawable(void)
 {
-    ssgi_plan_scene s = { .layers = 4, .cameras = 4, .triangles = 1, .casters = 1, .map = 1 };
+    ssgi_plan_scene s = { .layers = 4, .cameras = 4, .triangles = 1, .occluders = 1, .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR };
@@ -147,7 +147,7 @@ static void drawable(void)
         }
 }
 
-/* The survey of a plane is empty, that of a corner is not; a trial of the truth itself finds no error, however few its rays, and of nothing what the truth's picture says. */
+/* The statistics of a plane is empty, that of a corner is not; a calibration of the truth itself finds no error, however few its rays, and of nothing what the truth's picture says. */
 static void measured(void)
 {
     kit_error err = { "" };
@@ -158,15 +158,15 @@ static void measured(void)
         kit_image truth, frame;
         ssgi_plan_scene s;
         ssgi_trace trace;
-        ssgi_trial trial;
+        ssgi_calibration calibration;
         CHECK(!kit_scene_load(&scene, k ? "corner" : "plane", 0, &err), "%s", err.text);
         scene.camera.width = 320;
         scene.camera.height = 180;
         const kit_world world = { &scene, NULL };
         CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err), "%s", err.text);
         CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_VISIBILITY, 1, &err), "%s", err.text);
-        const double blocked = (double)(s.survey.blocked[0] + s.survey.blocked[1] + s.survey.blocked[2]);
-        if (!k) CHECK(s.survey.seen > 0.9f && blocked < 1e-3 && s.trial.open < 1e-3f, "a plane is blocked by %g, and errs by %g", blocked, (double)s.trial.open);
+        const double blocked = (double)(s.statistics.blocked[0] + s.statistics.blocked[1] + s.statistics.blocked[2]);
+        if (!k) CHECK(s.statistics.visible > 0.9f && blocked < 1e-3 && s.calibration.unoccluded < 1e-3f, "a plane is blocked by %g, and errs by %g", blocked, (double)s.calibration.unoccluded);
         if (k) {
             CHECK(!kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 256, 1, &err), "%s", err.text);
             const size_t size = ssgi_trace_size(scene.mesh.triangles);
@@ -188,10 +188,10 @@ static void measured(void)
             }
             const double open = sqrt(square / (double)seen);
             CHECK(ssgi_trace_build(&trace, memory, size, scene.mesh.position, 12, NULL, scene.mesh.triangles, NULL) == SSGI_OK
-                  && ssgi_plan_try(&trial, &trace, place, place + 6000, place + 12000, count, 16, scene.radius, NULL) == SSGI_OK, "no trial");
-            CHECK(trial.known && trial.picture < 0.006f && fabs((double)trial.open / open - 1) < 0.05, "a trial of the truth: %g, of nothing %g, which is %g", (double)trial.picture, (double)trial.open, open);
-            CHECK(fabs((double)s.trial.open / open - 1) < 0.05 && s.trial.picture > 0.1f * (float)open && s.trial.picture < 0.22f * (float)open, "the kit's trial: open %g of %g, hsao %g", (double)s.trial.open, open, (double)s.trial.picture);
-            CHECK(fabs(blocked / (mean / (double)seen) - 1) < 0.25, "the survey finds %g blocked of %g", blocked, mean / (double)seen);
+                  && ssgi_plan_calibrate(&calibration, &trace, place, place + 6000, place + 12000, count, 16, scene.radius, NULL) == SSGI_OK, "no calibration");
+            CHECK(calibration.known && calibration.hsao < 0.006f && fabs((double)calibration.unoccluded / open - 1) < 0.05, "a calibration of the truth: %g, of nothing %g, which is %g", (double)calibration.hsao, (double)calibration.unoccluded, open);
+            CHECK(fabs((double)s.calibration.unoccluded / open - 1) < 0.05 && s.calibration.hsao > 0.1f * (float)open && s.calibration.hsao < 0.22f * (float)open, "the kit's calibration: open %g of %g, hsao %g", (double)s.calibration.unoccluded, open, (double)s.calibration.hsao);
+            CHECK(fabs(blocked / (mean / (double)seen) - 1) < 0.25, "the statistics finds %g blocked of %g", blocked, mean / (double)seen);
             free(place);
             free(memory);
             kit_image_free(&truth);
@@ -208,5 +208,5 @@ void test_plan(void)
     RUN("plan: predicted errors are what the table's numbers come to by hand", by_hand);
     RUN("plan: bad numbers are named, and nothing is touched", refused);
     RUN("plan: every choice can be drawn", drawable);
-    RUN("plan: survey and trial find what the truth says", measured);
+    RUN("plan: statistics and calibration find what the truth says", measured);
 }

@@ -140,7 +140,7 @@ static void areas(void)
     float *soup = malloc(9 * SMALL * sizeof *soup);
     double worst = 0;
     for (int k = 0; k < 40; ++k) {                                             /* one each, of all sizes, before the eye and behind */
-        const ssgi_surfel_desc d = { .size = 0.03f, .every = 1 };
+        const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
         const float extent = powf(10, 2.5f * chance() - 1.5f);
         ssgi_view view;
         size_t n;
@@ -159,7 +159,7 @@ static void areas(void)
     }
     CHECK(worst < 1e-6, "areas are off by %.2g", worst);
     for (int m = 0; m < 2; ++m) {                                              /* a square of 1 x 1 as many, whose areas vary */
-        const ssgi_surfel_desc d = { .size = 0.012f, .every = 0 };
+        const ssgi_surfel_desc d = { .size = 0.012f, .keep_small = 0 };
         double sum = 0, variance = 0, wanted;
         ssgi_view view;
         size_t n;
@@ -192,7 +192,7 @@ static void slivers(void)
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
-        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .every = 1, .splits = 1, .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
+        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .keep_small = 1, .splits = 1, .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
         const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
         direction(axis[0]);
@@ -263,7 +263,7 @@ static void odd_triangles(void)
         { { 1e-20f, 0, -1, 0, 1e-20f, -1, 0, 0, -1 }, 1 }, { { 1e8f, 0, -1, 1e8f, 100, -1, 1e8f, 0, -100 }, 1 }, { { 0, 0, 0, 1, 0, 0, 0, 1, 0 }, 1 } };
     const kit_camera c[2] = { looking_along_z(160, 90, 0), looking_along_z(160, 90, 1) };
     ssgi_view view;
-    ssgi_surfel_desc d = { .every = 1, .size = 0.05f };
+    ssgi_surfel_desc d = { .keep_small = 1, .size = 0.05f };
     for (int m = 0; m < 2; ++m)
         for (int i = 0; i < COUNT(row); ++i) {
             const ssgi_surfel_source source = source_of(row[i].p, 1);
@@ -277,12 +277,12 @@ static void odd_triangles(void)
     for (int k = 0; k < 2; ++k) {                                              /* 1.9 from the frustum's side */
         const ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
-        d.most = k ? 2.0f : 0.5f;
+        d.max_distance = k ? 2.0f : 0.5f;
         view_of(&view, &c[0], 0);
         ssgi_surfels(NULL, 0, &n, &d, &view, &source, NULL);
-        CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.most, n);
+        CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.max_distance, n);
     }
-    d.most = 0;
+    d.max_distance = 0;
     for (int k = 0; k < 2; ++k) {                                              /* mirrored and sheared: own normals, given ones */
         ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
@@ -572,15 +572,15 @@ static void divided(void)
             middle[k] = (double)source.to_view[12 + k];
             for (int j = 0; j < 9; ++j) middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
         }
-        seen += ssgi_view_aside(&view, middle) <= 0;
+        seen += ssgi_view_outside(&view, middle) <= 0;
         if (t + 1 < all) area += 0.5 * fabs(x[0] * z[1] - x[1] * z[0]);
         ssgi_surfels_predict(&cost, &d, &splat, &view, &part, NULL);
-        wants += cost.splits > 8 && ssgi_view_aside(&view, middle) <= 0;
+        wants += cost.splits > 8 && ssgi_view_outside(&view, middle) <= 0;
     }
     CHECK(fabs(area / 4e6 - 1) < 1e-5, "the ground has %.7g of its area", area / 4e6);
     CHECK(wants == 0 && seen > 20, "%d of the %d in the picture still want more parts", wants, seen);
     CHECK(!memcmp(out + 27 * (all - 1), ground + 18, 12) && out[27 * (all - 1) + 9] == 0.5f && out[27 * all - 3] == 1, "the small triangle is another");
-    d.most = 1;
+    d.max_distance = 1;
     CHECK(ssgi_surfels_divide(NULL, 0, &n, &d, &view, &source, NULL) == SSGI_OK && n < all && n > 10, "%zu of %zu near what is seen", n, all);
     again = 7;
     CHECK(ssgi_surfels_divide(NULL, 1, &again, &d, &view, &source, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "out", 3) && again == 7, "%s", why);
@@ -604,7 +604,7 @@ static void dipoles(void)
         const int c = row[i].channel;
         CHECK(fabs(ssgi_dipole_total(&d, c) / row[i].total - 1) < 1e-6, "%s: total %.9f", row[i].name, ssgi_dipole_total(&d, c));
         for (int k = 0; k < 5; ++k) CHECK(fabs(ssgi_dipole_reflectance(&d, c, mm[k]) / row[i].at[k] - 1) < 1e-6, "%s at %g mm: %.9g", row[i].name, mm[k], ssgi_dipole_reflectance(&d, c, mm[k]));
-        const double g = 0.5 * d.above[c], end = 16 / d.fading[c];             /* a plane of surfels */
+        const double g = 0.5 * d.z_r[c], end = 16 / d.sigma_tr[c];             /* a plane of surfels */
         double sum = 0;
         for (double y = 0.5 * g; y < end; y += g) for (double x = 0.5 * g; x < end; x += g) sum += 4 * g * g * ssgi_dipole_reflectance(&d, c, sqrt(x * x + y * y));
         worst = fmax(worst, fabs(sum / row[i].total - 1));
@@ -622,7 +622,7 @@ static void smallest(void)
     static const float tiny[9] = { 0, 0, -3, 1e-25f, 0, -3, 0, 1e-25f, -3 }, close[9] = { 1e-30f, 0, -3, 0, 1e-30f, -3, 2e-30f, 2e-30f, -3 }, far[9] = { 0, 0, -3, 1e19f, 0, -3, 0, 1e19f, -3 };
     static const float plain[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, wrong[9] = { INFINITY, 0, 0, 0, NAN, 0, 0, 0, 0 };
     const kit_camera c = looking_along_z(160, 90, 0);
-    const ssgi_surfel_desc d = { .size = 0.3f, .every = 1 };
+    const ssgi_surfel_desc d = { .size = 0.3f, .keep_small = 1 };
     ssgi_view view;
     ssgi_surfel s[64];
     if (!view_of(&view, &c, 0)) return;
@@ -645,14 +645,14 @@ static void refusals(void)
     static const float p[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, s[3] = { 1, 1, 1 }, a[3] = { 0.1f, 0.1f, 0.1f }, bad_s[3] = { 1, 0, 1 }, bad_a[3] = { 0.1f, NAN, 0.1f };
     const kit_camera c = looking_along_z(160, 90, 0);
     ssgi_view view;
-    struct { float scale[4], more[2]; ssgi_surfel_cost cost; ssgi_dipole dipole; ssgi_surfel out[2]; size_t count; int size[2]; ssgi_gl_frame frame; } o, was;
+    struct { float scale[4], offscreen[2]; ssgi_surfel_cost cost; ssgi_dipole dipole; ssgi_surfel out[2]; size_t count; int size[2]; ssgi_gl_frame frame; } o, was;
     const char *why;
     memset(&was, 0x5a, sizeof was);
     o = was;
     if (!view_of(&view, &c, 0)) return;
 #define REFUSED(call, name) do { why = ""; CHECK((call) == SSGI_BAD_ARGUMENT && !strncmp(why, name, strlen(name)) && !memcmp(&o, &was, sizeof o), "%s: \"%s\"", name, why); o = was; } while (0)
     for (int k = 0; k < 14; ++k) {                                             /* wherever a desc, a source or a splat is taken */
-        static const char *const names[] = { "desc", "view", "desc.size", "desc.size", "desc.jitter", "desc.splits", "desc.shrink", "desc.every", "desc.aside", "desc.most", "source", "source.position", "source", "source.to_view" };
+        static const char *const names[] = { "desc", "view", "desc.size", "desc.size", "desc.jitter", "desc.splits", "desc.shrink", "desc.keep_small", "desc.offscreen_growth", "desc.max_distance", "source", "source.position", "source", "source.to_view" };
         ssgi_surfel_desc d = { 0 };
         ssgi_surfel_source source = source_of(p, 1);
         const ssgi_splat splat = { 0 };
@@ -663,9 +663,9 @@ static void refusals(void)
         if (k == 4) d.jitter = 1.5f;
         if (k == 5) d.splits = 33;
         if (k == 6) d.shrink = 3;
-        if (k == 7) d.every = 2;
-        if (k == 8) d.aside = -1;
-        if (k == 9) d.most = INFINITY;
+        if (k == 7) d.keep_small = 2;
+        if (k == 8) d.offscreen_growth = -1;
+        if (k == 9) d.max_distance = INFINITY;
         if (k == 11) source.position = NULL;
         if (k == 12) source.normal_stride = 13;
         if (k == 13) memset(source.to_view, 0, sizeof source.to_view);
@@ -673,14 +673,14 @@ static void refusals(void)
         REFUSED(ssgi_surfels(o.out, 2, &o.count, desc, v, from, &why), names[k]);
         REFUSED(ssgi_surfels_predict(&o.cost, desc, &splat, v, from, &why), names[k]);
         if (k >= 10) continue;
-        REFUSED(ssgi_surfel_scale(o.scale, o.more, desc, v, &why), names[k]);
+        REFUSED(ssgi_surfel_scale(o.scale, o.offscreen, desc, v, &why), names[k]);
         REFUSED(ssgi_gl_surfels_set(&o.frame, v, desc, 4, NULL, &why), names[k]);
     }
     const ssgi_surfel_desc d = { 0 };
     ssgi_surfel_source source = source_of(p, 1);
     for (int k = 0; k < 7; ++k) {
-        static const char *const names[] = { "splat", "view", "splat.epsilon", "splat.most", "splat.brightest", "splat.front", "splat.levels" };
-        const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0, .most = k == 3 ? NAN : 0, .brightest = k == 4 ? -1.0f : 0, .front = k == 5 ? INFINITY : 0, .levels = k == 6 ? 8 : 0 };
+        static const char *const names[] = { "splat", "view", "splat.epsilon", "splat.max_distance", "splat.max_radiance", "splat.near_depth", "splat.levels" };
+        const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0, .max_distance = k == 3 ? NAN : 0, .max_radiance = k == 4 ? -1.0f : 0, .near_depth = k == 5 ? INFINITY : 0, .levels = k == 6 ? 8 : 0 };
         REFUSED(ssgi_splat_predict(&o.cost, k ? &splat : NULL, k == 1 ? NULL : &view, NULL, 0, &why), names[k]);
         if (k != 1) REFUSED(ssgi_surfels_predict(&o.cost, &d, k ? &splat : NULL, &view, &source, &why), names[k]);
     }
@@ -692,7 +692,7 @@ static void refusals(void)
     REFUSED(ssgi_surfels_predict(NULL, &d, &splat, &view, &source, &why), "cost");
     REFUSED(ssgi_surfels(o.out, 2, NULL, &d, &view, &source, &why), "count");
     REFUSED(ssgi_surfels(NULL, 2, &o.count, &d, &view, &source, &why), "out");
-    REFUSED(ssgi_surfel_scale(NULL, o.more, &d, &view, &why), "scale");
+    REFUSED(ssgi_surfel_scale(NULL, o.offscreen, &d, &view, &why), "scale");
     REFUSED(ssgi_splat_size(NULL, 10, 10, 4, &why), "size");
     REFUSED(ssgi_splat_size(o.size, 0, 10, 4, &why), "width");
     REFUSED(ssgi_splat_size(o.size, 10, 65537, 4, &why), "height");
@@ -939,8 +939,8 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
 static void as_brute_force(void)
 {
     static const struct { const char *set; int levels, orthographic, hard; float radius; } row[] = {
-        { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,closely=1", 1, 0, 1, 0 }, { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,closely=1", 1, 1, 0, 0.4f },
-        { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,closely=1", 4, 0, 1, 0 }, { "levels=4,smooth=1,size=0.04,epsilon=0.02,closely=1", 4, 0, 0, 0.6f }, { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,closely=1,way=direct", 3, 1, 0, 0.6f } };
+        { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 }, { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
+        { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 }, { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1", 4, 0, 0, 0.6f }, { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
         deep d;
         kit_image out;
@@ -1015,7 +1015,7 @@ static void unseen(void)
     for (int m = 0; m < 2; ++m) {
         deep d;
         kit_camera c = { { 0, 1.5f, 2 }, { 0, 0, 0 }, { 0, 1, 0 }, m ? 0 : 45, 2, 0.1f, 50, 96, 54, { 11, -5 }, m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
-        if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss", "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.003,closely=1,front=0", 0, NULL)) return;
+        if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss", "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL)) return;
         const struct { const char *where; ssgi_surfel s; double least; } row[] = {
             { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 }, { "behind the eye", placed(&d, 0.1f, 1.2f, 3, 0, -1, 0, 0.5f, 0.3f), 0.002 }, { "hidden", placed(&d, 0, 0.2f, -0.5f, 0, -0.6f, -0.8f, 0.2f, 0.7f), 0.0002 },
             { "across the near plane", placed(&d, 0.05f, 1.4f, 1.9f, 0, -1, 0, 0.4f, 0.9f), 0.002 }, { "in view", placed(&d, 0.5f, 0.5f, 0.5f, 0, -1, 0, 0.1f, 0.1f), 0.002 } };
@@ -1054,12 +1054,12 @@ static void unseen(void)
 /* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or as large, which loses what the formula says. */
 static void shells(void)
 {
-    for (int enlarge = 0; enlarge < 2; ++enlarge) {
+    for (int scale_radius = 0; scale_radius < 2; ++scale_radius) {
         char set[128];
         deep d;
         int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
         double bias[4] = { 0 };
-        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,closely=1,enlarge=%d", enlarge);
+        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,near_samples=1,scale_radius=%d", scale_radius);
         if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
         for (int k = 0; k < 4; ++k) {
             static unsigned char met[90][160], level[90][160];
@@ -1080,7 +1080,7 @@ static void shells(void)
                 if (l > 3) { wrong += met[y][x]; continue; }
                 ssgi_surfel large = s;
                 large.radius *= (float)(1 << l);
-                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n), f = enlarge ? (double)form_factor(&large, p, n) : weighted;
+                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n), f = scale_radius ? (double)form_factor(&large, p, n) : weighted;
                 level[y][x] = (unsigned char)l;
                 if (met[y][x]) {
                     wrong += fabs(1 - (double)out.data[i] - f) > 2e-5 + 2e-3 * f && fabs(distance / ldexp(reach, l) - 1) > 1e-3 && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;
@@ -1105,9 +1105,9 @@ static void shells(void)
         CHECK(!wrong && !missed && blocks[0] > 500 && blocks[3] > 20, "%s: %d pixels are wrong; of %d, %d, %d, %d blocks %d do not meet it once", set, wrong, blocks[0], blocks[1], blocks[2], blocks[3], missed);
         for (int l = 0; l < 4; ++l) {                                          /* (d^2 + r^2) / (d^2 + 4^l r^2), d/r from inner to outer */
             const double in = l ? ldexp(sqrt(19), l - 1) : 0, out = ldexp(sqrt(19), l), w = 1 << 2 * l, least = (in * in + 1) / (in * in + w), most = (out * out + 1) / (out * out + w);
-            CHECK(enlarge ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3 : fabs(bias[l] / hits[l] - 1) < 1e-3, "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
+            CHECK(scale_radius ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3 : fabs(bias[l] / hits[l] - 1) < 1e-3, "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
         }
-        if (enlarge) t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1], bias[2] / hits[2], bias[3] / hits[3]);
+        if (scale_radius) t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1], bias[2] / hits[2], bias[3] / hits[3]);
         surface(&d);
     }
 }
@@ -1119,7 +1119,7 @@ static void overlap(void)
         deep d;
         kit_image out;
         double worst = 0, most = 0;
-        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", add ? "levels=1,hard=1,smooth=0,closely=1,overlap=add" : "levels=1,hard=1,smooth=0,closely=1,overlap=share", 0, NULL)) return;
+        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", add ? "levels=1,hard=1,smooth=0,near_samples=1,overlap=add" : "levels=1,hard=1,smooth=0,near_samples=1,overlap=share", 0, NULL)) return;
         const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0), placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f), placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
         if (!of_these(&out, &d, s, 3)) return;
         for (int i = 0; i < 96 * 54; ++i) {
@@ -1172,7 +1172,7 @@ static void scattering(void)
 }
 
 /* A disc close above a plane, looked at as several, against the sum over 4000 of its parts. */
-static void closely(void)
+static void near_samples(void)
 {
     double rmse[3] = { 0 };
     for (int m = 0; m < 3; ++m) {
@@ -1181,7 +1181,7 @@ static void closely(void)
         deep d;
         kit_image out;
         int n = 0;
-        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.01,closely=%d", 1 << 2 * m);
+        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.01,near_samples=%d", 1 << 2 * m);
         if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
         const ssgi_surfel s = placed(&d, 0, 0.2f, 0, 0.6f, -0.8f, 0, 0.3f, 0);
         for (int i = 0; i < 4000; ++i) {
@@ -1213,7 +1213,7 @@ static void against_truth(void)
     static const char *const light[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const bounce[3] = { "bounce.R", "bounce.G", "bounce.B" };
     for (int m = 0; m < 2; ++m) {
         deep d;
-        if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", m ? "enlarge=1,overlap=add" : "", 0.6f, NULL) || !drawn(&out, &d.run)) return;
+        if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", m ? "scale_radius=1,overlap=add" : "", 0.6f, NULL) || !drawn(&out, &d.run)) return;
         if (!m && (!TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err)) || !TRY(kit_image_new(&none, 160, 90, "Y", &err)))) return;
         for (int i = 0; i < 160 * 90; ++i) none.data[i] = 1;
         TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
@@ -1266,7 +1266,7 @@ void test_surfels(void)
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
     RUN("one surfel in its shells: one pixel of a block, weighted or enlarged", shells);
     RUN("overlap: shares, or a sum", overlap);
-    RUN("a disc at hand, looked at more closely", closely);
+    RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
     RUN("occlusion, light and bounce against rays", against_truth);
     kit_gl_close();

@@ -22,10 +22,10 @@ static const choice choices[] = {
     CHOICE(normal_rays, 2, 0, 2), CHOICE(hard, 2, 0, 1), CHOICE(thin, 2, 0, 1), CHOICE(falloff, 2, 0, 1), CHOICE(kernel, 2, 0, 1), CHOICE(fade, 3, 0, 1),
     CHOICE(range, 2, 0, 1), CHOICE(layers, 3, 1, 1), CHOICE(views, 2, 0, 2), CHOICE(view_layers, 2, 1, 1), CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
     CHOICE(bounce, 3, 0, 1), CHOICE(bands, 4, 1, 1), CHOICE(packed, 2, 0, 1), CHOICE(transfer, 3, 0, 1), CHOICE(shaded, 2, 0, 1), CHOICE(shading, 4, 0, 1),
-    CHOICE(lamps, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(exact, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
+    CHOICE(lights, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(residual, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
     CHOICE(radiance, 4, 0, 1), CHOICE(storage, 2, 0, 1), CHOICE(measure, 2, 0, 1), CHOICE(eight_bits, 2, 0, 1), CHOICE(cap, 2, 0, 1), CHOICE(objects, 3, 0, 1),
     CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1), CHOICE(effect, 5, 0, 1),
-    CHOICE(sends, 3, 0, 1), CHOICE(enlarge, 2, 0, 1), CHOICE(closely, 2, 1, 3), CHOICE(overlap, 2, 0, 1), CHOICE(axis, 2, 0, 1)
+    CHOICE(sends, 3, 0, 1), CHOICE(scale_radius, 2, 0, 1), CHOICE(near_samples, 2, 1, 3), CHOICE(overlap, 2, 0, 1), CHOICE(axis, 2, 0, 1)
 };
 enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 1 << 11, TEXT = 1 << 16, TOOLBOX = SSGI_GL_STAGES, PROGRAM };
 #define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
@@ -387,7 +387,7 @@ static size_t any_text(int k, char *out, size_t capacity)
         { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_320ES, .samples = 2, .environment = SSGI_GL_ENVIRONMENT_SH, .bounce = SSGI_GL_BOUNCE_PATCH, .views = 1 },
         { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
         { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
-        { .pass = SSGI_GL_SHADE, .lamps = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
+        { .pass = SSGI_GL_SHADE, .lights = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
         { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE, .cap = SSGI_GL_CAP_TABLE, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
         { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_320ES, .tessellate = 1, .sends = SSGI_GL_SENDS_CUSTOM, .effect = SSGI_GL_EFFECT_BOUNCE, .fetch = "// mine" } };
     const int stages = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
@@ -609,7 +609,7 @@ static void reflection(void)
     for (int k = 0; k < 4 * 2 * 3; ++k) {                  /* what s3ho writes is what blur reads, in order, name, type and format */
         ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
         blur.pass = SSGI_GL_BLUR;
-        blur.colour = SSGI_GL_VECTORS;
+        blur.colour = SSGI_GL_COEFFICIENTS;
         const int targets = d.packed ? (d.transfer ? 3 : 1) * (d.bands > 2 ? 2 : 1) : d.bands < 3 ? 1 : d.bands;
         const int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), reads = ssgi_gl_reflect(&blur, read, SSGI_GL_MAX_IO);
         int written = 0, found = 0;
@@ -723,7 +723,7 @@ static void toolboxes(void)
         memset(&used, 0, sizeof used);
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
         d.pass = SSGI_GL_FIELD;
-        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// what casters");
+        char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// what occluders");
         CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use", describe(&d));
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
         CHECK(!last || strstr(emit(whole, &d, SSGI_GL_FRAGMENT), first), "%s: its functions alone are others", describe(&d));
@@ -792,9 +792,9 @@ static const struct { const char *start; size_t offset; int most; } ints[] = {  
     INT(pass, 15), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 1), INT(samples, 64), INT(search, 1),
     INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 1), INT(kernel, 1), INT(fade, 2), INT(range, 1),
     INT(layers, 8), INT(views, 4), INT(view_layers, 8), INT(receiver, 7), INT(environment, 2), INT(bounce, 2), INT(bands, 4), INT(packed, 1), INT(transfer, 2),
-    INT(shaded, 1), INT(shading, 3), INT(lamps, 1), INT(albedo, 1), INT(exact, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
+    INT(shaded, 1), INT(shading, 3), INT(lights, 1), INT(albedo, 1), INT(residual, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
     INT(storage, 1), INT(measure, 1), INT(eight_bits, 1), INT(cap, 1), INT(objects, 2), INT(effect, 4), INT(levels, 7),
-    INT(tessellate, 1), INT(sends, 2), INT(enlarge, 1), INT(closely, 16), INT(overlap, 1), INT(axis, 1), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
+    INT(tessellate, 1), INT(sends, 2), INT(scale_radius, 1), INT(near_samples, 16), INT(overlap, 1), INT(axis, 1), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
     INT(filter_normals, 1), INT(lines, 1) };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -808,7 +808,7 @@ static void sentences(void)
         { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } }, { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
         { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } }, { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
-        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
+        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
         { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } }, { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
         { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } }, { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
         /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no matter */
@@ -860,10 +860,10 @@ static void sentences(void)
         CHECK(ssgi_gl_frame_init(&frame, &view, radii[i], &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:"), "radius %g: %s", (double)radii[i], why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refused frame was written to");
     CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f && frame.thickness == 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
-          && frame.fade == 0.3f * 0.5f && frame.nearest == 0.25f && frame.gain == 1.0f && frame.steepest == 20.0f && !frame.lights && frame.lambda == 4.0f
+          && frame.fade == 0.3f * 0.5f && frame.distance_clamp == 0.25f && frame.gain == 1.0f && frame.max_slope == 20.0f && !frame.lights && frame.lambda == 4.0f
           && frame.window[0] == 1.0f && fabsf(frame.window[1] - 0.8535534f) < 1e-6f && fabsf(frame.window[3] - 0.1464466f) < 1e-6f
           && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32
-          && frame.mesh[0] == 1.0f && frame.mesh[5] == 1.0f && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f && frame.front == ssgi_view_near(&view) && frame.epsilon == 0.1f
+          && frame.mesh[0] == 1.0f && frame.mesh[5] == 1.0f && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f && frame.near_depth == ssgi_view_near(&view) && frame.epsilon == 0.1f
           && frame.exponent == 32.0f, "the frame's defaults");
     for (int i = 0; i < 48; ++i) light += fabsf(frame.harmonics[i]);
     CHECK(light == 0.0f, "a frame's light is not black");
@@ -888,32 +888,32 @@ static void defaults(void)
         ROW(2 + 16, (.pass = SSGI_GL_S3HO), (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
         ROW(3 + 16 * (2 * (3 + 2) + 1), (.pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2,
             .noise = SSGI_GL_NOISE_TEXTURE), (.samples = 16)),
-        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .shaded = 1, .exact = 1), (.bands = 4)),
+        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .shaded = 1, .residual = 1), (.bands = 4)),
         ROW(1 + 4, (.pass = SSGI_GL_SHADE), (.bands = 4)),
-        ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .exact = 1, .lamps = 1), (.bands = 4)),
-        ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lamps = 1), (.samples = 1)),
+        ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .residual = 1, .lights = 1), (.bands = 4)),
+        ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lights = 1), (.samples = 1)),
         { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 }, 1 + 6 + 1 },
         ROW(1 + 1 + 8, (.pass = SSGI_GL_SHADE, .shading = 2), (.bands = 2)),
-        ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .shading = 1, .lamps = 1), (.bands = 4)),
-        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lamps = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
+        ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .shading = 1, .lights = 1), (.bands = 4)),
+        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lights = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
         ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
         ROW(5 + 2 + 1 + 1, (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.eight_bits = 1)),
         ROW(0, (.pass = SSGI_GL_SURFELS), (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
         ROW(3 + 6 + 4, (.pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .sends = SSGI_GL_SENDS_LIGHTS, .shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_SH), (.half = 1)),
         ROW(5, (.pass = SSGI_GL_SHUFFLE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.levels = 5)),
-        ROW(1, (.pass = SSGI_GL_SPLAT), (.levels = 5, .closely = 1, .sends = SSGI_GL_SENDS_LIGHTS)),
+        ROW(1, (.pass = SSGI_GL_SPLAT), (.levels = 5, .near_samples = 1, .sends = SSGI_GL_SENDS_LIGHTS)),
         ROW(1 + 1, (.pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT), (.levels = 5, .hard = 1)),
         ROW(1, (.pass = SSGI_GL_UNSHUFFLE, .effect = SSGI_GL_EFFECT_SCATTER), (.levels = 7)),
         ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
         ROW(5 + 1 + 2 * (1 + 1 + 4), (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.overlap = 1)),
         ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
         ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
-        ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS), (.bands = 4, .filter_radius = 1)),
-        ROW(2 + 9 * (1 + 3 + 1), (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .half = 1, .bands = 3, .filter_normals = 1), (.filter_radius = 1)),
-        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
-          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
+        ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS), (.bands = 4, .filter_radius = 1)),
+        ROW(2 + 9 * (1 + 3 + 1), (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .half = 1, .bands = 3, .filter_normals = 1), (.filter_radius = 1)),
+        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
+          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
         ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
-        ROW(2 + 32, (.pass = SSGI_GL_SURVEY), (.samples = 32)),
+        ROW(2 + 32, (.pass = SSGI_GL_STATISTICS), (.samples = 32)),
         ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2)) };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole), "row %zu, %s: its defaults written out give another text", i, ssgi_gl_pass_name(rows[i].plain.pass));

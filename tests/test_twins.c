@@ -134,8 +134,8 @@ static void refused_cameras(void)
     const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other; } cases[] = {
         { { "i:", "x:" }, &view, -1, right, right }, { { "i:", NULL }, &view, 4, right, right },
         { { "view:", "view:" }, NULL, 0, right, right }, { { "view:", "view:" }, &none, 0, right, right },
-        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, NULL, right }, { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
-        { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, odd[0], right }, { { "picture_world_to_view:", "picture_world_to_view:" }, &view, 0, right, odd[1] } };
+        { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, NULL, right }, { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
+        { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, odd[0], right }, { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, right, odd[1] } };
     CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:") && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT
           && NAMES(why, "light:"), "NULL: %s", why);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -508,7 +508,7 @@ static void twin_halves(void)
     static const float odd[] = { 0, -0.0f, 65504, 65519, 65520, 65536, 1e9f, 1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f, 1, 1e-40f };
     const ssgi_gl_frame frame = { .radius = 1 };
     for (int k = 0; k < 4; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_VECTORS, .packed = 1, .dialect = dialects[k] };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .dialect = dialects[k] };
         for (int round = 0; round < 4; ++round) {
             for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(4 * MANY * round + i);
             if (!probe(&d, &frame, 0, "uvec4 h = uvec4(a); uvec2 u = h.xz | h.yw << 16u; o = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));")) return;
@@ -579,7 +579,7 @@ static void shadow_slack(void)
         { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
     static float map[MANY][4];
     const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
-    ssgi_gl_frame frame = { .radius = 1, .steepest = 20 };
+    ssgi_gl_frame frame = { .radius = 1, .max_slope = 20 };
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
         const float light[5][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 }, { 0, row[k].scale, -1, (float)row[k].flat }, { 0, 32, SIDE, 1 } };
         memset(map, 0, sizeof map);
@@ -716,11 +716,11 @@ static void gaussian_weights(void)
     glDeleteTextures(1, &t.texture);
 }
 
-/* A survey looks at pixels (4, 4) of every 8 x 8: nothing else, and all of them. */
-static void survey_looks(void)
+/* A statistics pass looks at pixels (4, 4) of every 8 x 8: nothing else, and all of them. */
+static void statistics_look(void)
 {
     static float got[8 * 8][4], depth[MANY], normal[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_SURVEY, .dialect = SSGI_GL_450, .samples = 8, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_STATISTICS, .dialect = SSGI_GL_450, .samples = 8, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -783,6 +783,6 @@ void test_twins(void)
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
-    RUN("a survey looks at the centre of every 8 x 8 pixels", survey_looks);
+    RUN("a statistics pass looks at the centre of every 8 x 8 pixels", statistics_look);
     kit_gl_close();
 }

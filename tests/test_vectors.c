@@ -407,7 +407,7 @@ static void lamps_light_what_faces_them(void)
         for (int k = 0; k < 3 * 4 * 5; ++k) {
             const int window = k / 20, m = k / 5 % 4;
             const double angle = angles[k % 5] * pi / 180, sun = row[m].kind > 0 ? 0 : 1, d = row[m].distance, cap = sqrt(1 - row[m].radius * row[m].radius / (d * d));
-            ssgi_gl_light lamp = { .kind = (float)row[m].kind, .colour = { 2, 1, 0.5f }, .least = (float)row[m].radius };
+            ssgi_gl_light lamp = { .kind = (float)row[m].kind, .colour = { 2, 1, 0.5f }, .min_distance = (float)row[m].radius };
             lamp.at[0] = (float)(d * sin(angle) * 0.6 + (1 - sun) * (double)P[0]);
             lamp.at[1] = (float)(d * sin(angle) * 0.8 + (1 - sun) * (double)P[1]);
             lamp.at[2] = (float)(d * cos(angle) + (1 - sun) * (double)P[2]);
@@ -447,7 +447,7 @@ static void suns_are_lamps(void)
     kit_camera_matrices(&g.camera, view, projection);
     ssgi_sh_light(light, 4, w->at, sines[1], w->colour, SSGI_SH_WINDOW_NONE, NULL);
     for (int m = 0; m < 2; ++m) {
-        ssgi_gl_light lamp = { .kind = m ? SSGI_GL_POINT : SSGI_GL_SUN, .least = FAR * sines[m] };
+        ssgi_gl_light lamp = { .kind = m ? SSGI_GL_POINT : SSGI_GL_SUN, .min_distance = FAR * sines[m] };
         kit_image out, other, sent;
         kit_run run;
         if (!begin(&run, &g, "s3ho", "indirect=none,window=none,filtered=light", scene.radius, &scene, &sun)) return;
@@ -474,7 +474,7 @@ static void suns_are_lamps(void)
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* With desc.exact an open plane gets what it should of suns and point lights, in any bands, filtered before or after, whatever the window. */
+/* With desc.residual an open plane gets what it should of suns and point lights, in any bands, filtered before or after, whatever the window. */
 static void open_is_exact(void)
 {
     static const char *const lights[] = { "sun:0,1,0,2,1,3", "sun:1,0.3,0.2,2,1,3", "sun:0.3,-1,0.1,2,1,3", "point:0.4,0.7,0.2,1,2,0.5" };
@@ -486,7 +486,7 @@ static void open_is_exact(void)
         kit_image out;
         char set[128];
         const int bands = 1 + k / 4, lamp = k % 4 == 3;
-        snprintf(set, sizeof set, "indirect=none,exact=1,bands=%d,window=%s,store=float,filtered=%s", bands, k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
+        snprintf(set, sizeof set, "indirect=none,residual=1,bands=%d,window=%s,store=float,filtered=%s", bands, k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
         if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H) || !lit(&out, &g, "s3ho", set, scene.radius, &scene, &l)) return;
         for (int y = 5; y < H; y += 9)
             for (int x = 3; x < W; x += 13)

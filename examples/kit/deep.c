@@ -113,8 +113,8 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
     const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "jitter"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
-                                 fmaxf((float)kit_method_value(m->method, "aside"), 1e-6f), (int)kit_method_value(m->method, "every"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
-    ssgi_splat splat = { .epsilon = run->frame.epsilon, .most = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
+                                 fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f), (int)kit_method_value(m->method, "keep_small"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
+    ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { scene, lighting };
     ssgi_surfel_cost cost;
@@ -122,27 +122,27 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     const char *why = "";
     float *vertices;
     ssgi_surfel *surfels = NULL;
-    int patches[2], failed = 0, direct = 0, lamps_count = 0;
+    int patches[2], failed = 0, direct = 0, placed_count = 0;
     GLuint light = 0, bounce = 0;
     if (!scene) return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene", m->method->name);
     if (way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
     if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
     m->world = &world;
-    if (kit_method_value(m->method, "front") > 0 && nearest_of(&run->frame.front, g, m->err)) return -1;
-    splat.front = run->frame.front;
+    if (kit_method_value(m->method, "near_depth") > 0 && nearest_of(&run->frame.near_depth, g, m->err)) return -1;
+    splat.near_depth = run->frame.near_depth;
     if (lit) {
         kit_sphere all, middle;
-        kit_lamp *lamps;
+        kit_placed_light *placed;
         kit_rotation_of(run->frame.rotation, picture, NULL);
         m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
         if (lighting->env.data && kit_add_environment(m)) return -1;
         if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0)) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;      /* of surfels: what splats hide is seen all the same */
         if (kit_seen(g, &all, &middle, m->err)) return -1;
-        lamps = kit_lamps_new(m, &all, &lamps_count, &direct);
-        if (!lamps) return -1;
-        failed = kit_add_atlas(m, lamps, lamps_count);
-        m->rows[0] = failed ? 0 : kit_keep(run, direct ? kit_light_rows(lamps, 0, direct, picture) : kit_texture(8, 1, GL_RGBA32F, NULL));
-        free(lamps);
+        placed = kit_placed_lights_new(m, &all, &placed_count, &direct);
+        if (!placed) return -1;
+        failed = kit_add_atlas(m, placed, placed_count);
+        m->rows[0] = failed ? 0 : kit_keep(run, direct ? kit_light_rows(placed, 0, direct, picture) : kit_texture(8, 1, GL_RGBA32F, NULL));
+        free(placed);
         run->frame.lights = direct;
         m->gather.shadow = m->lights.shadow;
         m->gather.sends = SSGI_GL_SENDS_LIGHTS;

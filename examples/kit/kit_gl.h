@@ -188,9 +188,9 @@ typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS];   /* target: 0 when it draws into a slice of senders */
-    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_casters */
-    GLuint             cube[2];            /* field: of its casters, when fields are cube maps */
-    int                instances;          /* field: casters drawn at once, blended over what is there; the first such pass clears */
+    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_occluders */
+    GLuint             cube[2];            /* field: of its occluders, when fields are cube maps */
+    int                instances;          /* field: occluders drawn at once, blended over what is there; the first such pass clears */
     int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
     GLuint             array, capture;     /* surfels, splat: vertex array; what transform feedback writes */
     int                patches[2], splits; /* triangles, small ones and behind them those that are split, as patches; 0: surfels of a buffer, all of the run's */
@@ -216,7 +216,7 @@ typedef struct kit_run {
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_views cameras;
     GLuint        fields, cap;             /* field: all shapes' fields as one array; the table of caps */
-    int           casters;
+    int           occluders;
     size_t        surfels;                 /* that the splats' buffer holds */
     double        splat_pixels;            /* predicted, all splats of the first splat pass */
     GLuint        shuffled, arrays[3], buffers[3], query;
@@ -239,7 +239,7 @@ void kit_run_close(kit_run *run);
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 
-/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the survey; a trial of hsao where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so
+/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the statistics; a calibration of hsao where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so
    that depth layers and extra cameras may be used. */
 int  kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted, int closed, kit_error *err);
 /* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method: a plan of NOTHING fails. */
@@ -252,7 +252,7 @@ int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *dire
 /* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
 
-/* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and casters
+/* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */

@@ -31,7 +31,7 @@ int       kit_add_blur(kit_making *m, GLuint *texture);
 /* ---- >>lights */
 
 typedef struct kit_sphere { float centre[3], radius; } kit_sphere;
-typedef struct kit_lamp { ssgi_gl_light light; kit_camera camera; int mapped; } kit_lamp;     /* in the world; camera: of its map */
+typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int mapped; } kit_placed_light;     /* in the world; camera: of its map */
 
 int       kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err);
 void      kit_rotation_of(float rotation[12], const float a[16], const float b[16]);     /* a * transpose(b), as mat3 */
@@ -41,13 +41,13 @@ void      kit_rotation_of(float rotation[12], const float a[16], const float b[1
 int       kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err);
 /* Extra cameras: their G-buffers, their frames, their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
-/* All lights of the world as lamps: --light, the environment's suns, virtual point lights (which are not among direct).
+/* All lights of the world as placed: --light, the environment's suns, virtual point lights (which are not among direct).
    NULL on failure. */
-kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
 /* their shadow maps, as tiles in their order */
-int       kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count);
+int       kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count);
 /* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
-GLuint    kit_light_rows(const kit_lamp *lamps, int first, int last, const float picture[16]);
+GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16]);
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */
 int       kit_add_environment(kit_making *m);

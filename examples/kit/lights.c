@@ -164,7 +164,7 @@ int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *abou
         frame.offset = run->frame.offset;
         frame.thickness = run->frame.thickness;
         frame.fade = run->frame.fade;
-        frame.steepest = run->frame.steepest;
+        frame.max_slope = run->frame.max_slope;
         frame.lights = run->frame.lights;
         ssgi_gl_harmonics_set(&frame, run->harmonics, m->gather.bands, to, NULL);
         kit_rotation_of(frame.rotation, to, NULL);
@@ -194,9 +194,9 @@ static void look(kit_camera *c, const float eye[3], const float along[3], float 
 }
 
 /* A sun's map looks at the sphere of what is seen, from beyond all that could shadow it. */
-static kit_lamp sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all, int size)
+static kit_placed_light sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all, int size)
 {
-    kit_lamp l;
+    kit_placed_light l;
     float eye[3], along[3], nearest = 1e30f, farthest = -1e30f;
     memset(&l, 0, sizeof l);
     memcpy(l.light.at, at, sizeof l.light.at);
@@ -216,7 +216,7 @@ static kit_lamp sun(const float at[3], const float colour[3], const kit_scene *s
     return l;
 }
 
-kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *direct)
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct)
 {
     static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
     const kit_lighting *lighting = m->world->lighting;
@@ -224,17 +224,17 @@ kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *d
     const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
     const size_t room = (size_t)(6 * lighting->lights + suns + vpls + 1);
     int size = (int)kit_method_value(m->method, "shadow_size"), n = 0;
-    kit_lamp *lamps = calloc(room, sizeof *lamps);
+    kit_placed_light *placed = calloc(room, sizeof *placed);
     const char *why = "";
     float extent = 0;
     while (size > 16 && (double)size * ceil(sqrt((double)room)) > 8192) size /= 2;
-    if (!lamps) { kit_fail(m->err, "no memory for %d lights", (int)room); return NULL; }
+    if (!placed) { kit_fail(m->err, "no memory for %d lights", (int)room); return NULL; }
     for (int k = 0; scene && k < 3; ++k) extent += scene->mesh.upper[k] - scene->mesh.lower[k];
     for (int i = 0; i < lighting->lights; ++i) {
         const kit_light *w = &lighting->light[i];
-        if (w->kind == KIT_SUN) lamps[n++] = sun(w->at, w->colour, mapped ? scene : NULL, all, size);
+        if (w->kind == KIT_SUN) placed[n++] = sun(w->at, w->colour, mapped ? scene : NULL, all, size);
         for (int f = 0; w->kind == KIT_POINT && f < (mapped ? 6 : 1); ++f) {
-            kit_lamp *l = &lamps[n++];
+            kit_placed_light *l = &placed[n++];
             memcpy(l->light.at, w->at, sizeof l->light.at);
             memcpy(l->light.colour, w->colour, sizeof l->light.colour);
             l->light.kind = mapped ? SSGI_GL_SPOT : SSGI_GL_POINT;
@@ -244,8 +244,8 @@ kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *d
     }
     if (suns && lighting->env.data) {
         ssgi_sun *found = malloc((size_t)suns * sizeof *found);
-        if (!found || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why) != SSGI_OK) { kit_fail(m->err, "suns: %s", why); free(found); free(lamps); return NULL; }
-        for (int i = 0; i < suns; ++i) lamps[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
+        if (!found || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why) != SSGI_OK) { kit_fail(m->err, "suns: %s", why); free(found); free(placed); return NULL; }
+        for (int i = 0; i < suns; ++i) placed[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
         free(found);
     }
     *direct = n;
@@ -254,39 +254,39 @@ kit_lamp *kit_lamps_new(kit_making *m, const kit_sphere *all, int *count, int *d
         size_t pixels;
         ssgi_vpl *found = malloc((size_t)vpls * sizeof *found);
         int failed;
-        if (!scene || !lighting->lights || !found) { kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls); free(found); free(lamps); return NULL; }
-        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) { free(found); free(lamps); return NULL; }
+        if (!scene || !lighting->lights || !found) { kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls); free(found); free(placed); return NULL; }
+        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) { free(found); free(placed); return NULL; }
         failed = ssgi_vpl_choose(found, vpls, position, normal, flux, pixels, &why) != SSGI_OK;
         free(position);
         free(normal);
         free(flux);
-        if (failed) { kit_fail(m->err, "vpls: %s", why); free(found); free(lamps); return NULL; }
+        if (failed) { kit_fail(m->err, "vpls: %s", why); free(found); free(placed); return NULL; }
         for (int i = 0; i < vpls; ++i) {
-            kit_lamp *l = &lamps[n++];
+            kit_placed_light *l = &placed[n++];
             memcpy(l->light.at, found[i].position, sizeof l->light.at);
             memcpy(l->light.normal, found[i].normal, sizeof l->light.normal);
             memcpy(l->light.colour, found[i].intensity, sizeof l->light.colour);
             l->light.kind = SSGI_GL_VPL;
-            l->light.least = m->run->frame.radius;
+            l->light.min_distance = m->run->frame.radius;
             l->mapped = mapped;
             look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * all->radius, extent, size);
         }
         free(found);
     }
     *count = n;
-    return lamps;
+    return placed;
 }
 
-int kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count)
+int kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count)
 {
     kit_shadow_camera *camera = malloc((size_t)count * sizeof *camera);
-    const int size = count && lamps[0].mapped ? lamps[0].camera.width : 0, columns = size ? 8192 / size < count ? 8192 / size : count : 1;
+    const int size = count && placed[0].mapped ? placed[0].camera.width : 0, columns = size ? 8192 / size < count ? 8192 / size : count : 1;
     int mapped = 0;
     if (!camera) return kit_fail(m->err, "no memory for %d lights", count);
     for (int i = 0; i < count; ++i)
-        if (lamps[i].mapped) {
+        if (placed[i].mapped) {
             const int tile[4] = { i % columns * size, i / columns * size, size, size };
-            kit_camera_matrices(&lamps[i].camera, camera[mapped].view, camera[mapped].projection);
+            kit_camera_matrices(&placed[i].camera, camera[mapped].view, camera[mapped].projection);
             memcpy(camera[mapped++].tile, tile, sizeof tile);
         }
     if (mapped) m->run->atlas = kit_keep(m->run, kit_shadow_atlas(columns * size, (count + columns - 1) / columns * size, m->world->scene, camera, mapped, m->err));
@@ -294,26 +294,26 @@ int kit_add_atlas(kit_making *m, const kit_lamp *lamps, int count)
     return mapped && !m->run->atlas ? -1 : 0;
 }
 
-GLuint kit_light_rows(const kit_lamp *lamps, int first, int last, const float picture[16])
+GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
 {
-    const int size = first < last ? lamps[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
+    const int size = first < last ? placed[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
     ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
     GLuint texture;
     for (int i = first; rows && i < last; ++i) {
         ssgi_gl_light *l = &rows[i - first];
-        *l = lamps[i].light;
+        *l = placed[i].light;
         for (int k = 0; k < 3; ++k) {
             l->at[k] = l->normal[k] = l->kind > 0 ? picture[12 + k] : 0;
             if (l->kind > 0) l->normal[k] = 0;
             for (int j = 0; j < 3; ++j) {
-                l->at[k] += picture[4 * j + k] * lamps[i].light.at[j];
-                l->normal[k] += picture[4 * j + k] * lamps[i].light.normal[j];
+                l->at[k] += picture[4 * j + k] * placed[i].light.at[j];
+                l->normal[k] += picture[4 * j + k] * placed[i].light.normal[j];
             }
         }
-        if (lamps[i].mapped) {
+        if (placed[i].mapped) {
             float view[16], projection[16];
             ssgi_view decoded;
-            kit_camera_matrices(&lamps[i].camera, view, projection);
+            kit_camera_matrices(&placed[i].camera, view, projection);
             ssgi_view_from_projection(&decoded, projection, SSGI_CLIP_GL, size, size, NULL);
             ssgi_gl_light_map(l, &decoded, i % columns * size, i / columns * size, picture, view, NULL);
         }
@@ -375,8 +375,8 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     kit_pass *p;
     gather.transfer = blur.transfer = shade.transfer = transfer;
     gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;      /* parts are told apart after the same rounding */
-    gather.shaded = !vectors && !shade.shading && !shade.lamps;
-    blur.colour = SSGI_GL_VECTORS;
+    gather.shaded = !vectors && !shade.shading && !shade.lights;
+    blur.colour = SSGI_GL_COEFFICIENTS;
     p = kit_add_pass(m, &gather, run->gbuffer, 0, 0, 0, 0);
     if (p && vectors && m->blurred && (p = kit_add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
     if (p && !gather.shaded && (p = kit_add_pass(m, &shade, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
@@ -389,8 +389,8 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     return 0;
 }
 
-/* s3ho: suns as lobes of the environment's harmonics; the lamps that are left, which depend on where a pixel is, to the front; and what all of those harmonics lack. */
-static int add_harmonics(kit_making *m, kit_lamp *lamps, int *count)
+/* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to the front; and what all of those harmonics lack. */
+static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
     enum { OPEN = 32 };
     const kit_image *env = &m->world->lighting->env;
@@ -401,8 +401,8 @@ static int add_harmonics(kit_making *m, kit_lamp *lamps, int *count)
     float *map = calloc(3 * OPEN * OPEN, sizeof *map), *four = malloc(4 * OPEN * OPEN * sizeof *four);
     int left = 0, n = 0, failed = !map || !four;
     for (int i = 0; i < *count && !failed; ++i) {
-        const ssgi_gl_light *l = &lamps[i].light;
-        if (l->kind > 0 || m->shade.shading) { lamps[left++] = lamps[i]; continue; }
+        const ssgi_gl_light *l = &placed[i].light;
+        if (l->kind > 0 || m->shade.shading) { placed[left++] = placed[i]; continue; }
         memcpy(suns[n].direction, l->at, sizeof suns[n].direction);
         memcpy(suns[n].irradiance, l->colour, sizeof suns[n].irradiance);
         failed = ssgi_sh_light(run->harmonics, bands, l->at, 0, suns[n++].irradiance, window, &why) != SSGI_OK;
@@ -410,16 +410,16 @@ static int add_harmonics(kit_making *m, kit_lamp *lamps, int *count)
     *count = left;
     memset(run->frame.window, 0, sizeof run->frame.window);
     ssgi_sh_window(run->frame.window, bands, window);
-    if (m->gather.exact && !m->shade.shading && !failed)
+    if (m->gather.residual && !m->shade.shading && !failed)
         failed = (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
-                 || ssgi_sh_lacking(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
+                 || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
     free(map);
     free(four);
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
-/* The light of lamps over what light there is. */
-static int add_lamps(kit_making *m, GLuint *light)
+/* The light of placed over what light there is. */
+static int add_placed_lights(kit_making *m, GLuint *light)
 {
     ssgi_gl_desc d = m->lights;
     kit_pass *p;
@@ -469,10 +469,10 @@ static int add_harmonic_light(kit_making *m, int indirect, int harmonics, GLuint
 {
     const int joint = indirect == 1;
     if (indirect && add_senders(m, m->run->gbuffer, -1, 0, 0)) return -1;
-    if (add_vectors(m, SSGI_GL_TRANSFER_FREE, joint, light)) return -1;
+    if (add_vectors(m, SSGI_GL_TRANSFER_DIRECT, joint, light)) return -1;
     if (indirect && add_vectors(m, joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, received)) return -1;
     if (joint) m->run->joint = *light;
-    return harmonics ? 0 : add_lamps(m, light);
+    return harmonics ? 0 : add_placed_lights(m, light);
 }
 
 /* ssdo: environment and bounce in one gather; senders shine with the last frame's light. */
@@ -486,7 +486,7 @@ static int add_reused(kit_making *m, GLuint *light, GLuint *received)
     if (!p) return -1;
     *light = p->target[0];
     *received = p->target[1];
-    if (kit_add_blur(m, light) || kit_add_blur(m, received) || add_lamps(m, light)) return -1;
+    if (kit_add_blur(m, light) || kit_add_blur(m, received) || add_placed_lights(m, light)) return -1;
     senders->source = *light;
     return 0;
 }
@@ -513,7 +513,7 @@ static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
     return kit_add_blur(m, received);
 }
 
-static int add_vpls(kit_making *m, const kit_lamp *lamps, int first, int last, const float picture[16], GLuint *received)
+static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16], GLuint *received)
 {
     kit_run *run = m->run;
     ssgi_gl_desc d = m->lights;
@@ -521,23 +521,23 @@ static int add_vpls(kit_making *m, const kit_lamp *lamps, int first, int last, c
     d.accumulate = *received != 0;
     p = kit_add_pass(m, &d, run->gbuffer, KIT_FRAME_VPLS, *received, 0, 0);
     if (!p) return -1;
-    p->lights = kit_keep(run, kit_light_rows(lamps, first, last, picture));
+    p->lights = kit_keep(run, kit_light_rows(placed, first, last, picture));
     *received = p->target[0];
     run->vpls = last - first;
     return 0;
 }
 
-/* The lamps with their maps, the extra cameras, and the lamps as each camera has them. */
-static int add_sources(kit_making *m, const kit_lamp *lamps, int direct, int count, const float picture[16],
+/* The placed with their maps, the extra cameras, and the placed as each camera has them. */
+static int add_sources(kit_making *m, const kit_placed_light *placed, int direct, int count, const float picture[16],
                        const kit_sphere *middle)
 {
     kit_run *run = m->run;
     if (m->gather.views && kit_add_views(m, picture, middle)) return -1;
-    if (kit_add_atlas(m, lamps, count)) return -1;
+    if (kit_add_atlas(m, placed, count)) return -1;
     for (int v = -1; v < run->views && direct; ++v) {
         float to[16], projection[16];
         if (v >= 0) kit_camera_matrices(&run->view[v].camera, to, projection);
-        m->rows[1 + v] = kit_keep(run, kit_light_rows(lamps, 0, direct, v < 0 ? picture : to));
+        m->rows[1 + v] = kit_keep(run, kit_light_rows(placed, 0, direct, v < 0 ? picture : to));
         if (!m->rows[1 + v]) return kit_fail(m->err, "no memory for %d lights", direct);
     }
     return 0;
@@ -557,7 +557,7 @@ int kit_open_lit(kit_making *m, const float picture[16])
     const kit_world world = { m->world->scene, lighting };
     int count = 0, direct = 0, failed;
     kit_sphere all, middle;
-    kit_lamp *lamps;
+    kit_placed_light *placed;
     m->world = &world;
     m->blur.colour = SSGI_GL_COLOUR;
     if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
@@ -566,29 +566,29 @@ int kit_open_lit(kit_making *m, const float picture[16])
     if (lighting->env.data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
     if (kit_seen(g, &all, &middle, m->err)) return -1;
-    lamps = kit_lamps_new(m, &all, &count, &direct);
-    if (!lamps) return -1;
+    placed = kit_placed_lights_new(m, &all, &count, &direct);
+    if (!placed) return -1;
     if (s3ho) {
         int lobes = harmonics ? direct : 0;
-        if (add_harmonics(m, lamps, &lobes)) { free(lamps); return -1; }
+        if (add_harmonics(m, placed, &lobes)) { free(placed); return -1; }
         if (harmonics) count = direct = lobes;
-        m->shade.lamps = lobes > 0;
+        m->shade.lights = lobes > 0;
     }
     ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
-    failed = add_sources(m, lamps, direct, count, picture, &middle);
+    failed = add_sources(m, placed, direct, count, picture, &middle);
     if (!failed && !g->albedo) add_grey(m);
     failed = failed || (bounce && add_hidden(m))
           || (s3ho ? add_harmonic_light(m, indirect, harmonics, &run->light, &run->bounce)
               : bounce && m->gather.environment && reuse ? add_reused(m, &run->light, &run->bounce)
               : add_bounced(m, vpls, &run->light, &run->bounce))
-          || (vpls && add_vpls(m, lamps, direct, count, picture, &run->bounce));
-    free(lamps);
+          || (vpls && add_vpls(m, placed, direct, count, picture, &run->bounce));
+    free(placed);
     return failed ? -1 : 0;
 }
 
-/* Casters first .. last - 1 of the rows in one draw. */
-static int add_casters(kit_making *m, const ssgi_gl_caster *rows, int first, int last, const GLuint *cube)
+/* Occluders first .. last - 1 of the rows in one draw. */
+static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first, int last, const GLuint *cube)
 {
     kit_run *run = m->run;
     const GLuint rows_texture = kit_keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
@@ -598,19 +598,19 @@ static int add_casters(kit_making *m, const ssgi_gl_caster *rows, int first, int
     p->instances = last - first;
     if (cube) memcpy(p->cube, cube, sizeof p->cube);
     run->light = p->target[0];
-    return rows_texture ? 0 : kit_fail(m->err, "no memory for %d casters", last - first);
+    return rows_texture ? 0 : kit_fail(m->err, "no memory for %d occluders", last - first);
 }
 
 /* The casting objects' fields, and where they stand. */
 int kit_open_field(kit_making *m, const float picture[16])
 {
     const kit_scene *scene = m->world->scene;
-    const int all = kit_method_value(m->method, "casters") > 0, each = kit_method_value(m->method, "draw") > 0;
+    const int all = kit_method_value(m->method, "occluders") > 0, each = kit_method_value(m->method, "draw") > 0;
     kit_run *run = m->run;
     ssgi_field_desc d;
     const ssgi_field **field;
     int *slice, fields = 0, count = 0, failed = 0;
-    ssgi_gl_caster *rows;
+    ssgi_gl_occluder *rows;
     const char *why = "";
     if (!scene) return kit_fail(m->err, "method aof: a frame has no objects to bake; it needs a scene");
     d = kit_method_field(m->method);
@@ -643,21 +643,21 @@ int kit_open_field(kit_making *m, const float picture[16])
             limits.ramp = (float)kit_method_value(m->method, "ramp") * limits.reach;
             limits.power = (float)kit_method_value(m->method, "power");
             if (kit_method_value(m->method, "inside") >= 0) limits.inside = (float)kit_method_value(m->method, "inside");
-            if (ssgi_gl_caster_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why) != SSGI_OK) failed = kit_fail(m->err, "object %s: %s", o->name, why);
+            if (ssgi_gl_occluder_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why) != SSGI_OK) failed = kit_fail(m->err, "object %s: %s", o->name, why);
         }
         if (failed || first == count) continue;
         if (m->gather.storage) {
             GLuint cube[2];
             if (!kit_field_cubes(cube, field[slice[s]])) failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
             for (int k = 0; k < 2; ++k) kit_keep(run, cube[k]);
-            for (int i = first; i < count && !failed; i += each ? 1 : count - first) failed = add_casters(m, rows, i, each ? i + 1 : count, cube);
+            for (int i = first; i < count && !failed; i += each ? 1 : count - first) failed = add_occluders(m, rows, i, each ? i + 1 : count, cube);
         }
     }
-    if (!failed && !count) failed = add_casters(m, rows, 0, 0, NULL);
+    if (!failed && !count) failed = add_occluders(m, rows, 0, 0, NULL);
     if (!failed && count && !m->gather.storage) {
         run->fields = kit_keep(run, kit_field_atlas(field, fields));
         if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
-        for (int i = 0; i < count && !failed; i += each ? 1 : count) failed = add_casters(m, rows, i, each ? i + 1 : count, NULL);
+        for (int i = 0; i < count && !failed; i += each ? 1 : count) failed = add_occluders(m, rows, i, each ? i + 1 : count, NULL);
     }
     if (!failed && m->gather.cap) {
         const int size = (int)kit_method_value(m->method, "table_size");
@@ -668,7 +668,7 @@ int kit_open_field(kit_making *m, const float picture[16])
         kit_texture_linear(GL_TEXTURE_2D);
         free(table);
     }
-    run->casters = count;
+    run->occluders = count;
     free(field);
     free(slice);
     free(rows);

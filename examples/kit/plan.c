@@ -7,8 +7,8 @@
 
 enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 768 };
 
-/* Draws the pass "survey" with a run's frame, and reads it. */
-static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
+/* Draws the pass "statistics" with a run's frame, and reads it. */
+static int statistics_of(ssgi_depth_statistics *statistics, const kit_run *run, kit_error *err)
 {
     const kit_gbuffer *g = run->gbuffer;
     const int width = (g->viewport[2] + 7) / 8, height = (g->viewport[3] + 7) / 8;
@@ -19,7 +19,7 @@ static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
     GLuint program, framebuffer;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     int failed;
-    desc.pass = SSGI_GL_SURVEY;
+    desc.pass = SSGI_GL_STATISTICS;
     desc.samples = 0;
     program = kit_pass_program(&desc, err);
     if (!program || !texels) { free(texels); glDeleteTextures(1, &target); return program ? kit_fail(err, "out of memory") : -1; }
@@ -38,8 +38,8 @@ static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
     glViewport(0, 0, width, height);
     glUseProgram(program);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    failed = kit_texture_read(target, width, height, 4, texels) ? kit_fail(err, "the survey cannot be read back") : 0;
-    if (!failed && ssgi_survey_of(survey, texels, width, height, 0, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
+    failed = kit_texture_read(target, width, height, 4, texels) ? kit_fail(err, "the statistics cannot be read back") : 0;
+    if (!failed && ssgi_depth_statistics_of(statistics, texels, width, height, 0, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
     glDeleteProgram(program);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &target);
@@ -48,7 +48,7 @@ static int survey_of(ssgi_survey *survey, const kit_run *run, kit_error *err)
 }
 
 /* Traces some places of a picture of ambient visibility. */
-static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_image *picture, const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
+static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture, const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
 {
     const size_t triangles = scene->mesh.triangles, size = ssgi_trace_size(triangles);
     const float *z = kit_image_channel(frame, "Z"), *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"), kit_image_channel(frame, "N.Z") };
@@ -72,7 +72,7 @@ static int try_picture(ssgi_trial *trial, const kit_image *frame, const kit_imag
         places[6 * PLACES + count++] = picture->data[at];
     }
     if (!failed && !count) failed = kit_fail(err, "the picture shows nothing");
-    if (!failed && ssgi_plan_try(trial, &trace, places, places + 3 * PLACES, places + 6 * PLACES, count, PLACE_RAYS, radius, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
+    if (!failed && ssgi_plan_calibrate(calibration, &trace, places, places + 3 * PLACES, places + 6 * PLACES, count, PLACE_RAYS, radius, &why) != SSGI_OK) failed = kit_fail(err, "%s", why);
     free(places);
     free(memory);
     return failed;
@@ -115,7 +115,7 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
 }
 
 /* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open surfaces. */
-static int try_light(ssgi_trial *trial, const kit_image *frame, kit_image *picture, kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
+static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, kit_image *picture, kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
 {
     const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
     kit_image truth, open;
@@ -126,7 +126,7 @@ static int try_light(ssgi_trial *trial, const kit_image *frame, kit_image *pictu
     const double of_open = kit_plan_error(&open, &truth, frame, wanted), of_picture = kit_plan_error(picture, &truth, frame, wanted);
     kit_image_free(&open);
     kit_image_free(&truth);
-    if (isfinite(of_open)) *trial = (ssgi_trial){ 1, (float)of_open, (float)of_picture };       /* else all is dark */
+    if (isfinite(of_open)) *calibration = (ssgi_calibration){ 1, (float)of_open, (float)of_picture };       /* else all is dark */
     return 0;
 }
 
@@ -141,7 +141,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     s->wanted = wanted;
     if (kit_method_find(&method, "hsao", err) || kit_run_open(&run, g, &method, radius, world, err)) return -1;
     kit_run_draw(&run, 0);
-    int failed = survey_of(&s->survey, &run, err) || kit_run_read(&picture, &run, err);
+    int failed = statistics_of(&s->statistics, &run, err) || kit_run_read(&picture, &run, err);
     const double per_depth = fabs((double)run.frame.project[1]);
     kit_run_close(&run);
     if (failed) return -1;
@@ -154,10 +154,10 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
             albedo += green ? (double)green[i] : 0.8;
             ++seen;
         }
-        s->reach = (float)(reach / fmax(1, (double)seen));
+        s->screen_radius = (float)(reach / fmax(1, (double)seen));
         s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
-        if (world->scene && wanted == SSGI_PLAN_VISIBILITY) failed = try_picture(&s->trial, &frame, &picture, world->scene, &g->camera, radius, err);
-        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting) failed = try_light(&s->trial, &frame, &picture, g, world, radius, wanted, err);
+        if (world->scene && wanted == SSGI_PLAN_VISIBILITY) failed = calibrate_visibility(&s->calibration, &frame, &picture, world->scene, &g->camera, radius, err);
+        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting) failed = calibrate_light(&s->calibration, &frame, &picture, g, world, radius, wanted, err);
         kit_image_free(&frame);
     }
     kit_image_free(&picture);
@@ -167,7 +167,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     s->layers = closed ? 4 : 1;
     s->cameras = closed ? 4 : 0;
     s->triangles = (double)world->scene->mesh.triangles;
-    for (int i = 0; i < world->scene->objects; ++i) s->casters += world->scene->object[i].casts > 0;
+    for (int i = 0; i < world->scene->objects; ++i) s->occluders += world->scene->object[i].casts > 0;
     return 0;
 }
 

@@ -111,7 +111,7 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
         if (p->io[i].kind != SSGI_GL_OUTPUT) continue;
         if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
         else {
-            const int blended = desc->pass == SSGI_GL_FIELD && p > run->pass;       /* casters, over each other */
+            const int blended = desc->pass == SSGI_GL_FIELD && p > run->pass;       /* occluders, over each other */
             p->target[outputs] = blended ? run->pass[0].target[0]
                 : kit_keep(run, kit_texture(p->width, p->height, target_format(m, desc, &p->io[i]), NULL));
             glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs], 0);
@@ -144,7 +144,7 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
         { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
         { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
         { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
-        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "casters", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
+        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "occluders", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
 }

@@ -417,7 +417,7 @@ static void build_blocks(kit_build *b)
     }
 }
 
-/* ---- >>casters: a few shapes of size 1, many times over ------------------------------------------------------- */
+/* ---- >>occluders: a few shapes of size 1, many times over ------------------------------------------------------- */
 
 static void make_cube(kit_build *b) { kit_box(b, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5); }
 
@@ -454,7 +454,7 @@ static const struct { const char *name; void (*make)(kit_build *); double albedo
     { "cone",  make_cone,  {0.72, 0.62, 0.30} }, { "table", make_table, {0.48, 0.58, 0.42} } };
 
 /* An object of a kind, resting on the level y: the ground at 0, else on the object before or its stack. */
-static void caster(kit_build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
+static void occluder(kit_build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
 {
     kit_scene *s = &b->scene;
     const int k = s->objects;
@@ -494,7 +494,7 @@ static void build_casters(kit_build *b)
         { TABLE, 0.8, 1.1, 0, 2.3, 30, 180 },  { TABLE, 0.9, -3.7, 0, 1.6, -40, 90 },  { BALL, 0.6, -2.4, 0, 2.2, 0, 0 }, { CUBE, 0.45, 2.9, 0, 2.1, 15, 45 } };
     build_ground(b, 14);
     for (size_t i = 0; i < sizeof set / sizeof *set; i++)
-        caster(b, set[i].kind, set[i].size, set[i].x, set[i].y, set[i].z, set[i].turn, set[i].tilt);
+        occluder(b, set[i].kind, set[i].size, set[i].x, set[i].y, set[i].z, set[i].turn, set[i].tilt);
 }
 
 static void build_crowd(kit_build *b)
@@ -503,7 +503,7 @@ static void build_crowd(kit_build *b)
     for (int i = 0; i < 100; i++) {                                      /* every third leans or lies */
         const double size = kit_between(b, 0.5, 1.1), x = 1.7 * (i % 10 - 4.5) + kit_between(b, -0.3, 0.3), z = 1.7 * (i / 10 - 4.5) + kit_between(b, -0.3, 0.3);
         const double turn = kit_between(b, 0, 360), tilt = kit_between(b, 20, 160);
-        caster(b, (i + i / 10 * 2) % KINDS, size, x, 0, z, turn, i % 3 ? 0 : tilt);
+        occluder(b, (i + i / 10 * 2) % KINDS, size, x, 0, z, turn, i % 3 ? 0 : tilt);
     }
 }
 

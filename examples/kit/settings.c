@@ -53,14 +53,14 @@ static const row bounce_row    = { { "bounce", "one diffuse bounce, by which est
     2, 1 }, GATHER, DESC(bounce) };
 static const row reuse_row     = { { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
-static const row nearest_row   = { { "nearest", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(nearest) };
+static const row distance_clamp_row   = { { "distance_clamp", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(distance_clamp) };
 static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME,
     FRAMED(gain) };
 static const row shadows_row   = { { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space", "segment map fill none", 2, 0, 3, 1 }, LIGHTS, DESC(shadow) };
 static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 }, LIGHTS, DESC(shadow) };
 static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
 static const row solid_row     = { { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row steepest_row  = { { "steepest", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(steepest) };
+static const row max_slope_row  = { { "max_slope", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope) };
 static const row shadow_row    = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
 static const row suns_row      = { { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 }, PLAN, 0 };
 static const row vpls_row      = { { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0, 4096, 1 }, PLAN, 0 };
@@ -71,7 +71,7 @@ static const row store_row     = { { "store", "coefficients as halves, halves pa
 static const row indirect_row  = { { "indirect", "one bounce: no, in one gather with the occlusion, in one of its own", "none joint apart", 1, 0, 2, 1 }, PLAN, 0 };
 static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
 static const row dering_row    = { { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row exact_row     = { { "exact", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0, 1, 1 }, GATHER, DESC(exact) };
+static const row residual_row     = { { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0, 1, 1 }, GATHER, DESC(residual) };
 static const row window_row    = { { "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1 }, PLAN, 0 };
 static const row lights_row    = { { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0 };
 static const row cone_row      = { { "cone", "the environment over the cone of free directions, or its irradiance along their mean", "normal cone", 1, 0, 1, 1 }, PLAN, 0 };
@@ -85,13 +85,13 @@ static const row bits_row      = { { "bits", "a component of a field", "16 8", 0
 static const row storage_row   = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0, 0, 1, 1 }, GATHER, DESC(storage) };
 static const row cap_row       = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
 static const row table_row     = { { "table_size", "of that table", NULL, 64, 2, 1024, 1 }, PLAN, 0 };
-static const row reach_row     = { { "reach", "how far casters go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0 };
+static const row reach_row     = { { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0 };
 static const row ramp_row      = { { "ramp", "where they begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 }, PLAN, 0 };
 static const row inside_row    = { { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0 };
 static const row power_row     = { { "power", "p: how fast it is reached", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
-static const row draw_row      = { { "draw", "casters instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0 };
-static const row own_row       = { { "own", "1: casters shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row casters_row   = { { "casters", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
+static const row draw_row      = { { "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0 };
+static const row own_row       = { { "own", "1: occluders shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row occluders_row   = { { "occluders", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
 
 static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 }, PLAN, 0 };
 static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
@@ -99,16 +99,16 @@ static const row deep_epsilon_row = { { "epsilon", "the least that a surfel is d
 static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row levels_row    = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
 static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
-static const row near_row      = { { "closely", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(closely) };
-static const row aside_row     = { { "aside", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
-static const row front_row     = { { "front", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row near_row      = { { "near_samples", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(near_samples) };
+static const row offscreen_growth_row     = { { "offscreen_growth", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
+static const row near_depth_row     = { { "near_depth", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row both_row      = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
-static const row every_row     = { { "every", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row each_row      = { { "every", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row keep_small_row     = { { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row each_row      = { { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row jitter_row    = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 }, PLAN, 0 };
 static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
 static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 }, PLAN, 0 };
-static const row enlarge_row   = { { "enlarge", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(enlarge) };
+static const row scale_radius_row   = { { "scale_radius", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(scale_radius) };
 static const row overlap_row   = { { "overlap", "where surfels hide each other: form factors as shares of what is left, or added", "share add", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row likeness_row  = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 }, GATHER, DESC(filter_normals) };
@@ -121,13 +121,13 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define SSDO { &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
-    &reuse_row, &two_sided_row, &nearest_row, &gain_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, \
+    &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, \
     &blur_row, &filter_row, &compare_row }
 #define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
-    &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &steepest_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
-#define S3HO { &bands_row, &indirect_row, &exact_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &aside_row, every, &front_row, &shrink_row, &enlarge_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
-#define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &steepest_row
+    &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
+#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, &dering_row, VECTORS }
+#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &shrink_row, &scale_radius_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+#define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
       { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
@@ -144,12 +144,12 @@ static const plan plans[] = {
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
     { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
-    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), &hard_row } },
-    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), LIT_SURFELS } },
-    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&every_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
+    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row } },
+    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS } },
+    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
     { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), LIT_SURFELS, &material_row, &unit_row } },
     { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &casters_row, &normal_row } }
+      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -290,7 +290,7 @@ int kit_settings_apply(kit_making *m, float radius)
         m->gather.packed = (int)kit_method_value(m->method, "store") == 1;
         m->shade.bands = m->blur.bands = m->gather.bands;
         m->shade.half = m->gather.half && kit_method_value(m->method, "filtered") > 0;
-        m->shade.exact = m->gather.exact;
+        m->shade.residual = m->gather.residual;
         m->shade.normal = m->gather.normal;
         if (!(kit_method_value(m->method, "lights") > 0)) m->lights.shadow = SSGI_GL_SHADOW_NONE;
     }
