@@ -16,7 +16,10 @@
 #define COSTS "build/costs"
 enum { MOST_COSTS = 2048 };
 
-typedef struct tally { int variant, choice, stage, texels, instructions, fetches, branches, loops; uint64_t text; } tally;
+typedef struct tally {
+    int variant, choice, stage, texels, instructions, fetches, branches, loops;
+    uint64_t text;
+} tally;
 
 static const char *const stage_endings[SSGI_GL_STAGES] = { "vert", "frag", "tesc", "tese", "geom" };
 
@@ -36,14 +39,16 @@ static ssgi_gl_desc cost_desc(int v, int c)
     return with_choice(d, c);
 }
 
-/* Writes every text that differs from its pass's base, each once, unless its SPIR-V is there from before; how many costs there are. The vertex stages of passes over the picture are all the same triangle and left out. */
+/* Writes every text that differs from its pass's base, each once, unless its SPIR-V is there from before; how many
+   costs there are. The vertex stages of passes over the picture are all the same triangle and left out. */
 static int costs_write(tally *costs, int *texts, kit_error *err)
 {
     int n = 0;
     *texts = 0;
     for (int v = 0; v < variants_count; ++v)
         for (int c = 0; c < choices_count; ++c)
-            for (int at = variants[v].desc.pass == SSGI_GL_SURFELS || variants[v].desc.pass == SSGI_GL_SPLAT ? 0 : 1; at < SSGI_GL_STAGES && n < MOST_COSTS; ++at) {
+            for (int at = variants[v].desc.pass == SSGI_GL_SURFELS || variants[v].desc.pass == SSGI_GL_SPLAT ? 0 : 1;
+                 at < SSGI_GL_STAGES && n < MOST_COSTS; ++at) {
                 ssgi_gl_desc base = cost_desc(v, 0), d = cost_desc(v, c);
                 base.fetch = d.fetch;                      /* the caller's text is in every text, read or not */
                 char *text = cost_text(&d, at), *was = c ? cost_text(&base, at) : NULL, path[128];
@@ -53,7 +58,8 @@ static int costs_write(tally *costs, int *texts, kit_error *err)
                     *k = (tally){ v, c, at, kit_fetches(&d), 0, 0, 0, 0,
                         kit_hash(KIT_HASH + (uint64_t)at, text, strlen(text)) };
                     while (costs[i].text != k->text) ++i;
-                    snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text, stage_endings[at]);
+                    snprintf(path, sizeof path, COSTS "/%016llx.%s.spv", (unsigned long long)k->text,
+                             stage_endings[at]);
                     if (i == n - 1 && access(path, F_OK)) {
                         path[strlen(path) - 4] = 0;
                         failed = kit_file_write(path, text, strlen(text), err);
@@ -77,10 +83,25 @@ static int cost_read(tally *k, kit_error *err)
     if (kit_file_read(&data, &size, path, err)) return -1;
     word = (const uint32_t *)(void *)data;
     for (size_t i = 5; i < size / 4 && word[i] >> 16; i += word[i] >> 16) {
-        enum { LINE = 8, FUNCTION = 54, PARAMETER, FUNCTION_END, VARIABLE = 59, FIRST_IMAGE = 87, LAST_IMAGE = 98, LOOP = 246, SELECTION, LABEL, BRANCH_IF = 250, SWITCH };
+        enum {
+            LINE = 8,
+            FUNCTION = 54,
+            PARAMETER,
+            FUNCTION_END,
+            VARIABLE = 59,
+            FIRST_IMAGE = 87,
+            LAST_IMAGE = 98,
+            LOOP = 246,
+            SELECTION,
+            LABEL,
+            BRANCH_IF = 250,
+            SWITCH
+        };
         const uint32_t op = word[i] & 0xffff;
         if (op == FUNCTION || op == FUNCTION_END) inside = op == FUNCTION;
-        else k->instructions += inside && op != LINE && op != PARAMETER && op != VARIABLE && op != LOOP && op != SELECTION && op != LABEL;
+        else
+            k->instructions += inside && op != LINE && op != PARAMETER && op != VARIABLE && op != LOOP
+                               && op != SELECTION && op != LABEL;
         k->loops += op == LOOP;
         k->branches += op == BRANCH_IF || op == SWITCH;
         k->fetches += op >= FIRST_IMAGE && op <= LAST_IMAGE;
@@ -96,7 +117,9 @@ static int costs_count(tally *costs, int count, int texts, kit_error *err)
     int done = 0;
     FILE *f;
     if (system("command -v glslangValidator > /dev/null 2>&1")) return 1;
-    f = popen("cd " COSTS " && ls | grep -v spv | xargs -P 2 -I{} glslangValidator -G --aml --amb -o {}.spv {} 2>&1 && rm -f *.vert *.frag *.tes[ce] *.geom", "r");
+    f = popen("cd " COSTS " && ls | grep -v spv | xargs -P 2 -I{} glslangValidator -G --aml --amb -o {}.spv {} 2>&1 && "
+                          "rm -f *.vert *.frag *.tes[ce] *.geom",
+              "r");
     if (!f) return kit_fail(err, "glslangValidator cannot be run: %s", strerror(errno));
     kit_progress("instructions", 0);
     while (fgets(line, sizeof line, f)) {
@@ -109,7 +132,7 @@ static int costs_count(tally *costs, int count, int texts, kit_error *err)
     return 0;
 }
 
-/* ---- >>off: choices that wait for another one -------------------------------------------------------------------------------- */
+/* ---- >>off: choices that wait for another one -------------------------------------------------------------------- */
 
 /* Of the text with two choices; 0: they do not go together. */
 static uint64_t cost_key(int v, int a, int b)
@@ -134,7 +157,8 @@ static int costs_waiting(FILE *f, int v)
             free(is);
         }
         for (int b = 1; b < choices_count && same; ++b) {
-            if (choices[b].offset == choices[c].offset || !alone[b] || !(both = cost_key(v, c, b)) || both == alone[b]) continue;
+            if (choices[b].offset == choices[c].offset || !alone[b] || !(both = cost_key(v, c, b)) || both == alone[b])
+                continue;
             fprintf(f, "%s%s", wakes ? ", " : n ? "; " : "", wakes ? "" : choices[c].name);
             fprintf(f, "%s%s", wakes ? "" : " (", choices[b].name);
             if (!wakes++) ++n;
@@ -144,7 +168,7 @@ static int costs_waiting(FILE *f, int v)
     return n;
 }
 
-/* ---- >>writing ------------------------------------------------------------------------------------------------------------------ */
+/* ---- >>writing --------------------------------------------------------------------------------------------------- */
 
 static void cost_title(char out[64], int v)          /* without Markdown's marks */
 {
@@ -157,7 +181,8 @@ static void cost_html(FILE *f, const tally *k, const tally *base)
 {
     char title[64];
     cost_title(title, k->variant);
-    fprintf(f, "<tr%s><td>%s<td>%s%s", k->choice ? "" : " class=\"first\"", k->choice ? "" : title, k->choice ? choices[k->choice].name : "defaults", k->stage == SSGI_GL_FRAGMENT ? "" : ", ");
+    fprintf(f, "<tr%s><td>%s<td>%s%s", k->choice ? "" : " class=\"first\"", k->choice ? "" : title,
+            k->choice ? choices[k->choice].name : "defaults", k->stage == SSGI_GL_FRAGMENT ? "" : ", ");
     if (k->stage != SSGI_GL_FRAGMENT) fputs(stage_endings[k->stage], f);
     fprintf(f, "<td>%d<td>", k->instructions);
     if (base) fprintf(f, "%+d", k->instructions - base->instructions);
@@ -167,8 +192,10 @@ static void cost_html(FILE *f, const tally *k, const tally *base)
 /* A table of all passes at their defaults, one of every choice, and costs.csv. */
 int costs_chart(FILE *html, const char *out, kit_error *err)
 {
-    static const char *const head = "<div class=\"wide\"><table>\n<tr><th>pass<th>choice<th title=\"in SPIR-V, loops once, not optimised\">instructions<th title=\"to the defaults\">more"
-        "<th title=\"instructions that fetch or sample\">fetching<th title=\"the most that a pixel fetches, all loops\">texels a pixel<th>branches<th>loops\n";
+    static const char *const head = "<div class=\"wide\"><table>\n<tr><th>pass<th>choice<th title=\"in SPIR-V, loops "
+                                    "once, not optimised\">instructions<th title=\"to the defaults\">more"
+                                    "<th title=\"instructions that fetch or sample\">fetching<th title=\"the most that "
+                                    "a pixel fetches, all loops\">texels a pixel<th>branches<th>loops\n";
     static tally costs[MOST_COSTS];
     page csv;
     char title[64];
@@ -180,23 +207,33 @@ int costs_chart(FILE *html, const char *out, kit_error *err)
     if (missing < 0) return -1;
     fputs("<h2>Instructions and fetches</h2>\n", html);
     if (missing) { fputs("<p class=\"faint\">Not counted: glslangValidator is missing.</p>\n", html); return 0; }
-    fprintf(html, "<p>Of each pass as emitted for GLSL 4.50, in SPIR-V by glslang, before any optimiser: static counts, loops once; texels a pixel: with all loops. "
-        "<a href=\"costs.csv\">costs.csv</a></p>\n%s", head);
+    fprintf(html,
+            "<p>Of each pass as emitted for GLSL 4.50, in SPIR-V by glslang, before any optimiser: static counts, "
+            "loops once; texels a pixel: with all loops. "
+            "<a href=\"costs.csv\">costs.csv</a></p>\n%s",
+            head);
     if (page_open(&csv, err)) return -1;
     fputs("pass,choice,stage,instructions,fetch_instructions,texels_a_pixel,branches,loops\n", csv.file);
     for (int i = 0; i < count; ++i) {
         cost_title(title, costs[i].variant);
-        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", title, choices[costs[i].choice].name, stage_endings[costs[i].stage], costs[i].instructions, costs[i].fetches, costs[i].texels, costs[i].branches, costs[i].loops);
+        fprintf(csv.file, "\"%s\",\"%s\",%s,%d,%d,%d,%d,%d\n", title, choices[costs[i].choice].name,
+                stage_endings[costs[i].stage], costs[i].instructions, costs[i].fetches, costs[i].texels,
+                costs[i].branches, costs[i].loops);
         if (!costs[i].choice) cost_html(html, &costs[i], NULL);
     }
     fputs("</table></div>\n<details><summary>With one choice each</summary>\n", html);
     fputs(head, html);
     for (int i = 0; i < count; ++i) {
         const tally *base = NULL;
-        for (int k = 0; k < i && costs[i].choice; ++k) if (!costs[k].choice && costs[k].variant == costs[i].variant && costs[k].stage == costs[i].stage) base = &costs[k];
+        for (int k = 0; k < i && costs[i].choice; ++k)
+            if (!costs[k].choice && costs[k].variant == costs[i].variant && costs[k].stage == costs[i].stage)
+                base = &costs[k];
         cost_html(html, &costs[i], base);
     }
-    fputs("</table></div>\n</details>\n<details><summary>What is off costs nothing</summary>\n<p>Each choice below was set alone, and the text stayed the same byte for byte, because it waits for one of those in brackets.</p>\n<dl>\n", html);
+    fputs("</table></div>\n</details>\n<details><summary>What is off costs nothing</summary>\n<p>Each choice below was "
+          "set alone, and the text stayed the same byte for byte, because it waits for one of those in "
+          "brackets.</p>\n<dl>\n",
+          html);
     for (int v = 0; v < variants_count; ++v) {
         cost_title(title, v);
         fprintf(html, "<dt>%s<dd>", title);

@@ -1,14 +1,15 @@
-/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits buy, what occluders cost, what bakes
-   take, how two occluders add up. Declared in report.h. */
+/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits
+   buy, what occluders cost, what bakes take, how two occluders add up. Declared in report.h. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* ---- >>tables ------------------------------------------------------------------------------------------------------ */
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-/* Where an object of "casters" is put; a view of what is rigid. spot: all other objects are hidden in the ground (none: all stay). box: added, cast nothing. */
+/* Where an object of "casters" is put; a view of what is rigid. spot: all other objects are hidden in the ground (none:
+   all stay). box: added, cast nothing. */
 typedef struct spot { const char *name; float size, at[3]; } spot;
 typedef struct setup {
     view   view;
@@ -26,21 +27,50 @@ typedef struct setup {
 
 static const entry moving_entries[]   = { AOF("casters", "resolution=8", 1) };
 static const entry pedestal_entries[] = { AOF("4 x 4", "resolution=4", 1), AOF("8 x 8", "resolution=8", 1) };
-static const entry sunk_entries[]     = { AOF("A_0 as measured", "resolution=8", 1), AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1) };
+static const entry sunk_entries[] = { AOF("A_0 as measured", "resolution=8", 1),
+                                      AOF("A_0 = 1, p = 2", "resolution=8,inside=1,power=2", 1) };
 
-typedef struct field_part { const char *title, *about; setup setup; const entry *entries; int count, crop[MOST_CROPS][4]; } field_part;
-#define MOVING(name, time) { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), { { 0 } }
+typedef struct field_part {
+    const char *title, *about;
+    setup setup;
+    const entry *entries;
+    int count, crop[MOST_CROPS][4];
+} field_part;
+#define MOVING(name, time) \
+    { WHOLE(name, "casters"), NO_SPOTS, NO_BOXES, time, 128 }, moving_entries, COUNT(moving_entries), \
+    { \
+        { \
+            0 \
+        } \
+    }
 static const field_part field_parts[] = {
-    { "Fields: occluders that move", "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,", MOVING("occluders-0", 0) },
+    { "Fields: occluders that move",
+      "Cubes, balls, tori, cones and tables, one field a shape, of 8 x 8 texels a face. At rest,",
+      MOVING("occluders-0", 0) },
     { NULL, "a third of a period later,", MOVING("occluders-1", 1 / 3.0) },
-    { "Fields: how many texels", "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
-      { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL }, NO_SPOTS,
-        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f }, { -5, -1.6f, -1.3f, 5, 3, -1.2f },
-            { -5, -1.8f, -1.3f, 5, -1.6f, 6 } }, 0, 256 },
-      pedestal_entries, COUNT(pedestal_entries), { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
-    { "Fields: inside of the hull", "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside of the convex hull, where occlusion goes to A_0.",
-      { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL }, { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } }, NO_BOXES, 0, 128 },
-      sunk_entries, COUNT(sunk_entries), { { 0 } } }
+    { "Fields: how many texels",
+      "The bunny on a box before a wall, its field of 4 x 4 and of 8 x 8 texels a face.",
+      { { "pedestal", BUNNY, 0, { -1.9f, 0.9f, 4.3f }, { 0, -0.25f, 0 }, 34, 0, NULL },
+        NO_SPOTS,
+        { { -1.3f, -1.6f, -0.9f, 1.3f, -0.99f, 1.1f },
+          { -5, -1.6f, -1.3f, 5, 3, -1.2f },
+          { -5, -1.8f, -1.3f, 5, -1.6f, 6 } },
+        0,
+        256 },
+      pedestal_entries,
+      COUNT(pedestal_entries),
+      { { 108, 114, 107, 54 }, { 70, 4, 107, 54 } } },
+    { "Fields: inside of the hull",
+      "A table and a torus, half of each in the ground: between a table's legs, and in a ring, there is ground inside "
+      "of the convex hull, where occlusion goes to A_0.",
+      { { "sunk", "casters", 0, { 0.6f, 2.6f, 3.6f }, { 0, 0, 0.1f }, 34, 0, NULL },
+        { { "torus", 1.4f, { 1, 0.05f, 0.1f } }, { "table", 1.6f, { -0.7f, 0.02f, 0 } } },
+        NO_BOXES,
+        0,
+        128 },
+      sunk_entries,
+      COUNT(sunk_entries),
+      { { 0 } } }
 };
 static const char *const field_demo_title = "Ambient occlusion fields";
 enum { FIELD_PARTS = COUNT(field_parts),
@@ -48,56 +78,131 @@ enum { FIELD_PARTS = COUNT(field_parts),
 
 #define ANGLE "measure=solid-angle,resolution="
 #define EIGHT "bits=8,resolution="
-static const entry field_entries[] = {         /* rows of one label make one curve */
-    AOF("vector", "resolution=4", 1), AOF("vector", "resolution=8", 1), AOF("vector", "resolution=16", 1), AOF("vector", "resolution=32", 0),
-    AOF("solid angle", ANGLE "4", 1), AOF("solid angle", ANGLE "8", 1), AOF("solid angle", ANGLE "16", 0),
-    AOF("vector, 8 bits", EIGHT "4", 0), AOF("vector, 8 bits", EIGHT "8", 0), AOF("vector, 8 bits", EIGHT "16", 0), AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
+static const entry field_entries[] = { /* rows of one label make one curve */
+                                       AOF("vector", "resolution=4", 1),
+                                       AOF("vector", "resolution=8", 1),
+                                       AOF("vector", "resolution=16", 1),
+                                       AOF("vector", "resolution=32", 0),
+                                       AOF("solid angle", ANGLE "4", 1),
+                                       AOF("solid angle", ANGLE "8", 1),
+                                       AOF("solid angle", ANGLE "16", 0),
+                                       AOF("vector, 8 bits", EIGHT "4", 0),
+                                       AOF("vector, 8 bits", EIGHT "8", 0),
+                                       AOF("vector, 8 bits", EIGHT "16", 0),
+                                       AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
 };
-typedef struct field_scene { const char *title; setup setup; int most; const char *curve[2]; } field_scene;     /* most: texels along a side */
+/* most: texels along a side */
+typedef struct field_scene { const char *title; setup setup; int most; const char *curve[2]; } field_scene;
 static const field_scene field_scenes[] = {
-    { "Ball on a ground",  { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 32, { "ball, vector", "ball, solid angle" } },
-    { "Cube on a ground",  { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 }, 32, { "cube, vector", "cube, solid angle" } },
-    { "Bunny on a floor",  { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 1024 }, 32, { "bunny, vector", "bunny, solid angle" } },
+    { "Ball on a ground",
+      { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 },
+      32,
+      { "ball, vector", "ball, solid angle" } },
+    { "Cube on a ground",
+      { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 },
+      32,
+      { "cube, vector", "cube, solid angle" } },
+    { "Bunny on a floor",
+      { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
+        NO_SPOTS,
+        NO_BOXES,
+        0,
+        1024 },
+      32,
+      { "bunny, vector", "bunny, solid angle" } },
     { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, { NULL, NULL } }
 };
 
-/* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the occluder's bounding sphere in its place. */
+/* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
+   occluder's bounding sphere in its place. */
 typedef struct cost { const char *label, *settings; int occluders; float size; int quick; } cost;
-static const cost of_triangles[] = { { "bunny, 69,000 triangles", "", 0, 0, 1 }, { "cube, 12 triangles", "", -1, 0, 1 } };
-static const cost of_pixels[]    = { { "one ball, size 2", "", 0, 2, 0 }, { "one ball, size 1", "", 0, 1, 1 }, { "one ball, size 1/2", "", 0, 0.5f, 0 }, { "one ball, size 1/4", "", 0, 0.25f, 1 }, { "one ball, size 1/8", "", 0, 0.125f, 0 } };
-static const cost of_occluders[]   = {
-    { "1 occluder", "", 1, 0, 1 }, { "10 occluders", "", 10, 0, 1 }, { "24 occluders", "", 24, 0, 1 }, { "24 occluders", "draw=each", 24, 0, 0 }, { "24 occluders", "storage=cube", 24, 0, 0 }, { "24 occluders", "cap=table", 24, 0, 0 },
-    { "100 occluders", "", 100, 0, 1 }, { "100 occluders", "draw=each", 100, 0, 1 }, { "100 occluders", "storage=cube", 100, 0, 1 }, { "100 occluders", "cap=table", 100, 0, 1 },
-    { "100 occluders", "storage=cube,cap=table", 100, 0, 0 }, { "100 occluders", "bits=8", 100, 0, 0 }, { "100 occluders", "measure=solid-angle", 100, 0, 0 }, { "100 occluders", "reach=4", 100, 0, 0 }
-};
-static const struct { setup setup; const cost *costs; int count; } cost_sets[] = {
-    { { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL }, NO_SPOTS, NO_BOXES, 0, 16 }, of_triangles, COUNT(of_triangles) },
+static const cost of_triangles[] = { { "bunny, 69,000 triangles", "", 0, 0, 1 },
+                                     { "cube, 12 triangles", "", -1, 0, 1 } };
+static const cost of_pixels[] = { { "one ball, size 2", "", 0, 2, 0 },
+                                  { "one ball, size 1", "", 0, 1, 1 },
+                                  { "one ball, size 1/2", "", 0, 0.5f, 0 },
+                                  { "one ball, size 1/4", "", 0, 0.25f, 1 },
+                                  { "one ball, size 1/8", "", 0, 0.125f, 0 } };
+static const cost of_occluders[] = { { "1 occluder", "", 1, 0, 1 },
+                                     { "10 occluders", "", 10, 0, 1 },
+                                     { "24 occluders", "", 24, 0, 1 },
+                                     { "24 occluders", "draw=each", 24, 0, 0 },
+                                     { "24 occluders", "storage=cube", 24, 0, 0 },
+                                     { "24 occluders", "cap=table", 24, 0, 0 },
+                                     { "100 occluders", "", 100, 0, 1 },
+                                     { "100 occluders", "draw=each", 100, 0, 1 },
+                                     { "100 occluders", "storage=cube", 100, 0, 1 },
+                                     { "100 occluders", "cap=table", 100, 0, 1 },
+                                     { "100 occluders", "storage=cube,cap=table", 100, 0, 0 },
+                                     { "100 occluders", "bits=8", 100, 0, 0 },
+                                     { "100 occluders", "measure=solid-angle", 100, 0, 0 },
+                                     { "100 occluders", "reach=4", 100, 0, 0 } };
+static const struct { setup setup; const cost *costs; int count;
+} cost_sets[] = {
+    { { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
+        NO_SPOTS,
+        NO_BOXES,
+        0,
+        16 },
+      of_triangles,
+      COUNT(of_triangles) },
     { { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 16 }, of_pixels, COUNT(of_pixels) },
     { { WHOLE("crowd", "crowd"), NO_SPOTS, NO_BOXES, 0, 16 }, of_occluders, COUNT(of_occluders) }
 };
 
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */
 typedef struct bake { const char *label, *settings; int triangles, threads, quick; } bake;
-static const bake bakes[] = {
-    { "lumpy ball", "", 1000, 0, 1 }, { "lumpy ball", "", 10000, 0, 1 }, { "lumpy ball", "", 100000, 0, 0 }, { "lumpy ball", "", 1000000, 0, 0 }, { "lumpy ball", "", 10000, 1, 0 }, { "lumpy ball", "", 1000000, 1, 0 },
-    { "lumpy ball", "resolution=4", 10000, 0, 0 }, { "lumpy ball", "resolution=8", 10000, 0, 1 }, { "lumpy ball", "resolution=32", 10000, 0, 0 },
-    { "lumpy ball", "rays=32", 10000, 0, 1 }, { "lumpy ball", "rays=64", 10000, 0, 0 }, { "lumpy ball", "rays=128", 10000, 0, 0 }, { "lumpy ball", "rays=256", 10000, 0, 0 },
-    { "bunny", "", 0, 1, 0 }, { "bunny", "", 0, 0, 1 },
-    { "bunny, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "bunny, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "bunny, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 },
-    { "cube, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 }, { "cube, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 }, { "cube, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 }
-};
+static const bake bakes[] = { { "lumpy ball", "", 1000, 0, 1 },
+                              { "lumpy ball", "", 10000, 0, 1 },
+                              { "lumpy ball", "", 100000, 0, 0 },
+                              { "lumpy ball", "", 1000000, 0, 0 },
+                              { "lumpy ball", "", 10000, 1, 0 },
+                              { "lumpy ball", "", 1000000, 1, 0 },
+                              { "lumpy ball", "resolution=4", 10000, 0, 0 },
+                              { "lumpy ball", "resolution=8", 10000, 0, 1 },
+                              { "lumpy ball", "resolution=32", 10000, 0, 0 },
+                              { "lumpy ball", "rays=32", 10000, 0, 1 },
+                              { "lumpy ball", "rays=64", 10000, 0, 0 },
+                              { "lumpy ball", "rays=128", 10000, 0, 0 },
+                              { "lumpy ball", "rays=256", 10000, 0, 0 },
+                              { "bunny", "", 0, 1, 0 },
+                              { "bunny", "", 0, 0, 1 },
+                              { "bunny, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 },
+                              { "bunny, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 },
+                              { "bunny, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 },
+                              { "cube, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 },
+                              { "cube, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 },
+                              { "cube, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 } };
 
-static const struct { const char *label[2]; setup setup; } pairs[] = {
-    { { "balls, each traced", "balls, each by its field" }, { CLOSE("two-balls"), { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 512 } },
-    { { "cubes, each traced", "cubes, each by its field" }, { CLOSE("two-cubes"), { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } }, NO_BOXES, 0, 512 } }
-};
+static const struct { const char *label[2]; setup setup;
+} pairs[] = { { { "balls, each traced", "balls, each by its field" },
+                { CLOSE("two-balls"),
+                  { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } },
+                  NO_BOXES,
+                  0,
+                  512 } },
+              { { "cubes, each traced", "cubes, each by its field" },
+                { CLOSE("two-cubes"),
+                  { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } },
+                  NO_BOXES,
+                  0,
+                  512 } } };
 
-enum { FIELD_SCENES = COUNT(field_scenes), COST_SET = FIELD_SCENES, BAKE_SET, PAIR_SET, FIELD_SETS, MOST_FIELD_ROWS = 32, COST_WIDTH = 640, COST_HEIGHT = 360 };
+enum {
+    FIELD_SCENES = COUNT(field_scenes),
+    COST_SET = FIELD_SCENES,
+    BAKE_SET,
+    PAIR_SET,
+    FIELD_SETS,
+    MOST_FIELD_ROWS = 32,
+    COST_WIDTH = 640,
+    COST_HEIGHT = 360
+};
 typedef struct field_row_set { const char *title; row row[MOST_FIELD_ROWS]; int count; } field_row_set;
 static row demo_rows[FIELD_DEMO_ROWS];
 static field_row_set sets[FIELD_SETS];
 
-/* ---- >>measuring --------------------------------------------------------------------------------------------------- */
+/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
 static void place_at(float to_world[16], float size, const float at[3])
 {
@@ -122,7 +227,9 @@ static int leave_out(stage *s, int object, kit_error *err)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) if (shown[(size_t)(height - 1 - y) * (size_t)width + (size_t)x] == (uint32_t)object + 1) z[(size_t)y * (size_t)width + (size_t)x] = 0;
+        for (int x = 0; x < width; ++x)
+            if (shown[(size_t)(height - 1 - y) * (size_t)width + (size_t)x] == (uint32_t)object + 1)
+                z[(size_t)y * (size_t)width + (size_t)x] = 0;
     free(shown);
     return 0;
 }
@@ -135,7 +242,8 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
     if (stage_load(s, &f->view, err)) return -1;
     const int own = s->scene.objects;
     kit_scene_move(&s->scene, f->time);
-    for (int i = 0; i < COUNT(f->box) && f->box[i][4] > f->box[i][1]; ++i) if (kit_scene_add_box(&s->scene, f->box[i], f->box[i] + 3, grey, err)) return -1;
+    for (int i = 0; i < COUNT(f->box) && f->box[i][4] > f->box[i][1]; ++i)
+        if (kit_scene_add_box(&s->scene, f->box[i], f->box[i] + 3, grey, err)) return -1;
     for (int i = 0; i < s->scene.objects; ++i) {
         kit_object *o = &s->scene.object[i];
         const spot *at = spots < COUNT(f->spot) ? &f->spot[spots] : NULL;
@@ -156,7 +264,17 @@ static int field_open(stage *s, const setup *f, int width, int height, kit_error
 row blank(int of, const char *scene, const char *label, const char *settings)
 {
     const double none = (double)NAN;
-    row r = { .scene = scene, .label = label, .method = "aof", .settings = settings, .fetches = none, .bytes = none, .relative = none, .ms = none, .share = none, .score = { none, none, none, none, 0 }, .of = of };
+    row r = { .scene = scene,
+              .label = label,
+              .method = "aof",
+              .settings = settings,
+              .fetches = none,
+              .bytes = none,
+              .relative = none,
+              .ms = none,
+              .share = none,
+              .score = { none, none, none, none, 0 },
+              .of = of };
     for (int k = 0; k < FIGURES; ++k) r.figure[k] = none;
     return r;
 }
@@ -211,7 +329,8 @@ static int field_measure(row *rows, stage *s, const entry *entries, int count, k
         rows[i].figure[MEDIAN] = median(off, (int)n);
         rows[i].figure[MOST] = off[n - 1];
         if (i == count || desc_of(&d, entries[i].settings, err)) continue;
-        for (int k = 0; k < s->scene.shapes; ++k) if (casts(&s->scene, k) && baked(&rows[i], &s->scene.shape[k], &d, err)) return -1;
+        for (int k = 0; k < s->scene.shapes; ++k)
+            if (casts(&s->scene, k) && baked(&rows[i], &s->scene.shape[k], &d, err)) return -1;
     }
     free(off);
     return 0;
@@ -224,11 +343,12 @@ static int field_about(FILE *html, stage *s, const char *text, kit_error *err)
     row noise;
     if (trace(&probe, s, 8 * s->rays, 13, err) || score(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
-    fprintf(html, "<p>%s %zu triangles, %d x %d pixels. Truth: %d rays a pixel; its own error: %.5f.</p>\n", text, s->scene.mesh.triangles, s->truth.width, s->truth.height, s->rays, noise.score.rmse);
+    fprintf(html, "<p>%s %zu triangles, %d x %d pixels. Truth: %d rays a pixel; its own error: %.5f.</p>\n", text,
+            s->scene.mesh.triangles, s->truth.width, s->truth.height, s->rays, noise.score.rmse);
     return 0;
 }
 
-/* ---- >>demo -------------------------------------------------------------------------------------------------------- */
+/* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
 /* What white light from everywhere leaves of the colours. */
 static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, kit_error *err)
@@ -236,7 +356,9 @@ static int dimmed(kit_image *out, const stage *s, const kit_image *visibility, k
     static const char *const names[3] = { "albedo.R", "albedo.G", "albedo.B" };
     const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
     if (kit_image_new(out, s->frame.width, s->frame.height, "R,G,B", err)) return -1;
-    for (size_t c = 0; c < 3; ++c) for (size_t i = 0; i < pixels; ++i) out->data[c * pixels + i] = kit_image_channel(&s->frame, names[c])[i] * visibility->data[i];
+    for (size_t c = 0; c < 3; ++c)
+        for (size_t i = 0; i < pixels; ++i)
+            out->data[c * pixels + i] = kit_image_channel(&s->frame, names[c])[i] * visibility->data[i];
     return 0;
 }
 
@@ -261,9 +383,12 @@ int field_demo(FILE *html, const char *out, kit_error *err)
             const kit_image *from = i ? &picture[i - 1] : &s.truth;
             snprintf(slug[i], sizeof slug[i], "aof-%s-", part->setup.view.name);
             slug_of(slug[i] + strlen(slug[i]), i ? r->label : "truth");
-            if (i) snprintf(note, sizeof note, "time %.2f, RMSE %.4f", r->relative, r->score.rmse); else snprintf(note, sizeof note, "%d rays a pixel", s.rays);
+            if (i) snprintf(note, sizeof note, "time %.2f, RMSE %.4f", r->relative, r->score.rmse);
+            else snprintf(note, sizeof note, "%d rays a pixel", s.rays);
             if (dimmed(&whole[i], &s, from, err) || save(&whole[i], "R,G,B", 1, out, slug[i], ".png", err)) return -1;
-            if (kit_image_difference(&difference, from, &s.truth, "Y", (float)range, err) || (i && save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err))) return -1;
+            if (kit_image_difference(&difference, from, &s.truth, "Y", (float)range, err)
+                || (i && save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err)))
+                return -1;
             figure_html(html, slug[i], i ? r->label : "ray-traced truth", note, from->width, from->height, i > 0);
             if (!i) key_html(html, range);
             fputs("</figure>\n", html);
@@ -274,7 +399,9 @@ int field_demo(FILE *html, const char *out, kit_error *err)
             fputs("<div class=\"grid crops\">\n", html);
             for (int i = 0; i <= part->count; ++i) {
                 snprintf(name, sizeof name, "%s-crop%s", slug[i], j ? "-2" : "");
-                if (exposed(&crop, &whole[i], 1, part->crop[j], TIMES, err) || save(&crop, "R,G,B", 1, out, name, ".png", err)) return -1;
+                if (exposed(&crop, &whole[i], 1, part->crop[j], TIMES, err)
+                    || save(&crop, "R,G,B", 1, out, name, ".png", err))
+                    return -1;
                 figure_html(html, name, i ? all[i - 1].label : "ray-traced truth", "", crop.width, crop.height, 0);
                 fputs("</figure>\n", html);
                 kit_image_free(&crop);
@@ -302,7 +429,7 @@ void field_demo_text(FILE *f)
     table_text(f, demo_rows, FIELD_DEMO_ROWS);
 }
 
-/* ---- >>chart ------------------------------------------------------------------------------------------------------- */
+/* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *rows, kit_error *err)
 {
@@ -316,7 +443,9 @@ static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *
         if (desc_of(&d, all[i].settings, err)) return -1;
         if (d.resolution <= f->most && (all[i].quick || !o->quick)) entries[count++] = all[i];
     }
-    if (field_open(&s, &f->setup, 240, 135, err) || field_measure(rows, &s, entries, count, picture, err) || field_about(html, &s, "", err)) return -1;
+    if (field_open(&s, &f->setup, 240, 135, err) || field_measure(rows, &s, entries, count, picture, err)
+        || field_about(html, &s, "", err))
+        return -1;
     if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
     for (int i = 0; i <= count; ++i) rows[i].scene = f->setup.view.name;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
@@ -354,7 +483,8 @@ static int reached(double *share, const stage *s, const ssgi_field_desc *d, kit_
             if (!(z[p] > 0)) continue;
             kit_camera_point(&s->gbuffer.camera, p % s->frame.width, p / s->frame.width, (double)z[p], point);
             for (int k = 0; k < 3; ++k) {
-                const float *m = o->to_world + k, off = point[k] - (m[0] * f->centre[0] + m[4] * f->centre[1] + m[8] * f->centre[2] + m[12]);
+                const float *m = o->to_world + k,
+                            off = point[k] - (m[0] * f->centre[0] + m[4] * f->centre[1] + m[8] * f->centre[2] + m[12]);
                 square += (double)(off * off);
             }
             pixels += square < (double)(f->reach * f->reach) * size * size;
@@ -404,7 +534,9 @@ static int costs_of(row *all, int quick, kit_error *err)
             ssgi_field_desc d;
             if (quick && !c->quick) continue;
             rows[count] = blank(OF_COST, cost_sets[k].setup.view.name, c->label, c->settings);
-            if (desc_of(&d, c->settings, err) || cast_by(&s, c, &d, err) || reached(&rows[count].figure[COVERED], &s, &d, err)) return -1;
+            if (desc_of(&d, c->settings, err) || cast_by(&s, c, &d, err)
+                || reached(&rows[count].figure[COVERED], &s, &d, err))
+                return -1;
             if (run_open(&run[count], &s, "aof", c->settings, s.radius, err)) return -1;
             kit_run_draw(&run[count++], 1);
         }
@@ -426,7 +558,9 @@ static int lumpy_ball(kit_mesh *mesh, int triangles, kit_error *err)
     for (int k = 0; k < 12 * n * n; ++k) {                      /* two triangles a cell, of 2n x n */
         static const int corner[6][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 }, { 1, 1 }, { 0, 1 } };
         const int cell = k / 6;
-        const double a = acos(-1) * (cell % (2 * n) + corner[k % 6][0]) / n, b = acos(-1) * (cell / (2 * n) + corner[k % 6][1]) / n, r = 0.5 + 0.1 * sin(b) * sin(4 * a) * sin(5 * b);
+        const double a = acos(-1) * (cell % (2 * n) + corner[k % 6][0]) / n,
+                     b = acos(-1) * (cell / (2 * n) + corner[k % 6][1]) / n,
+                     r = 0.5 + 0.1 * sin(b) * sin(4 * a) * sin(5 * b);
         mesh->position[3 * k]     = (float)(r * sin(b) * cos(a));
         mesh->position[3 * k + 1] = (float)(r * cos(b));
         mesh->position[3 * k + 2] = (float)(r * sin(b) * sin(a));
@@ -442,7 +576,8 @@ static int bakes_of(row *rows, int quick, kit_error *err)
     const char *threads = getenv("KIT_THREADS");
     char *was = threads ? strdup(threads) : NULL;
     if (kit_scene_load(&occluders, "casters", 0, err) || kit_scene_load(&bunny, BUNNY, 0, err)) return -1;
-    for (int i = 0; i < occluders.objects && !cube; ++i) if (!strcmp(occluders.object[i].name, "cube")) cube = &occluders.shape[occluders.object[i].shape];
+    for (int i = 0; i < occluders.objects && !cube; ++i)
+        if (!strcmp(occluders.object[i].name, "cube")) cube = &occluders.shape[occluders.object[i].shape];
     for (int i = 0; i < COUNT(bakes); ++i) {
         const bake *b = &bakes[i];
         row *r = &rows[count];
@@ -473,7 +608,8 @@ static void combined(row *r, const stage *s, const kit_image *each)
     double square[3] = { 0 };
     size_t n = 0, between = 0;
     for (int i = 0; i < s->truth.width * s->truth.height; ++i) {
-        const double a = 1 - (double)each[0].data[i], b = 1 - (double)each[1].data[i], is = 1 - (double)s->truth.data[i], by[3] = { 1 - (1 - a) * (1 - b), fmax(a, b), fmin(a + b, 1) };
+        const double a = 1 - (double)each[0].data[i], b = 1 - (double)each[1].data[i],
+                     is = 1 - (double)s->truth.data[i], by[3] = { 1 - (1 - a) * (1 - b), fmax(a, b), fmin(a + b, 1) };
         if (!(z[i] > 0)) continue;
         for (int k = 0; k < 3; ++k) square[k] += (by[k] - is) * (by[k] - is);
         between += is > by[1] - tolerance && is < by[2] + tolerance;
@@ -513,22 +649,36 @@ static int pairs_of(row *rows, kit_error *err)
     return count;
 }
 
-static const char *field_title(int k) { return k < FIELD_SCENES ? field_scenes[k].title : k == COST_SET ? "Fields: what occluders cost" : k == BAKE_SET ? "Fields: what a bake takes" : "Fields: two occluders"; }
+static const char *field_title(int k)
+{
+    return k < FIELD_SCENES ? field_scenes[k].title
+           : k == COST_SET  ? "Fields: what occluders cost"
+           : k == BAKE_SET  ? "Fields: what a bake takes"
+                            : "Fields: two occluders";
+}
 
 static int field_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
 {
     static const char *const about[] = {
-        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
+        "Who casts changes, the picture does not: the cube has the bunny's bounding sphere; sizes of the ball stand "
+        "for distances. Times are of the pass alone. Covered: pixels within the occluders' reach, "
         "each occluder's; a software rasteriser works for all pixels of the rectangles around those spheres.",
-        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of both.",
-        "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. Between: 0.002 are for noise." };
+        "All cores, or one. Errors are of occlusion at receivers that took no part in the bake. Error within: the "
+        "smallest resolution, up to 16, and the fewest radii, up to 12, with which 95 % of them are; else the most of "
+        "both.",
+        "Two occluders by each other on a ground, one's occlusion a, the other's b, and what both take together. "
+        "Between: 0.002 are for noise."
+    };
     if (!asked(o, "aof") || (o->quick && (k == FIELD_SCENES - 1 || k == PAIR_SET))) return 0;
     if (!rows) return 1;
     if (!k) fputs("<h2>Fields: error against memory</h2>\n", html);
     fprintf(html, "<h%d>%s</h%d>\n", k < FIELD_SCENES ? 3 : 2, field_title(k), k < FIELD_SCENES ? 3 : 2);
     if (k == COST_SET) fprintf(html, "<p>%d x %d pixels. ", COST_WIDTH / thrift, COST_HEIGHT / thrift);
     if (k >= FIELD_SCENES) fprintf(html, "%s%s</p>\n", k == COST_SET ? "" : "<p>", about[k - FIELD_SCENES]);
-    return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err) : k == COST_SET ? costs_of(rows, o->quick, err) : k == BAKE_SET ? bakes_of(rows, o->quick, err) : pairs_of(rows, err);
+    return k < FIELD_SCENES ? accuracy_of(html, &field_scenes[k], o, rows, err)
+           : k == COST_SET  ? costs_of(rows, o->quick, err)
+           : k == BAKE_SET  ? bakes_of(rows, o->quick, err)
+                            : pairs_of(rows, err);
 }
 
 int field_units(const options *o) { return planned(field_unit, FIELD_SETS, o); }
@@ -547,7 +697,10 @@ int field_chart(FILE *html, const options *o, kit_error *err)
         if (set->count) table_html(html, set->row, set->count);
         if (set->count) table_csv(csv.file, set->row, set->count, !shown++);
         if (k < FIELD_SCENES) curve_of(curve, &points, &field_scenes[k], set->row, set->count);
-        if (k + 1 == FIELD_SCENES && points && chart_of(html, o->out, "chart-aof.svg", "Fields: error against memory", &field_words, curve, points, (double)NAN, err)) return -1;
+        if (k + 1 == FIELD_SCENES && points
+            && chart_of(html, o->out, "chart-aof.svg", "Fields: error against memory", &field_words, curve, points,
+                        (double)NAN, err))
+            return -1;
     }
     return page_close(&csv, o->out, "chart-aof.csv", err);
 }

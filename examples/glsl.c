@@ -1,15 +1,20 @@
-/* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for reading, diffing and validating.
+/* glsl.c - writes the text of every pass in every dialect, with every choice that changes it, as plain files for
+   reading, diffing and validating.
 
-      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one choice changed; in 450 two, too:
+      build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one
+         choice changed; in 450 two, too:
                                      FOLDER/hsao.450.half.thin.frag
 
-   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of fields alone: FOLDER/field.table.glsl (ssgi_gl_field).
-   ssdo's default here is an environment map. FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on.
+   One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of
+   fields alone: FOLDER/field.table.glsl (ssgi_gl_field). ssdo's default here is an environment map. FOLDER/sh4.glsl:
+   ssgi_gl_sh(.., 4), and so on.
 
       build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the
                                      fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
-      build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all dialects, where the choice changes it;
-                                     "+" is of all pairs of choices in 450. make golden rewrites that file: its diff shows which variants a change touches */
+      build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all
+         dialects, where the choice changes it;
+                                     "+" is of all pairs of choices in 450. make golden rewrites that file: its diff
+                                     shows which variants a change touches */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <stdio.h>
@@ -39,7 +44,9 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 {
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
         const int alone = kind == SSGI_GL_STAGES;
-        const size_t n = !alone ? ssgi_gl_emit(NULL, 0, d, kind) : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d) : 0;
+        const size_t n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
+                         : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d)
+                                                    : 0;
         uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(alone ? 0 : d->dialect)) * 8 + (uint64_t)kind;
         char path[1024], *text = n && files < MOST ? malloc(n + 1) : NULL;
         int i = 0;
@@ -50,8 +57,9 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
         while (i < files && seen[i] != key) ++i;
         if (text && i < files) { free(text); continue; }
         seen[files++] = key;
-        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".", alone ? "" : ssgi_gl_dialect_name(d->dialect),
-                 *first ? "." : "", first, *second ? "." : "", second, endings[kind]);
+        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".",
+                 alone ? "" : ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second,
+                 endings[kind]);
         if (write_file(path, text, n)) return -1;
     }
     return 0;
@@ -100,7 +108,8 @@ static int print_fields(const char *path, kit_error *err)
         free(header);
         return kit_fail(err, "%s: has no ssgi_gl_desc", path);
     }
-    puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what the third column says where that has an entry.\n\n"
+    puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what the third column says where that "
+         "has an entry.\n\n"
          "| field | values | default | what |\n|---|---|---|---|");
     while ((at = strchr(at, '\n')) != NULL && ++at < end) {
         const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL,
@@ -128,11 +137,15 @@ static int print_fields(const char *path, kit_error *err)
 /* What each pass reads and writes. */
 static void print_passes(void)
 {
-    puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, slots, and offsets in `ssgi_gl_frame`; the\n"
-         "declarations in the text are printed from them. Fetches: the most that a pixel (of `surfels`: a surfel) takes at default counts, as the text has it.\n");
+    puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, "
+         "slots, and offsets in `ssgi_gl_frame`; the\n"
+         "declarations in the text are printed from them. Fetches: the most that a pixel (of `surfels`: a surfel) "
+         "takes at default counts, as the text has it.\n");
     puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
     for (int i = 0; i < variants_count; ++i) {
-        static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE }, { SSGI_GL_PARAM, SSGI_GL_PARAM }, { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
+        static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE },
+                                         { SSGI_GL_PARAM, SSGI_GL_PARAM },
+                                         { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         const int n = ssgi_gl_reflect(&variants[i].desc, io, SSGI_GL_MAX_IO);
         printf("| %s ", variants[i].title);
@@ -161,15 +174,24 @@ static ssgi_gl_desc variant_of(int pass, int dialect, int a, int b)
 }
 
 /* The hash with a text added; unchanged where there is none. */
-static uint64_t hash_of(uint64_t hash, size_t (*emit)(char *, size_t, const ssgi_gl_desc *, int), const ssgi_gl_desc *d, int stage)
+static uint64_t hash_of(uint64_t hash, size_t (*emit)(char *, size_t, const ssgi_gl_desc *, int), const ssgi_gl_desc *d,
+                        int stage)
 {
     static char text[1 << 17];
     const size_t n = emit(text, sizeof text, d, stage);
     return n ? kit_hash(hash, text, n + 1 < sizeof text ? n + 1 : sizeof text) : hash;          /* with its end */
 }
 
-static size_t emit_field(char *out, size_t capacity, const ssgi_gl_desc *d, int stage) { (void)stage; return ssgi_gl_field(out, capacity, d); }
-static size_t emit_sh(char *out, size_t capacity, const ssgi_gl_desc *d, int stage) { (void)stage; return ssgi_gl_sh(out, capacity, d->bands); }
+static size_t emit_field(char *out, size_t capacity, const ssgi_gl_desc *d, int stage)
+{
+    (void)stage;
+    return ssgi_gl_field(out, capacity, d);
+}
+static size_t emit_sh(char *out, size_t capacity, const ssgi_gl_desc *d, int stage)
+{
+    (void)stage;
+    return ssgi_gl_sh(out, capacity, d->bands);
+}
 
 static void print_golden(void)
 {
@@ -187,15 +209,20 @@ static void print_golden(void)
                     const ssgi_gl_desc d = variant_of(pass, SSGI_GL_450, a, b);
                     pairs = hash_of(pairs, ssgi_gl_emit, &d, stage);
                 }
-                if (hash != basis && hash != plain) printf("%016llx %s.%s%s%s\n", (unsigned long long)hash, ssgi_gl_pass_name(pass), choices[a].name, a ? "." : "", endings[stage]);
+                if (hash != basis && hash != plain)
+                    printf("%016llx %s.%s%s%s\n", (unsigned long long)hash, ssgi_gl_pass_name(pass), choices[a].name,
+                           a ? "." : "", endings[stage]);
                 if (!a) plain = hash;
             }
-            if (pairs != basis) printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
+            if (pairs != basis)
+                printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
         }
     for (int a = 0; a < choices_count; ++a) {
-        const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0), plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);
+        const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0),
+                           plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);
         const uint64_t hash = hash_of(basis, emit_field, &d, 0);
-        if (!a || hash != hash_of(basis, emit_field, &plain, 0)) printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
+        if (!a || hash != hash_of(basis, emit_field, &plain, 0))
+            printf("%016llx field.%s%sglsl\n", (unsigned long long)hash, choices[a].name, a ? "." : "");
     }
     for (int bands = 1; bands <= 4; ++bands) {
         const ssgi_gl_desc d = { .bands = bands };

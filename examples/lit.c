@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>tables ------------------------------------------------------------------------------------------------------ */
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
 #define PINK  "3.3,0.9,1.9"
 #define TURQUOISE "0.5,2.3,2.2"
@@ -78,11 +78,11 @@ static const entry extension_entries[] = {
     { "harmonics, 1 layer",                  "s3ho", "",                               1 }
 };
 static const entry cost_entries[] = {
-    { "ambient visibility",                "ssao", "blur=0",                                                            1 },
-    { "harmonics",                         "ssdo", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN,       1 },
-    { "map",                               "ssdo", "samples=16,steps=1,bounce=none,blur=0," PLAIN,                      1 },
-    { "map, bounce, of the last frame",    "ssdo", "samples=16,steps=1,reuse=1,blur=0," PLAIN,                          1 },
-    { "harmonics, bounce, of the last frame", "ssdo", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN,        1 }
+    { "ambient visibility", "ssao", "blur=0", 1 },
+    { "harmonics", "ssdo", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN, 1 },
+    { "map", "ssdo", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
+    { "map, bounce, of the last frame", "ssdo", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
+    { "harmonics, bounce, of the last frame", "ssdo", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN, 1 }
 };
 
 static const entry harmonics_entries[] = {
@@ -130,48 +130,109 @@ static const entry vector_entries[] = {
     { "4 bands", "s3ho", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
     { "4 bands", "s3ho", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "4 bands, stored, then met", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN, 1 },
-    { "4 bands, stored packed", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
+    { "4 bands, stored packed", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN,
+      1 },
     { "4 bands, bounce in one", "s3ho", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
     { "4 bands, bounce apart", "s3ho", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
     { "4 bands, light filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4," PLAIN, 1 },
-    { "4 bands, vectors filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
+    { "4 bands, vectors filtered 8x8", "s3ho",
+      "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
 };
 
-typedef struct lit_table { const char *title, *about; view view; const entry *entries; int count, of, quick; } lit_table;
+typedef struct lit_table {
+    const char *title, *about;
+    view view;
+    const entry *entries;
+    int count, of, quick;
+} lit_table;
 #define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
 static const lit_table lit_demos[] = {
-    { "Light: a sky and a sun", "Bunny and four boxes under the built-in sky and a sun with shadows.", { BOXES_VIEW, &sun_and_sky }, sun_entries, COUNT(sun_entries), OF_LIT, 0 },
-    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.", SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
-    { "Harmonics: two suns", "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL, SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
-    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL, SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
-    { "Harmonics: a sky and a bright sun", "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny side. " LOCAL, SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
+    { "Light: a sky and a sun",
+      "Bunny and four boxes under the built-in sky and a sun with shadows.",
+      { BOXES_VIEW, &sun_and_sky },
+      sun_entries,
+      COUNT(sun_entries),
+      OF_LIT,
+      0 },
+    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.",
+      SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
+    { "Harmonics: two suns",
+      "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL,
+      SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL,
+      SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: a sky and a bright sun",
+      "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny "
+      "side. " LOCAL,
+      SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
 };
 static const lit_table lit_tables[] = {
-    { "Light: speed against accuracy", "Bunny and four boxes under the sky, one bounce.", { BOXES_VIEW, &sky_boxes }, deep_entries, COUNT(deep_entries), OF_LIT, 1 },
-    { "What light costs", "The same scene; 16 directions, no filter.", { BOXES_VIEW, &sky_boxes }, cost_entries, COUNT(cost_entries), OF_LIT, 0 },
-    { "What is hidden: columns", "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.", SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
-    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.", SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
-    { "What is hidden: room", "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and cameras stand outside.", SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
-    { "What harmonics cost", "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they meet the light.", { BOXES_VIEW, &sky_boxes }, vector_entries, COUNT(vector_entries), OF_LIT, 0 },
-    { "Under a high-contrast probe", "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of the light from.", SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
+    { "Light: speed against accuracy",
+      "Bunny and four boxes under the sky, one bounce.",
+      { BOXES_VIEW, &sky_boxes },
+      deep_entries,
+      COUNT(deep_entries),
+      OF_LIT,
+      1 },
+    { "What light costs",
+      "The same scene; 16 directions, no filter.",
+      { BOXES_VIEW, &sky_boxes },
+      cost_entries,
+      COUNT(cost_entries),
+      OF_LIT,
+      0 },
+    { "What is hidden: columns",
+      "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.",
+      SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.",
+      SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
+    { "What is hidden: room",
+      "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and "
+      "cameras stand outside.",
+      SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What harmonics cost",
+      "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they "
+      "meet the light.",
+      { BOXES_VIEW, &sky_boxes },
+      vector_entries,
+      COUNT(vector_entries),
+      OF_LIT,
+      0 },
+    { "Under a high-contrast probe",
+      "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
+      "angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of "
+      "the light from.",
+      SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
 };
 
 /* The same entries under one light each; shown as one table. */
 static const char *const bands_title = "How many bands";
 static const lit_table band_tables[] = {
-    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL, SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.", SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
-    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]), band_entries, COUNT(band_entries), OF_LIT, 0 }
+    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries,
+      COUNT(band_entries), OF_LIT, 0 },
+    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries),
+      OF_LIT, 0 },
+    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL,
+      SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.",
+      SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]),
+      band_entries, COUNT(band_entries), OF_LIT, 0 }
 };
-enum { LIT_DEMOS = COUNT(lit_demos), LIT_TABLES = COUNT(lit_tables), BAND_TABLES = COUNT(band_tables), LIT_SETS = LIT_TABLES + BAND_TABLES, PHASES = 8 };
+enum {
+    LIT_DEMOS = COUNT(lit_demos),
+    LIT_TABLES = COUNT(lit_tables),
+    BAND_TABLES = COUNT(band_tables),
+    LIT_SETS = LIT_TABLES + BAND_TABLES,
+    PHASES = 8
+};
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
 static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
-/* ---- >>pages ------------------------------------------------------------------------------------------------------- */
+/* ---- >>pages ----------------------------------------------------------------------------------------------------- */
 
-/* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some of it with more rays. */
+/* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some
+   of it with more rays. */
 static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
 {
     char bounce[32] = "";
@@ -181,8 +242,11 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     if (trace(&probe, s, 4 * s->rays, 23, err) || score(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
     if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
-    fprintf(html, "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
-            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays, noise.error[0], noise.error[1], bounce);
+    fprintf(html,
+            "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own "
+            "error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
+            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays,
+            noise.error[0], noise.error[1], bounce);
     return 0;
 }
 
@@ -200,7 +264,10 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
     fprintf(html, "<h2>%s</h2>\n", t->title);
     if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
-    fprintf(html, "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed luminance.</p>\n<div class=\"grid\">\n", (double)s.lit->exposure);
+    fprintf(html,
+            "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed "
+            "luminance.</p>\n<div class=\"grid\">\n",
+            (double)s.lit->exposure);
     if (exposed(&luminance, &s.truth, s.lit->exposure, NULL, 1, err)) return -1;
     for (int i = 0; i <= *count; ++i) {
         const int at = i > s.givens ? i - 1 - s.givens : t->count + i - 1;
@@ -217,7 +284,9 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
         if (!i) key_html(html, range);
         fputs("</figure>\n", html);
         if (i) {
-            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err) || save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err)) return -1;
+            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err)
+                || save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err))
+                return -1;
             kit_image_free(&difference);
         }
         kit_image_free(&whole);
@@ -228,12 +297,16 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
         fputs("<div class=\"grid crops\">\n", html);
         for (int i = 0; i <= *count; ++i) {
             snprintf(name, sizeof name, "%s-crop%s", slug[i], k ? "-2" : "");
-            if (exposed(&part, from[i], s.lit->exposure, crop, TIMES, err) || save(&part, "R,G,B", 1, out, name, ".png", err)) return -1;
+            if (exposed(&part, from[i], s.lit->exposure, crop, TIMES, err)
+                || save(&part, "R,G,B", 1, out, name, ".png", err))
+                return -1;
             figure_html(html, name, label[i], "", part.width, part.height, 0);
             fputs("</figure>\n", html);
             kit_image_free(&part);
         }
-        fprintf(html, "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n", crop[2], crop[3], crop[0], crop[1], TIMES, TIMES);
+        fprintf(html,
+                "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n",
+                crop[2], crop[3], crop[0], crop[1], TIMES, TIMES);
     }
     fputs("<h3>Figures</h3>\n", html);
     table_html(html, rows, *count);
@@ -259,16 +332,20 @@ void lit_demo_text(FILE *f)
     }
 }
 
-/* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from phase to phase. The entry NULL: a picture that has no noise. A
-   second phase that is the first over again is the last: there is no noise. */
+/* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from
+   phase to phase. The entry NULL: a picture that has no noise. A second phase that is the first over again is the last:
+   there is no noise. */
 static int split(row *r, stage *s, const entry *e, int phases, const kit_image *picture, kit_error *err)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
-    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = { "Y" };
+    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
+        "Y"
+    };
     const char *const *names = s->lit ? lit_names : ao_names;
     const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height, channels = s->lit ? 3 : 1;
     const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
-    double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0, noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
+    double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0,
+           noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
     int drawn = 0, differs = 0;
     kit_run run;
     if (!sum) return kit_fail(err, "out of memory");
@@ -334,7 +411,9 @@ int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit
 {
     for (int i = 0; i < count + s->givens; ++i) {
         kit_progress("noise", (double)i / (count + s->givens));
-        if (split(&rows[i], s, i < count ? &entries[i] : NULL, phases, i < count ? NULL : &s->given[i - count].picture, err)) return -1;
+        if (split(&rows[i], s, i < count ? &entries[i] : NULL, phases, i < count ? NULL : &s->given[i - count].picture,
+                  err))
+            return -1;
     }
     kit_progress("noise", 1);
     return 0;
@@ -369,11 +448,14 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     stage s;
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
-    if (stage_open(&s, &t->view, 640, 360, err) || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err)) return -1;
+    if (stage_open(&s, &t->view, 640, 360, err)
+        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
+        return -1;
     if (t->of == OF_SPLIT && splits(rows, &s, entries, count, PHASES, err)) return -1;
     for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
     if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
-    if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err))) return -1;
+    if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err)))
+        return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
     return count + s.givens;
@@ -392,7 +474,8 @@ int lit_chart(FILE *html, const options *o, kit_error *err)
         set->count = unit(html, o, "lit", k, lit_unit, set->row, err);
         if (set->count < 0) return -1;
         if (!set->count) continue;
-        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err)) return -1;
+        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err))
+            return -1;
         if (k < LIT_TABLES) table_html(html, set->row, set->count);
         table_csv(csv.file, set->row, set->count, !shown++);
     }

@@ -1,5 +1,6 @@
-/* minimal.c - the smallest honest embedding. An engine has a GL context, a depth texture, a normal texture and a projection matrix; here OSMesa is the
-   context and a few boxes are the scene. Between the two lines of "====" stands all that ssgi asks of you. Writes ao.pgm.
+/* minimal.c - the smallest honest embedding. An engine has a GL context, a depth texture, a normal texture and a
+   projection matrix; here OSMesa is the context and a few boxes are the scene. Between the two lines of "====" stands
+   all that ssgi asks of you. Writes ao.pgm.
 
       cc examples/minimal.c -lOSMesa -lm && ./a.out */
 #define GL_GLEXT_PROTOTYPES
@@ -16,16 +17,21 @@
 
 enum { W = 960, H = 540 };
 
-static const char *boxes_vs =   /* 40 boxes from gl_VertexID and gl_InstanceID: stands for the engine's geometry */
+static const char *boxes_vs = /* 40 boxes from gl_VertexID and gl_InstanceID: stands for the engine's geometry */
     "#version 330 core\nuniform mat4 projection; out vec3 normal;\n"
     "void main() {\n"
-    "  int f = gl_VertexID / 6, k = gl_VertexID % 6, a = f / 2, c = k < 3 ? k : k - 2, i = gl_InstanceID; mat3 tilt = mat3(1, 0, 0, 0, 0.9, 0.436, 0, -0.436, 0.9);\n"
+    "  int f = gl_VertexID / 6, k = gl_VertexID % 6, a = f / 2, c = k < 3 ? k : k - 2, i = gl_InstanceID; mat3 tilt = "
+    "mat3(1, 0, 0, 0, 0.9, 0.436, 0, -0.436, 0.9);\n"
     "  vec2 q = vec2(c & 1, c >> 1) * 2.0 - 1.0; float s = float(f & 1) * 2.0 - 1.0;\n"
-    "  vec3 p = a == 0 ? vec3(s, q) : a == 1 ? vec3(q.y, s, q.x) : vec3(q, s), r = fract(sin(float(i) * vec3(12.99, 78.23, 37.72)) * 437.5);\n"
-    "  vec3 size = i == 0 ? vec3(20, 0.1, 20) : 0.15 + 0.4 * r, at = i == 0 ? vec3(0, -0.1, 0) : vec3(r.z * 8.0 - 4.0, size.y, r.x * 8.0 - 4.0);\n"
-    "  normal = tilt * vec3(a == 0, a == 1, a == 2) * s; gl_Position = projection * vec4(tilt * (p * size + at - vec3(0, 2.5, 6)), 1);\n"
+    "  vec3 p = a == 0 ? vec3(s, q) : a == 1 ? vec3(q.y, s, q.x) : vec3(q, s), r = fract(sin(float(i) * vec3(12.99, "
+    "78.23, 37.72)) * 437.5);\n"
+    "  vec3 size = i == 0 ? vec3(20, 0.1, 20) : 0.15 + 0.4 * r, at = i == 0 ? vec3(0, -0.1, 0) : vec3(r.z * 8.0 - 4.0, "
+    "size.y, r.x * 8.0 - 4.0);\n"
+    "  normal = tilt * vec3(a == 0, a == 1, a == 2) * s; gl_Position = projection * vec4(tilt * (p * size + at - "
+    "vec3(0, 2.5, 6)), 1);\n"
     "}\n";
-static const char *boxes_fs = "#version 330 core\nin vec3 normal; out vec4 o;\nvoid main() { o = vec4(normalize(normal), 0); }\n";
+static const char *boxes_fs =
+    "#version 330 core\nin vec3 normal; out vec4 o;\nvoid main() { o = vec4(normalize(normal), 0); }\n";
 
 static GLuint program(const char *vs, const char *fs)
 {
@@ -65,7 +71,7 @@ static void target(GLuint program_, GLuint color, GLuint depth, int w, int h)   
     glUseProgram(program_);
 }
 
-/* ==== ssgi: from a desc to a program whose samplers and block are bound to their slots =========================================== */
+/* ==== ssgi: from a desc to a program whose samplers and block are bound to their slots =========================== */
 static GLuint ssgi_program(const ssgi_gl_desc *d)
 {
     static char text[2][32768];
@@ -107,7 +113,11 @@ static void ambient_occlusion(GLuint depth, GLuint normal, const float projectio
     blur = d;
     blur.pass = SSGI_GL_BLUR;
     filter = ssgi_program(&blur);
-    if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, &why) || ssgi_gl_frame_init(&frame, &view, radius, &why)) { puts(why); exit(1); }
+    if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, W, H, &why)
+        || ssgi_gl_frame_init(&frame, &view, radius, &why)) {
+        puts(why);
+        exit(1);
+    }
     glGenBuffers(1, &block);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, block);                 /* from here on: every frame */
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_DYNAMIC_DRAW);
@@ -119,14 +129,24 @@ static void ambient_occlusion(GLuint depth, GLuint normal, const float projectio
     target(filter, result, 0, W, H);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
-/* ================================================================================================================================= */
+/* ================================================================================================================== */
 
 int main(void)
 {
-    static const int attributes[] = { OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0 };
+    static const int attributes[] = { OSMESA_FORMAT,
+                                      OSMESA_RGBA,
+                                      OSMESA_PROFILE,
+                                      OSMESA_CORE_PROFILE,
+                                      OSMESA_CONTEXT_MAJOR_VERSION,
+                                      3,
+                                      OSMESA_CONTEXT_MINOR_VERSION,
+                                      3,
+                                      0 };
     static unsigned char screen[4 * W * H], pixels[W * H];
     const float n = 0.1f, f = 100.0f, g = 1.0f / tanf(0.4f);
-    const float projection[16] = { g * H / W, 0, 0, 0,  0, g, 0, 0,  0, 0, -(f + n) / (f - n), -1,  0, 0, -2 * f * n / (f - n), 0 };
+    const float projection[16] = {
+        g * H / W, 0, 0, 0, 0, g, 0, 0, 0, 0, -(f + n) / (f - n), -1, 0, 0, -2 * f * n / (f - n), 0
+    };
     OSMesaContext context = OSMesaCreateContextAttribs(attributes, NULL);
     GLuint vao, depth, normal, result, boxes;
     FILE *file;
@@ -143,7 +163,8 @@ int main(void)
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 40);
 
     result = texture(GL_R8, GL_RED, W, H);
-    ambient_occlusion(depth, normal, projection, 0.5f, result);            /* ambient visibility: multiply your ambient light by it */
+    /* ambient visibility: multiply your ambient light by it */
+    ambient_occlusion(depth, normal, projection, 0.5f, result);
 
     glReadPixels(0, 0, W, H, GL_RED, GL_UNSIGNED_BYTE, pixels);
     file = fopen("ao.pgm", "wb");

@@ -13,11 +13,13 @@ int asked(const options *o, const char *method) { return !o->method || !strncmp(
 int chosen(entry *out, const entry *entries, int count, const options *o)
 {
     int n = 0;
-    for (int i = 0; i < count; ++i) if ((entries[i].quick || !o->quick) && asked(o, entries[i].method)) out[n++] = entries[i];
+    for (int i = 0; i < count; ++i)
+        if ((entries[i].quick || !o->quick) && asked(o, entries[i].method)) out[n++] = entries[i];
     return n;
 }
 
-int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending, kit_error *err)
+int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending,
+         kit_error *err)
 {
     char path[4096];
     snprintf(path, sizeof path, "%s/%s%s", out, slug, ending);
@@ -27,12 +29,15 @@ int save(const kit_image *image, const char *names, int srgb, const char *out, c
 void slug_of(char slug[64], const char *label)
 {
     size_t n = 0;
-    for (; *label && n < 63; ++label) if (isalnum((unsigned char)*label)) slug[n++] = (char)tolower((unsigned char)*label); else if (n && slug[n - 1] != '-') slug[n++] = '-';
+    for (; *label && n < 63; ++label)
+        if (isalnum((unsigned char)*label)) slug[n++] = (char)tolower((unsigned char)*label);
+        else if (n && slug[n - 1] != '-') slug[n++] = '-';
     slug[n] = 0;
 }
 
 /* A chart as a file of its own and inside the page. */
-int chart_of(FILE *html, const char *out, const char *name, const char *title, const words *w, const row *rows, int count, double floor_, kit_error *err)
+int chart_of(FILE *html, const char *out, const char *name, const char *title, const words *w, const row *rows,
+             int count, double floor_, kit_error *err)
 {
     page p;
     if (page_open(&p, err)) return -1;
@@ -54,7 +59,10 @@ int exposed(kit_image *out, const kit_image *picture, float exposure, const int 
     for (int y = 0; y < out->height; ++y)
         for (int x = 0; x < out->width; ++x, ++i)
             for (size_t c = 0; c < 3; ++c) {
-                const float v = exposure * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width + (size_t)(crop[0] + x / times)];
+                const float v =
+                    exposure
+                    * kit_image_channel(picture, names[c])[(size_t)(crop[1] + y / times) * (size_t)picture->width
+                                                           + (size_t)(crop[0] + x / times)];
                 out->data[c * (size_t)out->width * (size_t)out->height + i] = v;
                 out->data[3 * (size_t)out->width * (size_t)out->height + i] += weight[c] * v;
             }
@@ -70,12 +78,13 @@ static int shrunk(kit_image *out, const kit_image *picture, const char *names, i
         const float *from = kit_image_channel(picture, out->name[c]);
         float *to = kit_image_channel(out, out->name[c]);
         for (int y = 0; y < out->height * block; ++y)
-            for (int x = 0; x < out->width * block; ++x) to[y / block * out->width + x / block] += from[y * picture->width + x] / (float)(block * block);
+            for (int x = 0; x < out->width * block; ++x)
+                to[y / block * out->width + x / block] += from[y * picture->width + x] / (float)(block * block);
     }
     return 0;
 }
 
-/* ---- >>units: what a chart is made of ------------------------------------------------------------------------------ */
+/* ---- >>units: what a chart is made of ---------------------------------------------------------------------------- */
 
 enum { MOST_UNITS = 64 };
 static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
@@ -106,7 +115,8 @@ void units_begin(const options *o, int all)
     units.begun = kit_seconds();
     units.key = hashed_file(hashed_file(hashed_file(KIT_HASH, "/proc/self/exe"), BUNNY), BED);
     for (int i = 0; i < COUNT(text); ++i) units.key = kit_hash(units.key, text[i], strlen(text[i]) + 1);
-    for (int i = 0; i < o->scenes; ++i) units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
+    for (int i = 0; i < o->scenes; ++i)
+        units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);
 }
 
 void units_end(void)
@@ -126,7 +136,8 @@ static int pictured(const char *html, const char *out)
     return 1;
 }
 
-/* One table on one scene: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 = failed. */
+/* One table on one scene: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 =
+   failed. */
 int unit(FILE *html, const options *o, const char *kind, int k, measuring *measure_, row *rows, kit_error *err)
 {
     char *path = units.path[units.count], *text, *at, left[64] = "";
@@ -151,7 +162,9 @@ int unit(FILE *html, const options *o, const char *kind, int k, measuring *measu
             return count;
         }
     }
-    if (units.measured) snprintf(left, sizeof left, ", about %.0f min left", ceil((kit_seconds() - units.begun) / units.measured * (units.all - units.count + 1) / 60));
+    if (units.measured)
+        snprintf(left, sizeof left, ", about %.0f min left",
+                 ceil((kit_seconds() - units.begun) / units.measured * (units.all - units.count + 1) / 60));
     if (isatty(2)) fprintf(stderr, "%d of %d%s\n", units.count, units.all, left);
     if (page_open(&part, err)) return -1;
     count = measure_(part.file, o, k, rows, err);
@@ -160,16 +173,21 @@ int unit(FILE *html, const options *o, const char *kind, int k, measuring *measu
     if (count >= 0 && !page_open(&kept, err)) {
         fwrite(&count, sizeof count, 1, kept.file);
         fwrite(rows, sizeof *rows, (size_t)count, kept.file);
-        for (int i = 0; i < count; ++i) fprintf(kept.file, "%s%c%s%c%s%c%s%c", rows[i].scene, 0, rows[i].label, 0, rows[i].method, 0, rows[i].settings, 0);
+        for (int i = 0; i < count; ++i)
+            fprintf(kept.file, "%s%c%s%c%s%c%s%c", rows[i].scene, 0, rows[i].label, 0, rows[i].method, 0,
+                    rows[i].settings, 0);
         fwrite(part.text, 1, part.size, kept.file);
-        if (folder("build/cache", &note) || page_close(&kept, "build/cache", path + strlen("build/cache/"), &note)) fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
+        if (folder("build/cache", &note) || page_close(&kept, "build/cache", path + strlen("build/cache/"), &note))
+            fprintf(stderr, "report: note: what is measured is not kept: %s\n", note.text);
     }
     page_into(&part, html);
     return count;
 }
 
-/* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best of all. */
-int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count, kit_error *err)
+/* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best
+   of all. */
+int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count,
+           kit_error *err)
 {
     static const char *const endings[] = { "truth", "fast", "best" };
     const char *const names = s->lit ? "R,G,B" : "Y";

@@ -1,25 +1,43 @@
-/* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose well; and the fit itself, whose numbers stand in
-   ssgi.h's room >>plan. Declared in report.h. */
+/* plan.c - what report.c shows of the plan: choices measured on scenes that it was not fitted on, and whether it chose
+   well; and the fit itself, whose numbers stand in ssgi.h's room >>plan. Declared in report.h. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>tables ------------------------------------------------------------------------------------------------------ */
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
 
-typedef struct plan_view { const char *scene; int fits; float turn, nearer, radius; } plan_view;    /* turn: of the eye about its target, radians; radius: of the scene's own */
-static const plan_view planned_views[] = {
-    { "room",      1, 0, 1, 1.2f }, { "room",      1, -0.25f, 0.9f, 0.45f }, { "colonnade", 1, 0, 1, 1.2f }, { "colonnade", 1, -0.25f, 0.9f, 0.45f },
-    { "cornell",   1, 0, 1, 1.2f }, { "cornell",   1, -0.25f, 0.9f, 0.45f }, { "columns",   1, 0, 1, 1.2f }, { "columns",   1, 0.7f, 0.8f, 0.45f },
-    { "boxes",     1, 0, 1, 1.2f }, { "boxes",     1, 0.7f, 0.8f, 0.45f },   { "pebbles",   1, 0, 1, 1.2f }, { "pebbles",   1, 0.7f, 0.8f, 0.45f },
-    { "casters",   1, 0, 1, 1.2f }, { "casters",   1, 0.7f, 0.8f, 0.45f },   { "groove",    1, 0, 1, 1.2f }, { "groove",    1, 0.7f, 0.8f, 0.45f },
-    { "bunny",     0, 0, 1, 1.2f }, { "bunny",     0, 0.7f, 0.8f, 0.45f },   { "grass",     0, 0, 1, 1.2f }, { "grass",     0, 0.7f, 0.8f, 0.45f },
-    { "plates",    0, 0, 1, 1.2f }, { "plates",    0, 0.7f, 0.8f, 0.45f },   { "blocks",    0, 0, 1, 1.2f }, { "blocks",    0, 0.7f, 0.8f, 0.45f },
-    { "sphere",    0, 0, 1, 1.2f }, { "corner",    0, 0.4f, 1, 0.8f },       { "hole",      0, 0, 1, 1.2f }
+/* turn: of the eye about its target, radians; radius: of the scene's own */
+typedef struct plan_view { const char *scene; int fits; float turn, nearer, radius; } plan_view;
+static const plan_view planned_views[] = { { "room", 1, 0, 1, 1.2f },      { "room", 1, -0.25f, 0.9f, 0.45f },
+                                           { "colonnade", 1, 0, 1, 1.2f }, { "colonnade", 1, -0.25f, 0.9f, 0.45f },
+                                           { "cornell", 1, 0, 1, 1.2f },   { "cornell", 1, -0.25f, 0.9f, 0.45f },
+                                           { "columns", 1, 0, 1, 1.2f },   { "columns", 1, 0.7f, 0.8f, 0.45f },
+                                           { "boxes", 1, 0, 1, 1.2f },     { "boxes", 1, 0.7f, 0.8f, 0.45f },
+                                           { "pebbles", 1, 0, 1, 1.2f },   { "pebbles", 1, 0.7f, 0.8f, 0.45f },
+                                           { "casters", 1, 0, 1, 1.2f },   { "casters", 1, 0.7f, 0.8f, 0.45f },
+                                           { "groove", 1, 0, 1, 1.2f },    { "groove", 1, 0.7f, 0.8f, 0.45f },
+                                           { "bunny", 0, 0, 1, 1.2f },     { "bunny", 0, 0.7f, 0.8f, 0.45f },
+                                           { "grass", 0, 0, 1, 1.2f },     { "grass", 0, 0.7f, 0.8f, 0.45f },
+                                           { "plates", 0, 0, 1, 1.2f },    { "plates", 0, 0.7f, 0.8f, 0.45f },
+                                           { "blocks", 0, 0, 1, 1.2f },    { "blocks", 0, 0.7f, 0.8f, 0.45f },
+                                           { "sphere", 0, 0, 1, 1.2f },    { "corner", 0, 0.4f, 1, 0.8f },
+                                           { "hole", 0, 0, 1, 1.2f } };
+/* suns: two soft ones, pink and turquoise */
+static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };
+/* of each wanted */
+static const double planned_errors[3][6] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 },
+                                             { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 },
+                                             { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 } };
+enum {
+    PLANNED_VIEWS = COUNT(planned_views),
+    PLANNED_ERRORS = 6,
+    PLANNED_WIDTH = 640,
+    PLANNED_HEIGHT = 360,
+    PLANNED_LIT_WIDTH = 320,
+    PLANNED_LIT_HEIGHT = 180,
+    MOST_PLANNED = 3 * PLANNED_VIEWS * 2
 };
-static const char *const planned_lights[] = { "sky", "suns", "probe", "white" };      /* suns: two soft ones, pink and turquoise */
-static const double planned_errors[3][6] = { { 0.015, 0.02, 0.03, 0.045, 0.07, 0.1 }, { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 }, { 0.03, 0.045, 0.07, 0.1, 0.15, 0.2 } };     /* of each wanted */
-enum { PLANNED_VIEWS = COUNT(planned_views), PLANNED_ERRORS = 6, PLANNED_WIDTH = 640, PLANNED_HEIGHT = 360, PLANNED_LIT_WIDTH = 320, PLANNED_LIT_HEIGHT = 180, MOST_PLANNED = 3 * PLANNED_VIEWS * 2 };
 
 /* What choices cost and err by on one view, under one light. */
 typedef struct planned_row {
@@ -28,11 +46,12 @@ typedef struct planned_row {
     double error[SSGI_PLAN_CHOICES], cost[SSGI_PLAN_CHOICES];      /* NAN: not for this */
 } planned_row;
 
-/* ---- >>measuring --------------------------------------------------------------------------------------------------- */
+/* ---- >>measuring ------------------------------------------------------------------------------------------------- */
 
 static int planned_open(stage *s, const plan_view *p, const lit *light, int suns, kit_error *err)
 {
-    static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } }, { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
+    static const kit_light two[2] = { { KIT_SUN, { -0.75f, 0.6f, 0.27f }, { 3.3f, 0.9f, 1.9f } },
+                                      { KIT_SUN, { 0.75f, 0.6f, 0.27f }, { 0.5f, 2.3f, 2.2f } } };
     view v = { p->scene, p->scene, 0, { 0 }, { 0 }, 0, 0, light };
     for (int i = 0; i < views_count; ++i) if (!strcmp(views[i].name, p->scene)) { v = views[i]; v.lit = light; }
     if (stage_load(s, &v, err)) return -1;
@@ -48,14 +67,17 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
         v.fovy = s->scene.camera.fovy;
     }
     v.radius = p->radius * (v.radius > 0 ? v.radius : s->scene.radius);
-    const float d[3] = { v.eye[0] - v.target[0], v.eye[1] - v.target[1], v.eye[2] - v.target[2] }, c = cosf(p->turn), n = sinf(p->turn);
+    const float d[3] = { v.eye[0] - v.target[0], v.eye[1] - v.target[1], v.eye[2] - v.target[2] }, c = cosf(p->turn),
+                n = sinf(p->turn);
     const float e[3] = { c * d[0] + n * d[2], p->turn > 0.5f ? 0.7f * d[1] : d[1], c * d[2] - n * d[0] };
     for (int k = 0; k < 3; ++k) v.eye[k] = v.target[k] + p->nearer * e[k];
-    return stage_look(s, &v, light ? PLANNED_LIT_WIDTH : PLANNED_WIDTH, light ? PLANNED_LIT_HEIGHT : PLANNED_HEIGHT, err);
+    return stage_look(s, &v, light ? PLANNED_LIT_WIDTH : PLANNED_WIDTH, light ? PLANNED_LIT_HEIGHT : PLANNED_HEIGHT,
+                      err);
 }
 
 /* The picture of a choice, scored and timed; of light, what visibility leaves of an open surface's. */
-static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed, int rounds, kit_error *err)
+static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan *p, int wanted, kit_run *fixed,
+                        int rounds, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };
     double ratio[5], before, after;
@@ -84,7 +106,8 @@ static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan 
     return 0;
 }
 
-static int planned_measure(planned_row *r, stage *s, kit_image *truth, const char *name, int wanted, int rounds, kit_error *err)
+static int planned_measure(planned_row *r, stage *s, kit_image *truth, const char *name, int wanted, int rounds,
+                           kit_error *err)
 {
     const kit_world world = { &s->scene, s->lit ? &s->lighting : NULL };
     kit_image picture;
@@ -105,9 +128,11 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
     return 0;
 }
 
-/* ---- >>judging ----------------------------------------------------------------------------------------------------- */
+/* ---- >>judging --------------------------------------------------------------------------------------------------- */
 
-typedef struct verdict { int pairs, good, needed, good_needed, needless, asked_more; } verdict;     /* needed: pairs where doing nothing errs by more; needless: bands, layers, cameras or levels without which the picture hardly changes; of so many plans that ask for any */
+/* needed: pairs where doing nothing errs by more; needless: bands, layers, cameras or levels without which the
+   picture hardly changes; of so many plans that ask for any */
+typedef struct verdict { int pairs, good, needed, good_needed, needless, asked_more; } verdict;
 
 static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 {
@@ -120,11 +145,13 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 
 static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 {
-    return a->method == b->method && a->half == b->half && a->directions == b->directions && a->samples == b->samples && a->steps == b->steps && a->bands == b->bands && a->layers == b->layers
-        && a->cameras == b->cameras && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
+    return a->method == b->method && a->half == b->half && a->directions == b->directions && a->samples == b->samples
+           && a->steps == b->steps && a->bands == b->bands && a->layers == b->layers && a->cameras == b->cameras
+           && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
 }
 
-/* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest choice that meets the error would cost. NULL: counts alone. */
+/* One row a scene and error asked for: what the plan takes, what it predicts, what is measured, what the cheapest
+   choice that meets the error would cost. NULL: counts alone. */
 static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *r, int blind)
 {
     static const char *const wanted[] = { "visibility", "light", "bounce" };
@@ -151,13 +178,18 @@ static void planned_judge(verdict *v, FILE *html, FILE *csv, const planned_row *
         v->good_needed += p.method != SSGI_PLAN_NOTHING && good;
         plan_name(text[0], &plan, numbers.wanted);
         plan_name(text[1], &p, numbers.wanted);
-        if (html) fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n", r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken],
-                          r->cost[taken], text[1], r->error[best], r->cost[best], good ? "yes" : "<b>no</b>");
-        if (csv) fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken], r->cost[taken], text[1], r->error[best], r->cost[best], good);
+        if (html)
+            fprintf(html, "<tr><td>%s<td>%s<td>%.3g<td>%s<td>%.3f<td>%.3f<td>%.2f<td>%s<td>%.3f<td>%.2f<td>%s\n",
+                    r->name, wanted[numbers.wanted], asked, text[0], (double)plan.error, r->error[taken],
+                    r->cost[taken], text[1], r->error[best], r->cost[best], good ? "yes" : "<b>no</b>");
+        if (csv)
+            fprintf(csv, "%s,%s,%g,%s,%g,%g,%g,%s,%g,%g,%d\n", r->name, wanted[numbers.wanted], asked, text[0],
+                    (double)plan.error, r->error[taken], r->cost[taken], text[1], r->error[best], r->cost[best], good);
     }
 }
 
-/* What plans that ask for bands, layers, cameras or levels would lose without the last of them: more than a tenth of the error, or they asked needlessly. */
+/* What plans that ask for bands, layers, cameras or levels would lose without the last of them: more than a tenth of
+   the error, or they asked needlessly. */
 static int planned_needs(verdict *v, stage *s, const planned_row *r, kit_error *err)
 {
     ssgi_plan last;
@@ -175,7 +207,9 @@ static int planned_needs(verdict *v, stage *s, const planned_row *r, kit_error *
         else if (plan.cameras) --less.cameras;
         else if (plan.levels > 1) --less.levels;
         else continue;
-        if (planned_draw(&with, &time, s, &plan, numbers.wanted, NULL, 0, err) || planned_draw(&without, &time, s, &less, numbers.wanted, NULL, 0, err)) return -1;
+        if (planned_draw(&with, &time, s, &plan, numbers.wanted, NULL, 0, err)
+            || planned_draw(&without, &time, s, &less, numbers.wanted, NULL, 0, err))
+            return -1;
         ++v->asked_more;
         v->needless += kit_plan_error(&without, &with, &s->frame, numbers.wanted) < 0.1 * (double)numbers.error;
         kit_image_free(&with);
@@ -189,9 +223,12 @@ static void planned_numbers_csv(FILE *f, const planned_row *r, int fits)
     const ssgi_plan_scene *n = &r->numbers;
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (isnan(r->error[i])) continue;
-        fprintf(f, "%s,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g", r->name, fits, n->wanted, i, r->error[i], r->cost[i], (double)n->calibration.unoccluded, (double)n->calibration.hsao, (double)n->screen_radius, (double)n->albedo,
-                (double)n->energy[0], (double)n->energy[1], (double)n->energy[2], (double)n->energy[3], (double)n->statistics.visible);
-        for (int k = 0; k < 4; ++k) fprintf(f, ",%g", k < 3 ? (double)n->statistics.blocked[k] : (double)n->statistics.offscreen);
+        fprintf(f, "%s,%d,%d,%d,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g,%g", r->name, fits, n->wanted, i, r->error[i], r->cost[i],
+                (double)n->calibration.unoccluded, (double)n->calibration.hsao, (double)n->screen_radius,
+                (double)n->albedo, (double)n->energy[0], (double)n->energy[1], (double)n->energy[2],
+                (double)n->energy[3], (double)n->statistics.visible);
+        for (int k = 0; k < 4; ++k)
+            fprintf(f, ",%g", k < 3 ? (double)n->statistics.blocked[k] : (double)n->statistics.offscreen);
         for (int k = 0; k < 4; ++k) fprintf(f, k < 3 ? ",%g" : ",%g\n", (double)n->statistics.square[k]);
     }
 }
@@ -207,13 +244,22 @@ static int planned_all(planned_row *rows, int *count, verdict *needs, int which,
         for (int wanted = 0; wanted < 3; ++wanted) {
             const int at = which ? k : k + 1, white = !which && k % 5 == 0;
             const char *const light = planned_lights[white ? 3 : (at + (wanted == 2)) % 3];
-            const lit of_light = { !strcmp(light, "suns") ? "white" : light, { NULL }, 0, 1, 0, quick ? 256 : 768, 1, NO_CROPS };
+            const lit of_light = {
+                !strcmp(light, "suns") ? "white" : light, { NULL }, 0, 1, 0, quick ? 256 : 768, 1, NO_CROPS
+            };
             stage s;
             kit_image truth;
             if (wanted && quick && shown % 2) continue;
             if (planned_open(&s, p, wanted ? &of_light : NULL, !strcmp(light, "suns"), err)) return -1;
-            if (trace(&truth, &s, wanted ? of_light.rays : quick ? 128 : 256, wanted ? 3 : 4, err) || (wanted && stage_lit(&s, err))) return -1;
-            snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, wanted ? " " : "", wanted ? light : "");
+            if (trace(&truth, &s,
+                      wanted  ? of_light.rays
+                      : quick ? 128
+                              : 256,
+                      wanted ? 3 : 4, err)
+                || (wanted && stage_lit(&s, err)))
+                return -1;
+            snprintf(name, sizeof name, "%s %g%s%s", p->scene, (double)s.radius, wanted ? " " : "",
+                     wanted ? light : "");
             if (planned_measure(&rows[*count], &s, &truth, name, wanted, 3, err)) return -1;
             if (needs && planned_needs(needs, &s, &rows[*count], err)) return -1;
             ++*count;
@@ -245,23 +291,37 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
     int count;
     page csv, numbers, summary;
     memset(verdicts, 0, sizeof verdicts);
-    if (planned_all(rows, &count, &verdicts[0], 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err)) return -1;
-    fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
-          "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no choice meets are left out. Names: scene, radius, light.</p>\n"
-          "<div class=\"wide\"><table>\n<tr><th>scene<th>wanted<th>asked<th>plan<th>predicted<th>measured<th>cost<th>cheapest that meets it<th>error<th>cost<th>good\n", html);
+    if (planned_all(rows, &count, &verdicts[0], 0, o->quick, err) || page_open(&csv, err) || page_open(&numbers, err))
+        return -1;
+    fputs("<h2>What a scene needs</h2>\n<p>ssgi_plan_make on scenes that it was not fitted on: for each error asked "
+          "for, what it takes and what that turns out to err by and to cost, beside the cheapest choice that "
+          "meets the error. Good: at most 1.25 times that cost, at most 1.2 times that error. Pairs whose error no "
+          "choice meets are left out. Names: scene, radius, light.</p>\n"
+          "<div "
+          "class=\"wide\"><table>\n<tr><th>scene<th>wanted<th>asked<th>plan<th>predicted<th>measured<th>cost<th>"
+          "cheapest that meets it<th>error<th>cost<th>good\n",
+          html);
     fputs("scene,wanted,asked,plan,predicted,measured,cost,cheapest,cheapest_error,cheapest_cost,good\n", csv.file);
     for (int i = 0; i < count; ++i) {
         planned_judge(&verdicts[0], html, csv.file, &rows[i], 0);
         planned_judge(&verdicts[1], NULL, NULL, &rows[i], 1);
         planned_numbers_csv(numbers.file, &rows[i], 0);
     }
-    fprintf(html, "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the statistics alone, without a calibration: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by less than a tenth of the error without the last of "
-            "them. The same as text: <a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more,
-            verdicts[0].needless);
+    fprintf(html,
+            "</table></div>\n<p>Good: %d of %d; where doing nothing would not do: %d of %d. From the statistics alone, "
+            "without a calibration: %d of %d. Of %d plans with bands, layers, cameras or levels %d would change by "
+            "less than a tenth of the error without the last of "
+            "them. The same as text: <a href=\"plan.csv\">plan.csv</a>, <a "
+            "href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n",
+            verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good,
+            verdicts[1].pairs, verdicts[0].asked_more, verdicts[0].needless);
     if (page_open(&summary, err)) return -1;
-    fprintf(summary.file, "what,good,pairs\nwith a calibration,%d,%d\n\"with a calibration, where leaving it out would not do\",%d,%d\n\"without a calibration, from the statistics alone\",%d,%d\n"
-        "\"with bands, layers, cameras or levels, the last of which is needed\",%d,%d\n", verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed,
-        verdicts[1].good, verdicts[1].pairs, verdicts[0].asked_more - verdicts[0].needless, verdicts[0].asked_more);
+    fprintf(summary.file,
+            "what,good,pairs\nwith a calibration,%d,%d\n\"with a calibration, where leaving it out would not "
+            "do\",%d,%d\n\"without a calibration, from the statistics alone\",%d,%d\n"
+            "\"with bands, layers, cameras or levels, the last of which is needed\",%d,%d\n",
+            verdicts[0].good, verdicts[0].pairs, verdicts[0].good_needed, verdicts[0].needed, verdicts[1].good,
+            verdicts[1].pairs, verdicts[0].asked_more - verdicts[0].needless, verdicts[0].asked_more);
     if (page_close(&summary, o->out, "plan-summary.csv", err)) return -1;
     return page_close(&csv, o->out, "plan.csv", err) || page_close(&numbers, o->out, "plan-numbers.csv", err) ? -1 : 0;
 }
@@ -269,6 +329,9 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
 void plan_text(FILE *f)
 {
     const verdict *v = verdicts;
-    fprintf(f, "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a calibration %d of %d; asks needlessly %d times of %d\n", v[0].good, v[0].pairs, v[0].good_needed,
-            v[0].needed, v[1].good, v[1].pairs, v[0].needless, v[0].asked_more);
+    fprintf(f,
+            "\nplan, on scenes that it was not fitted on: good %d of %d; where something is needed %d of %d; without a "
+            "calibration %d of %d; asks needlessly %d times of %d\n",
+            v[0].good, v[0].pairs, v[0].good_needed, v[0].needed, v[1].good, v[1].pairs, v[0].needless,
+            v[0].asked_more);
 }

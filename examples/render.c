@@ -1,4 +1,5 @@
-/* render.c - renders one picture of a scene, or of a captured frame, with one method; the truth of it; scores and times.
+/* render.c - renders one picture of a scene, or of a captured frame, with one method; the truth of it; scores and
+   times.
 
       build/render SCENE.obj --method hsao --radius 0.5 --out ao.exr
       build/render room --truth 256 --out truth.exr
@@ -32,12 +33,14 @@ static const char usage[] =
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
     "  --env F.exr | F.hdr | sky | probe | white     radiance, latitude-longitude; lit methods\n"
-    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to 16\n"
+    "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
+    "16\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
     "  --set key=value,..    settings of the method\n"
     "  --radius R            farthest occluder, scene units   [the scene's own]\n"
-    "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by ERROR;\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by "
+    "ERROR;\n"
     "                        BUDGET in 16-sample ssaos\n"
     "  --closed              closed solids only: a plan may take depth layers and extra cameras\n"
     "  --truth RAYS          the ray-traced reference instead of a method\n"
@@ -72,7 +75,8 @@ static int numbers(const char *name, const char *text, float *out, int count, ki
     for (int i = 0; i < count; ++i) {
         char *end;
         v[i] = strtof(at, &end);
-        if (end == at || !isfinite(v[i]) || *end != (i + 1 < count ? ',' : 0)) return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
+        if (end == at || !isfinite(v[i]) || *end != (i + 1 < count ? ',' : 0))
+            return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
         at = end + 1;
     }
     memcpy(out, v, (size_t)count * sizeof *v);
@@ -83,7 +87,8 @@ static int number(const char *name, const char *text, double least, double most,
 {
     char *end;
     double v = strtod(text, &end);
-    if (end == text || *end || !(v >= least && v <= most)) return kit_fail(err, "%s %s: must be a number in %g..%g", name, text, least, most);
+    if (end == text || *end || !(v >= least && v <= most))
+        return kit_fail(err, "%s %s: must be a number in %g..%g", name, text, least, most);
     *out = v;
     return 0;
 }
@@ -112,7 +117,8 @@ static int plan_of(options *o, const char *text, kit_error *err)
         ++o->planned;
         return 0;
     }
-    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR or bounce:ERROR, perhaps :BUDGET behind", text);
+    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR or bounce:ERROR, perhaps :BUDGET behind",
+                    text);
 }
 
 static int parse(options *o, int argc, char **argv, kit_error *err)
@@ -136,7 +142,9 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--json")) { o->json = 1; continue; }
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
         if (!strcmp(a, "--closed")) { o->closed = 1; continue; }
-        if (!v) return kit_fail(err, "%s: %s", a, strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
+        if (!v)
+            return kit_fail(err, "%s: %s", a,
+                            strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
         else if (!strcmp(a, "--method")) o->method = v;
@@ -144,12 +152,20 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--out")) o->out = v;
         else if (!strcmp(a, "--save-gbuffer")) o->save = v;
         else if (!strcmp(a, "--context")) o->context = v;
-        else if (!strcmp(a, "--set")) { if (o->sets == 32) return kit_fail(err, "--set %s: at most 32 of them", v); o->set[o->sets++] = v; }
-        else if (!strcmp(a, "--env")) o->env = v;
-        else if (!strcmp(a, "--light")) { if (o->lights == KIT_MAX_LIGHTS) return kit_fail(err, "--light %s: at most %d of them", v, KIT_MAX_LIGHTS); o->light[o->lights++] = v; }
-        else if (!strcmp(a, "--camera")) { bad = numbers(a, v, o->camera, 6, err); o->has_camera = 1; }
-        else if (!strcmp(a, "--up")) { bad = numbers(a, v, o->up, 3, err); o->has_up = 1; }
-        else if (!strcmp(a, "--fovy")) bad = number(a, v, 0.1, 179, &o->fovy, err);
+        else if (!strcmp(a, "--set")) {
+            if (o->sets == 32) return kit_fail(err, "--set %s: at most 32 of them", v);
+            o->set[o->sets++] = v;
+        } else if (!strcmp(a, "--env")) o->env = v;
+        else if (!strcmp(a, "--light")) {
+            if (o->lights == KIT_MAX_LIGHTS) return kit_fail(err, "--light %s: at most %d of them", v, KIT_MAX_LIGHTS);
+            o->light[o->lights++] = v;
+        } else if (!strcmp(a, "--camera")) {
+            bad = numbers(a, v, o->camera, 6, err);
+            o->has_camera = 1;
+        } else if (!strcmp(a, "--up")) {
+            bad = numbers(a, v, o->up, 3, err);
+            o->has_up = 1;
+        } else if (!strcmp(a, "--fovy")) bad = number(a, v, 0.1, 179, &o->fovy, err);
         else if (!strcmp(a, "--ortho-height")) bad = number(a, v, 1e-12, 1e12, &o->ortho_height, err);
         else if (!strcmp(a, "--near")) bad = number(a, v, 1e-12, 1e12, &o->znear, err);
         else if (!strcmp(a, "--far")) bad = number(a, v, 1e-12, 1e12, &o->zfar, err);
@@ -159,7 +175,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--floor")) bad = whole(a, v, 1, 65536, &o->floor, err);
         else if (!strcmp(a, "--time")) bad = whole(a, v, 1, 100000, &o->time, err);
         else if (!strcmp(a, "--size")) {
-            if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1 || o->height < 1 || o->width > 16384 || o->height > 16384)
+            if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1
+                || o->height < 1 || o->width > 16384 || o->height > 16384)
                 return kit_fail(err, "--size %s: must be WxH, each 1..16384", v);
         } else return kit_fail(err, "%s: there is no such option (--help names all)", a);
         if (bad) return -1;
@@ -167,20 +184,27 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->list || o->help) return 0;
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
     if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
-    if (o->planned && (o->sets || o->floor || o->truth)) return kit_fail(err, "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
+    if (o->planned && (o->sets || o->floor || o->truth))
+        return kit_fail(err,
+                        "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
     if (o->planned > 1 && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
-    if (o->gbuffer && o->truth) return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
-    if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0)) return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
+    if (o->gbuffer && o->truth)
+        return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0))
+        return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
     if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "--gbuffer %s: needs --radius", o->gbuffer);
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
-    if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar)) return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
+    if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))
+        return kit_fail(err, "--far %g: must be beyond --near %g", o->zfar, o->znear);
     if ((o->truth || o->floor) && o->time) return kit_fail(err, "--time: only a method has GL times");
-    if (!o->out && !o->score && !o->time && !o->save) return kit_fail(err, "nothing to do: give --out, --score, --time or --save-gbuffer");
+    if (!o->out && !o->score && !o->time && !o->save)
+        return kit_fail(err, "nothing to do: give --out, --score, --time or --save-gbuffer");
     if (o->out) {
         const char *dot = strrchr(o->out, '.');
-        if (!dot || (strcmp(dot, ".exr") && strcmp(dot, ".png"))) return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
+        if (!dot || (strcmp(dot, ".exr") && strcmp(dot, ".png")))
+            return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
     }
     return 0;
 }
@@ -230,9 +254,15 @@ static void camera_of(kit_camera *c, const options *o)
 static int camera_check(const kit_camera *c, kit_error *err)
 {
     float f[3], n = 0, u = 0, d = 0;
-    for (int i = 0; i < 3; ++i) { f[i] = c->target[i] - c->eye[i]; n += f[i] * f[i]; u += c->up[i] * c->up[i]; d += f[i] * c->up[i]; }
+    for (int i = 0; i < 3; ++i) {
+        f[i] = c->target[i] - c->eye[i];
+        n += f[i] * f[i];
+        u += c->up[i] * c->up[i];
+        d += f[i] * c->up[i];
+    }
     if (!(n > 0)) return kit_fail(err, "--camera: eye and target must differ");
-    if (!(u > 0) || d * d > n * u * 0.999999f) return kit_fail(err, "--up: must not be zero or along the view direction");
+    if (!(u > 0) || d * d > n * u * 0.999999f)
+        return kit_fail(err, "--up: must not be zero or along the view direction");
     return 0;
 }
 
@@ -240,18 +270,30 @@ static int camera_check(const kit_camera *c, kit_error *err)
    bounce, their three channels together. */
 enum { GROUPS = 3 };
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
-typedef struct result { kit_image picture, frame; const kit_run *run; const ssgi_plan *plan; double *ms; int frames, lit; kit_score score[GROUPS]; double nothing[GROUPS] /* lit: mean of the reference */; } result;
+typedef struct result {
+    kit_image picture, frame;
+    const kit_run *run;
+    const ssgi_plan *plan;
+    double *ms;
+    int frames, lit;
+    kit_score score[GROUPS];
+    double nothing[GROUPS] /* lit: mean of the reference */;
+} result;
 
 static int score_of(result *r, const char *path, kit_error *err)
 {
-    static const char *const names[10] = { "Y", "R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B", "bounce.R", "bounce.G", "bounce.B" };
+    static const char *const names[10] = {
+        "Y", "R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B", "bounce.R", "bounce.G", "bounce.B"
+    };
     kit_image reference, none = { 0 };
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
     for (int i = r->lit; i < (r->lit ? 10 : 1); ++i)
-        if (!kit_image_channel(&reference, names[i]) || reference.width != r->picture.width || reference.height != r->picture.height) {
-            kit_fail(err, "--score %s: must have channel %s and %dx%d pixels", path, names[i], r->picture.width, r->picture.height);
+        if (!kit_image_channel(&reference, names[i]) || reference.width != r->picture.width
+            || reference.height != r->picture.height) {
+            kit_fail(err, "--score %s: must have channel %s and %dx%d pixels", path, names[i], r->picture.width,
+                     r->picture.height);
             kit_image_free(&reference);
             return -1;
         }
@@ -261,7 +303,10 @@ static int score_of(result *r, const char *path, kit_error *err)
         const char *const *channels = r->lit ? names + 1 + 3 * g : names;
         const int count = r->lit ? 3 : 1;
         kit_score nothing;
-        status = kit_score_channels(&r->score[g], &r->picture, &reference, channels, count, mask, err) || kit_score_channels(&nothing, &none, &reference, channels, count, mask, err) ? -1 : 0;
+        status = kit_score_channels(&r->score[g], &r->picture, &reference, channels, count, mask, err)
+                         || kit_score_channels(&nothing, &none, &reference, channels, count, mask, err)
+                     ? -1
+                     : 0;
         if (!status) r->nothing[g] = r->lit ? -nothing.bias : nothing.rmse;
     }
     kit_image_free(&none);
@@ -281,19 +326,25 @@ static void print_string(const char *s)
 
 static void report(const options *o, const kit_method *m, const result *r, double radius)
 {
-    const char *what = o->truth ? "truth" : o->floor ? "floor" : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing" : m->name;
+    const char *what = o->truth                                          ? "truth"
+                       : o->floor                                        ? "floor"
+                       : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing"
+                                                                         : m->name;
     if (o->json) {
         printf("{\"source\": ");
         print_string(o->gbuffer ? o->gbuffer : o->scene);
-        printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width, r->picture.height);
+        printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width,
+               r->picture.height);
         if (r->plan) {
-            printf(", \"plan\": {\"error\": %g, \"cost\": %g, \"meets\": %d, \"why\": ", (double)r->plan->error, (double)r->plan->cost, r->plan->meets);
+            printf(", \"plan\": {\"error\": %g, \"cost\": %g, \"meets\": %d, \"why\": ", (double)r->plan->error,
+                   (double)r->plan->cost, r->plan->meets);
             print_string(r->plan->why);
             printf("}");
         }
         if (r->run) {
             printf(", \"settings\": {");
-            for (int i = 0; i < m->count; ++i) printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
+            for (int i = 0; i < m->count; ++i)
+                printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
             printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
             print_string(kit_gl_name());
             if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
@@ -309,8 +360,13 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
             const kit_score *s = &r->score[g];
-            printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, \"pixels\": %zu}", !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim,
-                   r->lit ? "mean" : "share", r->lit ? r->nothing[g] : r->nothing[g] > 0 ? s->rmse / r->nothing[g] : 0.0, s->pixels);
+            printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, "
+                   "\"pixels\": %zu}",
+                   !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim, r->lit ? "mean" : "share",
+                   r->lit              ? r->nothing[g]
+                   : r->nothing[g] > 0 ? s->rmse / r->nothing[g]
+                                       : 0.0,
+                   s->pixels);
         }
         printf("}\n");
         return;
@@ -322,14 +378,19 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                 kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
-        printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches, r->frames, r->picture.width, r->picture.height, kit_gl_name());
+        printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
+               r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }
     if (o->score && !r->lit)
-        printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, r->score[0].rmse,
-               r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias, r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
+        printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what,
+               o->score, r->score[0].rmse, r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias,
+               r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
     for (int g = 0; g < GROUPS && o->score && r->lit; ++g)
-        printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what, o->score, group_names[g], r->score[g].rmse,
-               r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias, r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
+        printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu "
+               "pixels\n",
+               what, o->score, group_names[g], r->score[g].rmse,
+               r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias,
+               r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
 }
 
 /* ---- >>job: what is asked for, and what it takes ----------------------------------------------------------------- */

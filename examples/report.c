@@ -1,7 +1,8 @@
 /* report.c - what the methods are worth: pictures beside the truth, and speed against accuracy.
 
       build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
-      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv, chart*.svg and index.html, in 20 minutes, or 3
+      build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
+         chart*.svg and index.html, in 20 minutes, or 3
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c, in 4 minutes
 
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
@@ -69,14 +70,16 @@ enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450 };
 _Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES,
     "more rows than MOST_ENTRIES");
 
-/* ---- >>demo -------------------------------------------------------------------------------------------------------- */
+/* ---- >>demo ------------------------------------------------------------------------------------------------------ */
 
 static int save_legend(const char *out, kit_error *err)
 {
     kit_image ramp, zero, colour;
     if (kit_image_new(&ramp, 512, 16, "Y", err) || kit_image_new(&zero, 512, 16, "Y", err)) return -1;
     for (int i = 0; i < 512 * 16; ++i) ramp.data[i] = (float)(i % 512) / 511 - 0.5f;
-    if (kit_image_difference(&colour, &ramp, &zero, "Y", 0.5f, err) || save(&colour, "R,G,B", 0, out, "difference-legend", ".png", err)) return -1;
+    if (kit_image_difference(&colour, &ramp, &zero, "Y", 0.5f, err)
+        || save(&colour, "R,G,B", 0, out, "difference-legend", ".png", err))
+        return -1;
     kit_image_free(&ramp);
     kit_image_free(&zero);
     kit_image_free(&colour);
@@ -113,20 +116,27 @@ static int demo(const options *o, kit_error *err)
     if (stage_load(&s, &mesh, err) || stage_look(&s, &mesh, DEMO_WIDTH, DEMO_HEIGHT, err)
         || first_picture(&s, o->out, err) || stage_compare(&s, err)) return -1;
     for (int i = 0; i < 2; ++i) if (save(&s.truth, "Y", 0, o->out, "truth", i ? ".exr" : ".png", err)) return -1;
-    if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err)) return -1;
+    if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err))
+        return -1;
     numbers.error = DEMO_ERROR;
     numbers.budget = 20;
     if (ssgi_plan_make(&plan, &numbers, NULL) != SSGI_OK) return kit_fail(err, "%s: has no plan", s.name);
     memcpy(entries, demo_entries, sizeof demo_entries);
-    entries[ENTRIES - 1] = (entry){ "planned", kit_plan_text(planned_set, &plan, SSGI_PLAN_VISIBILITY), planned_set, 1 };
+    entries[ENTRIES - 1] =
+        (entry){ "planned", kit_plan_text(planned_set, &plan, SSGI_PLAN_VISIBILITY), planned_set, 1 };
     const int count = plan.method == SSGI_PLAN_NOTHING ? ENTRIES - 1 : ENTRIES;
     if (measure(rows, &s, entries, count, DEMO_ROUNDS, picture, err)) return -1;
     if (save_legend(o->out, err)) return -1;
 
     if (page_open(&p, err)) return -1;
-    snprintf(about, sizeof about, "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed. Times: %s.",
+    snprintf(about, sizeof about,
+             "%s, %zu triangles, %d x %d pixels, radius %g. Ambient visibility: white is open, black is closed. Times: "
+             "%s.",
              s.name, s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, kit_gl_name());
-    html_head(p.file, o->mesh ? "ssgi: ambient occlusion beside the truth" : "ssgi: ambient occlusion and light beside the truth", about);
+    html_head(p.file,
+              o->mesh ? "ssgi: ambient occlusion beside the truth"
+                      : "ssgi: ambient occlusion and light beside the truth",
+              about);
     snprintf(note, sizeof note, "%d rays a pixel", RAYS);
     fputs("<h2>Ambient occlusion</h2>\n<div class=\"grid\">\n", p.file);
     figure_html(p.file, "truth", "ray-traced truth", note, DEMO_WIDTH, DEMO_HEIGHT, 0);
@@ -135,15 +145,20 @@ static int demo(const options *o, kit_error *err)
     for (int i = 0; i < count; ++i) {
         slug_of(slug, entries[i].label);
         if (kit_image_difference(&difference, &picture[i], &s.truth, "Y", 0.5f, err)) return -1;
-        if (save(&picture[i], "Y", 0, o->out, slug, ".png", err) || save(&picture[i], "Y", 0, o->out, slug, ".exr", err)) return -1;
-        if (save(&difference, "R,G,B", 0, o->out, slug, "-difference.png", err) || save(&difference, "R,G,B", 0, o->out, slug, "-difference.exr", err)) return -1;
+        if (save(&picture[i], "Y", 0, o->out, slug, ".png", err)
+            || save(&picture[i], "Y", 0, o->out, slug, ".exr", err))
+            return -1;
+        if (save(&difference, "R,G,B", 0, o->out, slug, "-difference.png", err)
+            || save(&difference, "R,G,B", 0, o->out, slug, "-difference.exr", err))
+            return -1;
         kit_image_free(&difference);
         kit_image_free(&picture[i]);
         snprintf(note, sizeof note, "time %.2f, error %.3f", rows[i].relative, rows[i].share);
         figure_html(p.file, slug, entries[i].label, note, DEMO_WIDTH, DEMO_HEIGHT, 1);
         fputs("</figure>\n", p.file);
     }
-    fprintf(p.file, "</div>\n<p>Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: ", (double)numbers.error);
+    fprintf(p.file,
+            "</div>\n<p>Planned: ssgi_plan_make was asked for an RMSE of %g. Its answer: ", (double)numbers.error);
     escaped(p.file, plan.why);
     fputs(".</p>\n<h3>Figures</h3>\n", p.file);
     table_html(p.file, rows, count + 2);
@@ -162,13 +177,15 @@ static int demo(const options *o, kit_error *err)
         field_demo_text(stdout);
         deep_demo_text(stdout);
     }
-    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\nshare: RMSE over that of having no AO; floor: the exact answer from one depth layer\n", kit_gl_name());
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\nshare: RMSE over that of having no AO; floor: the "
+           "exact answer from one depth layer\n",
+           kit_gl_name());
     if (!o->mesh) printf("radiance, irradiance, bounce and their biases: over the truth's means\n");
     printf("pictures: %s/demo.html\n", o->out);
     return 0;
 }
 
-/* ---- >>chart ------------------------------------------------------------------------------------------------------- */
+/* ---- >>chart ----------------------------------------------------------------------------------------------------- */
 
 enum { AO_GIVENS = 2, CHART_ROWS = MOST_ROWS + MOST_PEERS };   /* methods, floor and no AO; peers */
 
@@ -218,9 +235,13 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     stage s;
     if (!count || (!o->scenes && !strcmp(v.path, BED) && access(BED, R_OK))) return 0;
     if (!rows) return 1;
-    if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err) || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err)) return -1;
+    if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err)
+        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
+        return -1;
     if (splits(rows, &s, entries, count, AO_PHASES, err)) return -1;
-    peers = o->method ? 0 : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, err);
+    peers = o->method
+                ? 0
+                : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, err);
     if (peers < 0) return -1;
     memcpy(names[k], s.name, sizeof names[k]);
     for (int i = 0; i < count + s.givens + peers; ++i) {
@@ -229,7 +250,8 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     }
     fputs("<div><h3>", html);
     escaped(html, s.name);
-    fprintf(html, "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.</p>\n", s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays);
+    fprintf(html, "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g. Truth: %d rays a pixel.</p>\n",
+            s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays);
     if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
     stage_close(&s);
@@ -252,7 +274,9 @@ static int ao_chart(FILE *html, const options *o, row *mean, int *count, int *me
         const int n = unit(each.file, o, "ao", k, ao_unit, r, err);
         if (n < 0) return -1;
         if (!n) {
-            static const char *const without = "iron-bed: left out, " BED " is not there; make chart takes it from Debian's package sweethome3d-furniture";
+            static const char *const without =
+                "iron-bed: left out, " BED
+                " is not there; make chart takes it from Debian's package sweethome3d-furniture";
             fprintf(stderr, "report: note: %s\n", without);
             fprintf(each.file, "<p class=\"faint\">%s.</p>\n", without);
             continue;
@@ -270,7 +294,8 @@ static int ao_chart(FILE *html, const options *o, row *mean, int *count, int *me
     if (page_close(&csv, o->out, "chart.csv", err)) return -1;
     mean_of(mean, (const row (*)[CHART_ROWS])rows, shown, *count);
     drawn = peers_points(points, mean, *methods, *count);
-    snprintf(title, sizeof title, shown > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy", shown);
+    snprintf(title, sizeof title, shown > 1 ? "Speed against accuracy, mean of %d scenes" : "Speed against accuracy",
+             shown);
     fputs("<h2>Ambient occlusion</h2>\n", html);
     if (chart_of(html, o->out, "chart.svg", title, &ao_words, points, drawn, mean[*methods - 2].share, err)) return -1;
     fprintf(html, "<p class=\"faint\">Rest the pointer on a point for its settings. %s</p>\n", peers_note());
@@ -288,8 +313,14 @@ static int check_asked(const options *o, kit_error *err)
     kit_method m;
     int known = 0;
     for (int i = 0; kit_method_at(&m, i); ++i) known |= asked(o, m.name);
-    if (!known) return kit_fail(err, "--method %s: no method's name begins so (build/render --list names all)", o->method);
-    return o->scenes && !chosen(e, chart_entries, COUNT(chart_entries), o) ? kit_fail(err, "--method %s: no row of ambient occlusion's chart is of such a method, and --scene shows that alone", o->method) : 0;
+    if (!known)
+        return kit_fail(err, "--method %s: no method's name begins so (build/render --list names all)", o->method);
+    return o->scenes && !chosen(e, chart_entries, COUNT(chart_entries), o)
+               ? kit_fail(err,
+                          "--method %s: no row of ambient occlusion's chart is of such a method, and --scene shows "
+                          "that alone",
+                          o->method)
+               : 0;
 }
 
 static int chart(const options *o, kit_error *err)
@@ -305,8 +336,10 @@ static int chart(const options *o, kit_error *err)
     units_begin(o, planned(ao_unit, all ? views_count : o->scenes, o)
         + (all ? lit_units(o) + field_units(o) + deep_units(o) : 0));
     if (page_open(&html, err)) return -1;
-    snprintf(about, sizeof about, "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else is said. Times: %s.%s", kit_gl_name(),
-        o->quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
+    snprintf(about, sizeof about,
+             "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else "
+             "is said. Times: %s.%s",
+             kit_gl_name(), o->quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
     html_head(html.file, "ssgi: speed against accuracy", about);
     if (ao && ao_chart(html.file, o, mean, &count, &methods, err)) return -1;
     if (all && (lit_chart(html.file, o, err) || field_chart(html.file, o, err)
@@ -322,7 +355,8 @@ static int chart(const options *o, kit_error *err)
     if (all) field_terms(html.file);
     if (all) deep_terms(html.file);
     fputs("<p class=\"faint\">The same figures as text:", html.file);
-    for (int i = 0; i < COUNT(csv); ++i) if (csv[i].rows) fprintf(html.file, " <a href=\"%s\">%s</a>", csv[i].name, csv[i].name);
+    for (int i = 0; i < COUNT(csv); ++i)
+        if (csv[i].rows) fprintf(html.file, " <a href=\"%s\">%s</a>", csv[i].name, csv[i].name);
     fputs("</p>\n", html.file);
     if (page_close(&html, o->out, "index.html", err) || run_note(o->out, "chart.txt", o->method || o->scenes ? "part"
         : o->quick ? "quick" : "full", o->quick ? "make chart QUICK=1" : "make chart", err)) return -1;
@@ -341,7 +375,7 @@ static int chart(const options *o, kit_error *err)
     return 0;
 }
 
-/* ---- >>main -------------------------------------------------------------------------------------------------------- */
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err)
 {
@@ -350,7 +384,9 @@ static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err
     for (int i = 2; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
         if (is_chart && !strcmp(a, "--quick")) { o->quick = 1; continue; }
-        if (strcmp(a, "--out") && strcmp(a, "--context") && strcmp(a, is_chart ? "--scene" : "--mesh") && (!is_chart || strcmp(a, "--method"))) return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
+        if (strcmp(a, "--out") && strcmp(a, "--context") && strcmp(a, is_chart ? "--scene" : "--mesh")
+            && (!is_chart || strcmp(a, "--method")))
+            return kit_fail(err, "%s: %s takes no such argument (report alone prints what there is)", a, argv[1]);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
         ++i;
         if (!strcmp(a, "--out")) o->out = v;
@@ -370,14 +406,18 @@ int main(int argc, char **argv)
     int is_chart;
     kit_streams_open();
     if (argc < 2) {
-        fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside the truth\n"
-              "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     speed against accuracy\n"
-              "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n", stderr);
+        fputs("usage: report demo  [--out FOLDER] [--context osmesa | egl | egl-es] [--mesh M.obj]     pictures beside "
+              "the truth\n"
+              "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     "
+              "speed against accuracy\n"
+              "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n",
+              stderr);
         return 2;
     }
     is_chart = !strcmp(argv[1], "chart");
     const int is_fit = !strcmp(argv[1], "fit");
-    if (!is_chart && !is_fit && strcmp(argv[1], "demo")) kit_fail(&err, "%s: there is no such command (demo, chart, fit)", argv[1]);
+    if (!is_chart && !is_fit && strcmp(argv[1], "demo"))
+        kit_fail(&err, "%s: there is no such command (demo, chart, fit)", argv[1]);
     else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
         && !(is_chart ? chart(&o, &err) : is_fit ? plan_fit(o.out, &err) : demo(&o, &err))) kit_streams_close(&err);
     if (*err.text) {

@@ -21,11 +21,13 @@ extern int thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
 enum { MOST_ENTRIES = 34, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
-typedef struct entry { const char *label, *method, *settings; int quick; } entry;   /* quick: shown by chart --quick too */
+/* quick: shown by chart --quick too */
+typedef struct entry { const char *label, *method, *settings; int quick; } entry;
 extern const entry reference;                  /* what times are relative to */
 
-/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as the environment is, within the radius, not by
-   all of the scene; in the truth they then are discs of SUN degrees around. */
+/* What lights a view (as build/render's options take it), how it is shown, and its truth. local: suns are blocked as
+   the environment is, within the radius, not by all of the scene; in the truth they then are discs of SUN degrees
+   around. */
 enum { MOST_SUNS = 2, MOST_CROPS = 2, SUN = 3 };
 typedef struct lit {
     const char *env, *light[MOST_SUNS];
@@ -35,7 +37,12 @@ typedef struct lit {
 } lit;
 
 /* A view of a scene; what is 0 is the scene's own. lit: NULL = ambient visibility. */
-typedef struct view { const char *name, *path; int ground; float eye[3], target[3], fovy, radius; const lit *lit; } view;
+typedef struct view {
+    const char *name, *path;
+    int ground;
+    float eye[3], target[3], fovy, radius;
+    const lit *lit;
+} view;
 #define NO_CROPS { { 0 } }
 extern const view views[];
 extern const int views_count;
@@ -44,7 +51,8 @@ extern const int views_count;
 
 typedef struct given { const char *label, *method; kit_image picture; } given;   /* a row without a method to time */
 
-/* What is lit otherwise. hard: what blocks or sends within the radius counts whole. GLOSS: exponent of the lobe. SCATTER: material and its unit; rays are thousands of samples. */
+/* What is lit otherwise. hard: what blocks or sends within the radius counts whole. GLOSS: exponent of the lobe.
+   SCATTER: material and its unit; rays are thousands of samples. */
 enum { GLOSS = 1, SCATTER };
 typedef struct otherwise { int hard, kind; float exponent, unit; const char *material; } otherwise;
 
@@ -56,9 +64,12 @@ typedef struct stage {
     otherwise    otherwise;
     int          rays, between;                /* of the truth; 1 = occlusion is between objects */
     kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
-    kit_run      lights;                       /* lit: suns and point lights with their shadows, without the environment, */
-    kit_image    direct;                       /* and what ambient visibility leaves as it is: that, unless suns are local, too */
-    kit_image    frame, truth, unit;           /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
+    /* lit: suns and point lights with their shadows, without the environment, */
+    kit_run      lights;
+    /* and what ambient visibility leaves as it is: that, unless suns are local, too */
+    kit_image    direct;
+    /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
+    kit_image    frame, truth, unit;
     given        given[2];
     int          givens;
     float        radius;
@@ -88,8 +99,8 @@ double draw(kit_run *run);
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err);
 /* Times runs, and closes them. */
 int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err);
-/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm up (that picture is scored), then
-   timed. pictures: NULL, or an empty one an entry. */
+/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
+   up (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
 int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err);
 
 /* ---- >>parts.c */
@@ -98,10 +109,12 @@ typedef struct options { const char *out, *mesh, *method, *context, *scene[MOST_
 int asked(const options *o, const char *method);
 int chosen(entry *out, const entry *entries, int count, const options *o);
 
-int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending, kit_error *err);
+int save(const kit_image *image, const char *names, int srgb, const char *out, const char *slug, const char *ending,
+         kit_error *err);
 void slug_of(char slug[64], const char *label);
 /* A chart as a file of its own and inside the page. */
-int chart_of(FILE *html, const char *out, const char *name, const char *title, const words *w, const row *rows, int count, double floor_, kit_error *err);
+int chart_of(FILE *html, const char *out, const char *name, const char *title, const words *w, const row *rows,
+             int count, double floor_, kit_error *err);
 /* The part of a picture in crop (NULL: all), each pixel times x times: exposed R, G, B and their luminance Y. */
 int exposed(kit_image *out, const kit_image *picture, float exposure, const int *crop, int times, kit_error *err);
 
@@ -111,10 +124,13 @@ typedef int measuring(FILE *html, const options *o, int k, row *rows, kit_error 
 int planned(measuring *measure_, int count, const options *o);
 void units_begin(const options *o, int all);
 void units_end(void);
-/* One table on one scene: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 = failed. */
+/* One table on one scene: measured, or as an interrupted chart left it. How many rows, 0: none are asked for; -1 =
+   failed. */
 int unit(FILE *html, const options *o, const char *kind, int k, measuring *measure_, row *rows, kit_error *err);
-/* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best of all. */
-int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count, kit_error *err);
+/* Small pictures: the truth, the best row of those that take no longer than the reference (else the fastest), the best
+   of all. */
+int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count,
+           kit_error *err);
 
 /* ---- >>lit.c, fields.c, deep.c, plan.c: what is shown of each; _text: the same rows as text */
 

@@ -1,8 +1,11 @@
-/* stability.c - where methods fail: each is swept through a cause of failure, and its error or flicker plotted against it.
+/* stability.c - where methods fail: each is swept through a cause of failure, and its error or flicker plotted against
+   it.
 
-      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.html, stability.csv, a chart and pictures a cause, a table at the end
+      build/stability [--out report] [--quick] [--cause NAME]... [--method NAME]...     stability.html, stability.csv, a
+         chart and pictures a cause, a table at the end
 
-   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what is swept; here is how it is measured and shown. */
+   Truth is traced anew each time. Bad input, or a write that fails: one line on stderr, status 2. sweeps.c holds what
+   is swept; here is how it is measured and shown. */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <math.h>
@@ -16,7 +19,7 @@
 #pragma GCC diagnostic pop
 #include "sweeps.c"
 
-/* ---- >>shot: a scene as one frame shows it ------------------------------------------------------------------------- */
+/* ---- >>shot: a scene as one frame shows it ----------------------------------------------------------------------- */
 
 enum { MOST_FRAMES = 5, MOST_OBJECTS = 64 };
 typedef struct shot {
@@ -44,8 +47,12 @@ static int recode(shot *s, int format, kit_error *err)
         const double d = (double)z[(g->height - 1 - i / g->width) * g->width + i % g->width];
         int e;
         const double m = frexp(d, &e), half = ldexp(rint(ldexp(m, 11)), e - 11);
-        const double clip = d > 0 ? ((double)p[14] - (double)p[10] * d) / d : 1 - reversed, window = reversed ? clip : 0.5 + 0.5 * clip;
-        texel[i] = (float)(format == EXACT ? d : format == HALF ? half > 65504 ? HUGE_VAL : half : format == UNORM24 ? rint(window * 16777215) / 16777215 : window);
+        const double clip = d > 0 ? ((double)p[14] - (double)p[10] * d) / d : 1 - reversed,
+                     window = reversed ? clip : 0.5 + 0.5 * clip;
+        texel[i] = (float)(format == EXACT     ? d
+                           : format == HALF    ? half > 65504 ? HUGE_VAL : half
+                           : format == UNORM24 ? rint(window * 16777215) / 16777215
+                                               : window);
     }
     glDeleteTextures(1, &g->depth);
     g->depth = kit_texture(g->width, g->height, linear ? GL_R32F : GL_DEPTH_COMPONENT32F, texel);
@@ -63,14 +70,16 @@ static int look_around(shot *s, const look *l, kit_error *err)
     s->mask = calloc(pixels, sizeof *s->mask);
     s->object = malloc(pixels * sizeof *s->object);
     if (!shown || !s->mask || !s->object) return kit_fail(err, "out of memory");
-    if (kit_texture_read(s->gbuffer.object, width, height, 1, (float *)(void *)shown)) return kit_fail(err, "object numbers cannot be read");
+    if (kit_texture_read(s->gbuffer.object, width, height, 1, (float *)(void *)shown))
+        return kit_fail(err, "object numbers cannot be read");
     for (int i = 0; i < width * height; ++i) {
         float p[3];
         s->object[i] = shown[(height - 1 - i / width) * width + i % width];
         if (!(z[i] > 0)) continue;
         kit_camera_point(&s->gbuffer.camera, i % width, i / width, (double)z[i], p);
         s->mask[i] = 1;
-        for (int c = 0; c < 3; ++c) if (l->where[0][c] < l->where[1][c] && (p[c] < l->where[0][c] || p[c] > l->where[1][c])) s->mask[i] = 0;
+        for (int c = 0; c < 3; ++c)
+            if (l->where[0][c] < l->where[1][c] && (p[c] < l->where[0][c] || p[c] > l->where[1][c])) s->mask[i] = 0;
     }
     free(shown);
     return 0;
@@ -84,7 +93,9 @@ static int drawn(kit_image *out, shot *s, const char *name, const char *set_to, 
     const kit_world world = { &s->scene, &s->lighting };
     kit_method made;
     kit_run run;
-    if (kit_method_find(&made, name, err) || kit_method_set(&made, set_to, err) || kit_run_open(&run, &s->gbuffer, &made, radius, &world, err)) return -1;
+    if (kit_method_find(&made, name, err) || kit_method_set(&made, set_to, err)
+        || kit_run_open(&run, &s->gbuffer, &made, radius, &world, err))
+        return -1;
     kit_run_draw(&run, 0);
     const int failed = kit_run_read(out, &run, err);
     kit_run_close(&run);
@@ -128,13 +139,15 @@ static float aim(kit_camera *c, const look *l)
 /* truths: which are traced. */
 static int shot_open(shot *s, const look *l, const int truths[2], kit_error *err)
 {
-    static const float grey[3] = { 0.7f, 0.7f, 0.7f }, hidden[16] = { 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, -0.1f, 0, 1 };
+    static const float grey[3] = { 0.7f, 0.7f, 0.7f },
+                       hidden[16] = { 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, -0.1f, 0, 1 };
     const int lit = l->sun[1] > 0;
     const kit_light light = { KIT_SUN, { l->sun[0], l->sun[1], l->sun[2] }, { 3, 3, 3 } };
     memset(s, 0, sizeof *s);
     if (kit_scene_load(&s->scene, l->scene, 0, err)) return -1;
     kit_mesh *mesh = &s->scene.mesh;
-    for (const float (*b)[6] = l->box; b < l->box + BOXES && (*b)[4] > (*b)[1]; ++b) if (kit_scene_add_box(&s->scene, *b, *b + 3, grey, err)) return -1;
+    for (const float(*b)[6] = l->box; b < l->box + BOXES && (*b)[4] > (*b)[1]; ++b)
+        if (kit_scene_add_box(&s->scene, *b, *b + 3, grey, err)) return -1;
     for (int i = 0, found = 0; l->only && i < s->scene.objects; ++i) {     /* others that cast go into the ground */
         kit_object *o = &s->scene.object[i];
         const int it = o->casts && !found && !strcmp(o->name, l->only);
@@ -145,15 +158,24 @@ static int shot_open(shot *s, const look *l, const int truths[2], kit_error *err
     }
     for (size_t i = 0; l->scale > 0 && i < 9 * mesh->triangles; ++i) mesh->position[i] *= l->scale;
     for (int i = 0; l->scale > 0 && i < 3; ++i) { mesh->lower[i] *= l->scale; mesh->upper[i] *= l->scale; }
-    for (int i = 0; i < s->scene.objects && i < MOST_OBJECTS; ++i) memcpy(s->to_world[i], s->scene.object[i].to_world, sizeof s->to_world[i]);
+    for (int i = 0; i < s->scene.objects && i < MOST_OBJECTS; ++i)
+        memcpy(s->to_world[i], s->scene.object[i].to_world, sizeof s->to_world[i]);
     kit_camera c = s->scene.camera;
     const float pixel = aim(&c, l);
-    s->radius = l->pixels > 0 ? l->pixels * pixel : (l->radius > 0 ? l->radius : s->scene.radius) * (l->scale > 0 ? l->scale : 1);
-    if (kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &c, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) || look_around(s, l, err)) return -1;
-    if ((l->format && recode(s, l->format, err)) || kit_env_read(&s->lighting.env, lit ? "sky" : "white", err)) return -1;
+    s->radius = l->pixels > 0 ? l->pixels * pixel
+                              : (l->radius > 0 ? l->radius : s->scene.radius) * (l->scale > 0 ? l->scale : 1);
+    if (kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &c, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
+        || look_around(s, l, err))
+        return -1;
+    if ((l->format && recode(s, l->format, err)) || kit_env_read(&s->lighting.env, lit ? "sky" : "white", err))
+        return -1;
     if (lit && kit_env_add_sun(&s->lighting.env, &light, SUN_DEGREES, err)) return -1;
-    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo", "bounce=none,blur=0", 1e-4f * s->radius, err);     /* so small a radius is open: light's own change */
-    if (truths[0] && kit_truth_ao(&s->truth[0], &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, l->rays, l->stride, err)) return -1;
+    /* so small a radius is open: light's own change */
+    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo", "bounce=none,blur=0", 1e-4f * s->radius, err);
+    if (truths[0]
+        && kit_truth_ao(&s->truth[0], &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, l->rays,
+                        l->stride, err))
+        return -1;
     return truths[1] ? kit_truth_objects(&s->truth[1], &s->scene, &s->gbuffer.camera, l->rays, l->stride, err) : 0;
 }
 
@@ -169,7 +191,7 @@ static void shot_close(shot *s)
     free(s->object);
 }
 
-/* ---- >>measure ----------------------------------------------------------------------------------------------------- */
+/* ---- >>measure --------------------------------------------------------------------------------------------------- */
 
 enum { MOST_CURVES = METHODS + 1, MOST_POINTS = 256 };
 typedef struct curve {
@@ -191,7 +213,8 @@ static curve *curve_new(result *r, const char *label, int of)
     return c;
 }
 
-/* Root of the mean square difference (a NULL: 1 everywhere) where b is known and it is scored. What is no number is off by 1. */
+/* Root of the mean square difference (a NULL: 1 everywhere) where b is known and it is scored. What is no number is off
+   by 1. */
 static double apart(const kit_image *a, const kit_image *b, const float *mask)
 {
     double sum = 0;
@@ -213,7 +236,8 @@ static int held(double *value, const kit_image *picture, const shot *s, const fl
     const float *z = kit_image_channel(&s->frame, "Z");
     const int width = s->frame.width;
     kit_camera_matrices(&s->gbuffer.camera, to_view, projection);
-    for (int r = 0; r < 3; ++r) v[r] = (double)(to_view[r] * p[0] + to_view[4 + r] * p[1] + to_view[8 + r] * p[2] + to_view[12 + r]);
+    for (int r = 0; r < 3; ++r)
+        v[r] = (double)(to_view[r] * p[0] + to_view[4 + r] * p[1] + to_view[8 + r] * p[2] + to_view[12 + r]);
     if (!(v[2] < 0)) return 0;
     at[0] = (0.5 - 0.5 * (double)projection[0] * v[0] / v[2]) * width - 0.5;
     at[1] = (0.5 + 0.5 * (double)projection[5] * v[1] / v[2]) * s->frame.height - 0.5;
@@ -222,7 +246,8 @@ static int held(double *value, const kit_image *picture, const shot *s, const fl
     for (int k = 0; k < 4; ++k) {
         const int i = (y + (k >> 1)) * width + x + (k & 1);
         if (s->object[i] != object || !(fabs((double)z[i] + v[2]) < -0.02 * v[2])) return 0;
-        sum += (k & 1 ? at[0] - x : 1 - at[0] + x) * (k & 2 ? at[1] - y : 1 - at[1] + y) * (double)values_of(picture)[i];
+        sum +=
+            (k & 1 ? at[0] - x : 1 - at[0] + x) * (k & 2 ? at[1] - y : 1 - at[1] + y) * (double)values_of(picture)[i];
     }
     *value = sum;
     return 1;
@@ -233,13 +258,18 @@ static void carry(float p[3], const float *from, const float *to)
 {
     const float square = from[0] * from[0] + from[1] * from[1] + from[2] * from[2];
     float q[3];
-    for (int k = 0; k < 3; ++k) q[k] = (from[4 * k] * (p[0] - from[12]) + from[4 * k + 1] * (p[1] - from[13]) + from[4 * k + 2] * (p[2] - from[14])) / square;
+    for (int k = 0; k < 3; ++k)
+        q[k] = (from[4 * k] * (p[0] - from[12]) + from[4 * k + 1] * (p[1] - from[13])
+                + from[4 * k + 2] * (p[2] - from[14]))
+               / square;
     for (int k = 0; k < 3; ++k) p[k] = to[k] * q[0] + to[4 + k] * q[1] + to[8 + k] * q[2] + to[12 + k];
 }
 
-/* How much places that the first frame shows vary: their deviation over the frames; or, of what changes anyway, the second difference, as the deviation of
-   noise that has it (1 -2 1: root of 6). map: the same of each pixel, 0 where it is not known. mean: of what is held. */
-static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures, int second)
+/* How much places that the first frame shows vary: their deviation over the frames; or, of what changes anyway, the
+   second difference, as the deviation of noise that has it (1 -2 1: root of 6). map: the same of each pixel, 0 where it
+   is not known. mean: of what is held. */
+static double flicker(float *map, double *mean, const shot *shots, int frames, const kit_image *const *pictures,
+                      int second)
 {
     const shot *s = &shots[0];
     double sum = 0, all = 0;
@@ -250,7 +280,9 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
         float p[3], q[3];
         int known = s->mask[i] > 0;
         map[i] = 0;
-        if (known) kit_camera_point(&s->gbuffer.camera, i % s->frame.width, i / s->frame.width, (double)kit_image_channel(&s->frame, "Z")[i], p);
+        if (known)
+            kit_camera_point(&s->gbuffer.camera, i % s->frame.width, i / s->frame.width,
+                             (double)kit_image_channel(&s->frame, "Z")[i], p);
         for (int k = 0; k < frames && known; ++k) {
             memcpy(q, p, sizeof q);
             const float *from = s->to_world[(o - 1) % MOST_OBJECTS], *to = shots[k].to_world[(o - 1) % MOST_OBJECTS];
@@ -260,7 +292,8 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
         }
         if (!known) continue;
         for (int k = 0; k < frames && !second; ++k) square += (v[k] - middle) * (v[k] - middle) / (frames - 1);
-        for (int k = 1; k + 1 < frames && second; ++k) square += pow(v[k - 1] - 2 * v[k] + v[k + 1], 2) / (6.0 * (frames - 2));
+        for (int k = 1; k + 1 < frames && second; ++k)
+            square += pow(v[k - 1] - 2 * v[k] + v[k + 1], 2) / (6.0 * (frames - 2));
         map[i] = (float)sqrt(square);
         sum += square;
         all += middle;
@@ -270,8 +303,10 @@ static double flicker(float *map, double *mean, const shot *shots, int frames, c
     return sqrt(sum / (double)places);
 }
 
-/* Picture, truth and their difference (or what flickers) side by side, of one pixel in stride x stride: as many as the truth has. */
-static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain, kit_error *err)
+/* Picture, truth and their difference (or what flickers) side by side, of one pixel in stride x stride: as many as the
+   truth has. */
+static int strip(kit_image *out, const kit_image *a, const kit_image *b, const float *map, const look *l, float gain,
+                 kit_error *err)
 {
     const int width = l->width / l->stride, height = l->height / l->stride, pixels = width * height;
     kit_image small[3], colour;                /* what is shown: two of these and the difference of two */
@@ -279,13 +314,19 @@ static int strip(kit_image *out, const kit_image *a, const kit_image *b, const f
         if (kit_image_new(&small[k], width, height, "Y", err)) return -1;
         for (int i = 0; i < pixels; ++i) {
             const int from = (i / width * l->stride + l->stride / 2) * l->width + i % width * l->stride + l->stride / 2;
-            small[k].data[i] = k < 2 ? values_of(k ? b : a)[from] : map ? map[from] + values_of(b)[from] : values_of(a)[from];
+            small[k].data[i] = k < 2 ? values_of(k ? b : a)[from]
+                               : map ? map[from] + values_of(b)[from]
+                                     : values_of(a)[from];
         }
     }
-    if (kit_image_difference(&colour, &small[2], &small[1], "Y", map ? 0.05f : 0.5f, err) || kit_image_new(out, 3 * width, height, "R,G,B", err)) return -1;
+    if (kit_image_difference(&colour, &small[2], &small[1], "Y", map ? 0.05f : 0.5f, err)
+        || kit_image_new(out, 3 * width, height, "R,G,B", err))
+        return -1;
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < pixels; ++i)
-            for (int k = 0; k < 3; ++k) out->data[(c * height + i / width) * 3 * width + k * width + i % width] = k < 2 ? gain * small[k].data[i] : colour.data[c * pixels + i];
+            for (int k = 0; k < 3; ++k)
+                out->data[(c * height + i / width) * 3 * width + k * width + i % width] =
+                    k < 2 ? gain * small[k].data[i] : colour.data[c * pixels + i];
     for (int k = 0; k < 3; ++k) kit_image_free(&small[k]);
     kit_image_free(&colour);
     return 0;
@@ -301,7 +342,8 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
     for (int i = 0; i < r->curves; ++i) {
         curve *c = &r->curve[i];
         const int m = c->method, between = m >= 0 && methods[m].of == FIELD;
-        const kit_image *picture = m < 0 ? NULL : &s->picture[m], *truth = kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &s->truth[between];
+        const kit_image *picture = m < 0 ? NULL : &s->picture[m],
+                        *truth = kind == PRECISION && m >= 0 ? &shots[0].picture[m] : &s->truth[between];
         const kit_image *pictures[2][MOST_FRAMES];
         double y, own, mean;
         kit_image worst;
@@ -321,7 +363,9 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
         c->number = y;
         c->at = r->x[point];
         if (!picture) continue;
-        if (strip(&worst, still ? picture : &shots[0].picture[m], still ? truth : &shots[0].truth[between], still ? NULL : map, l, kind == LIT_SECOND ? 0.4f : 1, err)) return -1;
+        if (strip(&worst, still ? picture : &shots[0].picture[m], still ? truth : &shots[0].truth[between],
+                  still ? NULL : map, l, kind == LIT_SECOND ? 0.4f : 1, err))
+            return -1;
         kit_image_free(&c->worst);
         c->worst = worst;
     }
@@ -339,7 +383,8 @@ static void holds(result *r)
     }
 }
 
-typedef struct options { const char *out; int quick, causes, methods, cause[CAUSES], method[METHODS]; } options;     /* causes, methods: how many are asked for; 0 = all */
+/* causes, methods: how many are asked for; 0 = all */
+typedef struct options { const char *out; int quick, causes, methods, cause[CAUSES], method[METHODS]; } options;
 
 static look look_of(const cause *c, double value, int frame)
 {
@@ -376,7 +421,10 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
             if (shot_open(&shots[k], &l, truths, err)) return -1;
             for (int i = 0; i < r->curves; ++i) {
                 const int m = r->curve[i].method;
-                if (m >= 0 && l.width <= methods[m].widest && drawn(&shots[k].picture[m], &shots[k], methods[m].method, methods[m].settings, shots[k].radius, err)) return -1;
+                if (m >= 0 && l.width <= methods[m].widest
+                    && drawn(&shots[k].picture[m], &shots[k], methods[m].method, methods[m].settings, shots[k].radius,
+                             err))
+                    return -1;
                 kit_progress(what, (v * frames + k + (i + 0.99) / r->curves) / (values * frames));
             }
         }
@@ -388,15 +436,17 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
     return 0;
 }
 
-/* ---- >>curves of the library's maths alone ------------------------------------------------------------------------- */
+/* ---- >>curves of the library's maths alone ----------------------------------------------------------------------- */
 
 enum { ANGLES = 73, SPHERE_POINTS = 40000 };
 
-/* What a point's irradiance becomes while a sun of harmonics turns around it, over that of an open surface that faces it: what it sees is all, or a cone. Lowest values. */
+/* What a point's irradiance becomes while a sun of harmonics turns around it, over that of an open surface that faces
+   it: what it sees is all, or a cone. Lowest values. */
 static int ringing(result *r, int shade, kit_error *err)
 {
-    static const char *const labels[3][3] = { { "2 bands", "2 bands, Hann", "2 bands, positive" }, { "3 bands", "3 bands, Hann", "3 bands, positive" },
-        { "4 bands", "4 bands, Hann", "4 bands, positive" } };
+    static const char *const labels[3][3] = { { "2 bands", "2 bands, Hann", "2 bands, positive" },
+                                              { "3 bands", "3 bands, Hann", "3 bands, positive" },
+                                              { "4 bands", "4 bands, Hann", "4 bands, positive" } };
     const float white[3] = { 1, 1, 1 };
     double transfer[16] = { 0 };
     for (int i = 0; i < SPHERE_POINTS; ++i) {              /* a spiral about the normal, z */
@@ -404,7 +454,8 @@ static int ringing(result *r, int shade, kit_error *err)
         const float d[3] = { (float)(s * cos(a)), (float)(s * sin(a)), (float)z };
         float basis[16];
         ssgi_sh_basis(basis, 4, d);
-        for (int k = 0; k < 16 && z > 0 && (!shade || d[0] + d[2] > 1.41421356f * 0.8660254f); ++k) transfer[k] += z * (double)basis[k] * 12.566370614359172 / SPHERE_POINTS;
+        for (int k = 0; k < 16 && z > 0 && (!shade || d[0] + d[2] > 1.41421356f * 0.8660254f); ++k)
+            transfer[k] += z * (double)basis[k] * 12.566370614359172 / SPHERE_POINTS;
     }
     r->points = ANGLES;
     curve *truth = curve_new(r, "truth", -2);
@@ -432,11 +483,15 @@ static int ringing(result *r, int shade, kit_error *err)
 static int ringing_open(result *r, kit_error *err)     { return ringing(r, 0, err); }
 static int ringing_in_shade(result *r, kit_error *err) { return ringing(r, 1, err); }
 
-/* Along a line between a table's legs, facing up: occlusion by its field and by rays; or what a hundredth of the table's size adds to it. Worst error, largest step. */
+/* Along a line between a table's legs, facing up: occlusion by its field and by rays; or what a hundredth of the
+   table's size adds to it. Worst error, largest step. */
 static int through(result *r, int steps, kit_error *err)
 {
-    static const struct { const char *label, *settings; float inside, power; } kept[] = {
-        { "vector", "", -1, 1 }, { "solid angle", "measure=solid-angle", -1, 1 }, { "A_0 = 1, p = 2", "", 1, 2 }, { "A_0 = 0", "", 0, 1 } };
+    static const struct { const char *label, *settings; float inside, power;
+    } kept[] = { { "vector", "", -1, 1 },
+                 { "solid angle", "measure=solid-angle", -1, 1 },
+                 { "A_0 = 1, p = 2", "", 1, 2 },
+                 { "A_0 = 0", "", 0, 1 } };
     enum { RAYS = 1024 };
     const float up[3] = { 0, 1, 0 };
     const char *why = "";
@@ -444,11 +499,14 @@ static int through(result *r, int steps, kit_error *err)
     const kit_mesh *table = NULL;
     ssgi_trace trace;
     if (kit_scene_load(&scene, "casters", 0, err)) return -1;
-    for (int i = 0; i < scene.objects && !table; ++i) if (!strcmp(scene.object[i].name, "table")) table = &scene.shape[scene.object[i].shape];
+    for (int i = 0; i < scene.objects && !table; ++i)
+        if (!strcmp(scene.object[i].name, "table")) table = &scene.shape[scene.object[i].shape];
     if (!table) return kit_fail(err, "occluders: has no table");
     const size_t size = ssgi_trace_size(table->triangles);
     void *memory = malloc(size);
-    if (!memory || ssgi_trace_build(&trace, memory, size, table->position, 3 * sizeof(float), NULL, table->triangles, &why) != SSGI_OK)
+    if (!memory
+        || ssgi_trace_build(&trace, memory, size, table->position, 3 * sizeof(float), NULL, table->triangles, &why)
+               != SSGI_OK)
         return kit_fail(err, "table: %s", memory ? why : "out of memory");
     r->points = 240;
     curve *truth = curve_new(r, "truth", -2);
@@ -474,7 +532,8 @@ static int through(result *r, int steps, kit_error *err)
             for (int i = 0; i < RAYS && !f; ++i) {
                 float u[2];
                 ssgi_r2((uint32_t)i, u);
-                const float s = sqrtf(u[0]), d[3] = { s * cosf(6.2831853f * u[1]), sqrtf(1 - u[0]), s * sinf(6.2831853f * u[1]) };
+                const float s = sqrtf(u[0]),
+                            d[3] = { s * cosf(6.2831853f * u[1]), sqrtf(1 - u[0]), s * sinf(6.2831853f * u[1]) };
                 v += ssgi_trace_any(&trace, p, d, 0, HUGE_VALF) / (double)RAYS;
             }
             r->x[k] = (double)p[0];
@@ -494,8 +553,10 @@ static int hull_steps(result *r, kit_error *err) { return through(r, 1, err); }
 /* How the count of surfels changes a step of 1 % of the distance. Largest change. */
 static int popping(result *r, kit_error *err)
 {
-    static const struct { const char *label; ssgi_surfel_desc d; } kept[] = {
-        { "0.03", { .size = 0.03f } }, { "0.015", { .size = 0.015f } }, { "0.03, every triangle", { .size = 0.03f, .keep_small = 1 } } };
+    static const struct { const char *label; ssgi_surfel_desc d;
+    } kept[] = { { "0.03", { .size = 0.03f } },
+                 { "0.015", { .size = 0.015f } },
+                 { "0.03, every triangle", { .size = 0.03f, .keep_small = 1 } } };
     look l = { .scene = "casters", .width = 320, .height = 180, .stride = 1 };
     const char *why = "";
     kit_scene scene;
@@ -510,7 +571,9 @@ static int popping(result *r, kit_error *err)
         for (int k = -1; k < r->points; ++k, last = count) {
             kit_camera camera_ = scene.camera;
             ssgi_view view;
-            ssgi_surfel_source source = { .position = mesh->position, .normal = mesh->normal, .triangles = mesh->triangles };
+            ssgi_surfel_source source = { .position = mesh->position,
+                                          .normal = mesh->normal,
+                                          .triangles = mesh->triangles };
             ssgi_surfel_desc d = kept[m].d;
             float projection[16];
             d.max_distance = scene.radius;
@@ -518,15 +581,18 @@ static int popping(result *r, kit_error *err)
             aim(&camera_, &l);
             kit_camera_planes(&camera_, mesh);
             kit_camera_matrices(&camera_, source.to_view, projection);
-            int failed = ssgi_view_from_projection(&view, projection, SSGI_CLIP_ZERO, l.width, l.height, &why) != SSGI_OK
-                      || ssgi_surfels_divide(NULL, 0, &triangles, &d, &view, &source, &why) != SSGI_OK;
+            int failed =
+                ssgi_view_from_projection(&view, projection, SSGI_CLIP_ZERO, l.width, l.height, &why) != SSGI_OK
+                || ssgi_surfels_divide(NULL, 0, &triangles, &d, &view, &source, &why) != SSGI_OK;
             divided = failed ? NULL : realloc(divided, (27 * triangles + 1) * sizeof *divided);
-            failed = failed || !divided || ssgi_surfels_divide(divided, triangles, &triangles, &d, &view, &source, &why) != SSGI_OK;
+            failed = failed || !divided
+                     || ssgi_surfels_divide(divided, triangles, &triangles, &d, &view, &source, &why) != SSGI_OK;
             source.position = divided;
             source.normal = divided + 3;
             source.position_stride = source.normal_stride = 9 * sizeof(float);
             source.triangles = triangles;
-            if (failed || ssgi_surfels(NULL, 0, &count, &d, &view, &source, &why) != SSGI_OK) return kit_fail(err, "surfels: %s", *why ? why : "out of memory");
+            if (failed || ssgi_surfels(NULL, 0, &count, &d, &view, &source, &why) != SSGI_OK)
+                return kit_fail(err, "surfels: %s", *why ? why : "out of memory");
             if (k < 0) continue;
             r->x[k] = pow(1.01, k);
             c->y[k] = (double)count / (double)last - 1;
@@ -538,16 +604,20 @@ static int popping(result *r, kit_error *err)
     return 0;
 }
 
-/* ---- >>show -------------------------------------------------------------------------------------------------------- */
+/* ---- >>show ------------------------------------------------------------------------------------------------------ */
 
 /* What the number of a cause is, what its chart shows, and what stands beside a picture. */
-static const struct { const char *number, *up, *shown; } kinds[] = {
-    { "largest RMSE to the truth", "RMSE to the truth", "method, truth, difference (full colour: 0.5)" },
-    { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth", "with this depth, with exact depth, difference (full colour: 0.5)" },
-    { "largest deviation over frames, less the truth's", "deviation over frames", "method, truth, deviation over frames (full colour: 0.05)" },
-    { "largest second difference over frames", "second difference over frames, as deviation", "method, truth, second difference (full colour: 0.05)" },
-    { "largest second difference, less an open surface's, over the mean", "second difference over frames, over the mean",
-      "method, open surface (both times 0.4), second difference (full colour: 0.05)" } };
+static const struct { const char *number, *up, *shown;
+} kinds[] = { { "largest RMSE to the truth", "RMSE to the truth", "method, truth, difference (full colour: 0.5)" },
+              { "greatest depth up to which RMSE stays within 0.02", "RMSE to the picture with exact depth",
+                "with this depth, with exact depth, difference (full colour: 0.5)" },
+              { "largest deviation over frames, less the truth's", "deviation over frames",
+                "method, truth, deviation over frames (full colour: 0.05)" },
+              { "largest second difference over frames", "second difference over frames, as deviation",
+                "method, truth, second difference (full colour: 0.05)" },
+              { "largest second difference, less an open surface's, over the mean",
+                "second difference over frames, over the mean",
+                "method, open surface (both times 0.4), second difference (full colour: 0.05)" } };
 
 static const char *settings(const curve *c) { return c->method < 0 ? "" : methods[c->method].settings; }
 
@@ -559,21 +629,30 @@ static void line_svg(FILE *f, const result *r)
     for (int k = 0; k < r->points; ++k) {
         s.x0 = fmin(s.x0, r->x[k]);
         s.x1 = fmax(s.x1, r->x[k]);
-        for (int i = 0; i < r->curves; ++i) if (!isnan(r->curve[i].y[k])) { s.y0 = fmin(s.y0, r->curve[i].y[k]); s.y1 = fmax(s.y1, r->curve[i].y[k]); }
+        for (int i = 0; i < r->curves; ++i)
+            if (!isnan(r->curve[i].y[k])) {
+                s.y0 = fmin(s.y0, r->curve[i].y[k]);
+                s.y1 = fmax(s.y1, r->curve[i].y[k]);
+            }
     }
-    const double lowest = s.x0, highest = s.x1, every = step_of(0.001, s.x1 - s.x0), step = step_of(1e-5, fmax(s.y1 - s.y0, 1e-4));
+    const double lowest = s.x0, highest = s.x1, every = step_of(0.001, s.x1 - s.x0),
+                 step = step_of(1e-5, fmax(s.y1 - s.y0, 1e-4));
     const double room = 0.03 * (c->log ? log(s.x1 / s.x0) : s.x1 - s.x0);
     s.x0 = (c->log ? log(s.x0) : s.x0) - room;
     s.x1 = (c->log ? log(s.x1) : s.x1) + room;
     s.y0 = step * floor(s.y0 / step);
     s.y1 = step * ceil(s.y1 / step + 0.05);
-    fprintf(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\" "
-            "font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"13\" fill=\"#444\">\n<title>%s</title>\n"
-            "<rect width=\"%d\" height=\"%d\" rx=\"6\" fill=\"#fff\"/>\n<text x=\"%d\" y=\"32\" font-size=\"17\" font-weight=\"600\" fill=\"#111\">%s</text>\n",
+    fprintf(f,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" role=\"img\" "
+            "font-family=\"system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif\" font-size=\"13\" "
+            "fill=\"#444\">\n<title>%s</title>\n"
+            "<rect width=\"%d\" height=\"%d\" rx=\"6\" fill=\"#fff\"/>\n<text x=\"%d\" y=\"32\" font-size=\"17\" "
+            "font-weight=\"600\" fill=\"#111\">%s</text>\n",
             WIDE, HIGH, WIDE, HIGH, c->title, WIDE, HIGH, LEFT, c->title);
     for (double v = s.y0; v < s.y1 + step / 2; v += step)
         fprintf(f, "<path d=\"M%d %.1fH%d\" stroke=\"%s\"/><text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n",
-                LEFT, up(&s, v), RIGHT, fabs(v) < step / 2 ? "#888" : "#e4e4e4", LEFT - 9, up(&s, v) + 4.5, fabs(v) < step / 2 ? 0 : v);
+                LEFT, up(&s, v), RIGHT, fabs(v) < step / 2 ? "#888" : "#e4e4e4", LEFT - 9, up(&s, v) + 4.5,
+                fabs(v) < step / 2 ? 0 : v);
     for (int k = -30; k < 60; ++k) {           /* decades' 1, 2 and 5, or multiples of a step */
         static const double ticks[3] = { 1, 2, 5 };
         const double v = c->log ? ticks[(k + 30) % 3] * pow(10, (k + 30) / 3 - 10) : every * (ceil(lowest / every) + k);
@@ -581,9 +660,12 @@ static void line_svg(FILE *f, const result *r)
         fprintf(f, "<path d=\"M%.1f %dV%d\" stroke=\"#eeeeee\"/>", across(&s, v), TOP, BOTTOM);
         if (across(&s, v) - last < 44) continue;
         last = across(&s, v);
-        fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", last, BOTTOM + 20, fabs(v) < 1e-9 ? 0 : v);
+        fprintf(f, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%g</text>\n", last, BOTTOM + 20,
+                fabs(v) < 1e-9 ? 0 : v);
     }
-    fprintf(f, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n<text transform=\"translate(20 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
+    fprintf(f,
+            "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>\n<text transform=\"translate(20 %d) "
+            "rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
             (LEFT + RIGHT) / 2, BOTTOM + 46, c->across, (TOP + BOTTOM) / 2, c->up ? c->up : kinds[c->kind].up);
     for (int i = 0; i < r->curves; ++i) {
         const curve *v = &r->curve[i];
@@ -594,7 +676,9 @@ static void line_svg(FILE *f, const result *r)
         const double x = legend;
         legend += wide;
         const char *style = v->method < -1 ? "#333\" stroke-dasharray=\"6 4" : colour_of(colour);
-        fprintf(f, "<text x=\"%.1f\" y=\"%.1f\" fill=\"#222\">%s</text>\n<path stroke-width=\"2\" stroke=\"%s\" d=\"M%.1f %.1fh16\"/>\n"
+        fprintf(f,
+                "<text x=\"%.1f\" y=\"%.1f\" fill=\"#222\">%s</text>\n<path stroke-width=\"2\" stroke=\"%s\" d=\"M%.1f "
+                "%.1fh16\"/>\n"
                 "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke=\"%s\" d=\"",
                 x + 22, line + 4.5, v->label, style, x, line, style);
         for (int k = 0; k < r->points; ++k) {
@@ -607,7 +691,8 @@ static void line_svg(FILE *f, const result *r)
             if (k >= 0 && isnan(v->y[k])) continue;
             fputs("<path ", f);
             marker(f, colour, k < 0 ? x + 8 : across(&s, r->x[k]), k < 0 ? line : up(&s, v->y[k]));
-            if (k < 0) fputs("/>\n", f); else fprintf(f, "><title>%s at %g: %.4f</title></path>\n", v->label, r->x[k], v->y[k]);
+            if (k < 0) fputs("/>\n", f);
+            else fprintf(f, "><title>%s at %g: %.4f</title></path>\n", v->label, r->x[k], v->y[k]);
         }
     }
     fputs("</svg>\n", f);
@@ -622,25 +707,31 @@ static int page_of(FILE *html, FILE *csv, const result *r, const char *out, kit_
     if (page_open(&p, err)) return -1;
     line_svg(p.file, r);
     fflush(p.file);
-    fprintf(html, "<h2 id=\"%s\">%s</h2>\n<p>%s Beside each method: %s.</p>\n", c->name, c->title, c->about, c->number ? c->number : kinds[c->kind].number);
+    fprintf(html, "<h2 id=\"%s\">%s</h2>\n<p>%s Beside each method: %s.</p>\n", c->name, c->title, c->about,
+            c->number ? c->number : kinds[c->kind].number);
     fwrite(p.text, 1, p.size, html);
     snprintf(name, sizeof name, "stability-%s.svg", c->name);
     if (page_close(&p, out, name, err)) return -1;
     fputs("<div class=\"wide\"><table>\n<tr>", html);
     for (int i = 0; i < r->curves; ++i) fprintf(html, "<th>%s", r->curve[i].label);
     fputs("\n<tr>", html);
-    for (int i = 0; i < r->curves; ++i) fprintf(html, isnan(r->curve[i].number) ? "<td>&ndash;" : "<td>%.4g", r->curve[i].number);
+    for (int i = 0; i < r->curves; ++i)
+        fprintf(html, isnan(r->curve[i].number) ? "<td>&ndash;" : "<td>%.4g", r->curve[i].number);
     fputs("\n</table></div>\n<details><summary>The worst frames</summary>\n<div class=\"grid\">\n", html);
     for (int i = 0; i < r->curves; ++i) {
         const curve *v = &r->curve[i];
         for (int k = 0; k < r->points; ++k)
-            if (!isnan(v->y[k])) fprintf(csv, "%s,\"%s\",\"%s\",\"%s\",%.6g,%.6g,%.6g\n", c->name, c->across, v->label, settings(v), r->x[k], v->y[k], v->number);
+            if (!isnan(v->y[k]))
+                fprintf(csv, "%s,\"%s\",\"%s\",\"%s\",%.6g,%.6g,%.6g\n", c->name, c->across, v->label, settings(v),
+                        r->x[k], v->y[k], v->number);
         if (!v->worst.data) continue;
         char path[4096];
         snprintf(name, sizeof name, "stability-%s-%s.png", c->name, v->label);
         snprintf(path, sizeof path, "%s/%s", out, name);
         if (kit_png_write(&v->worst, "R,G,B", 0, path, err)) return -1;
-        fprintf(html, "<figure><figcaption><b>%s</b><span>at %g: %s</span></figcaption><a href=\"%s\"><img src=\"%s\" width=\"%d\" height=\"%d\" alt=\"%s\"></a></figure>\n",
+        fprintf(html,
+                "<figure><figcaption><b>%s</b><span>at %g: %s</span></figcaption><a href=\"%s\"><img src=\"%s\" "
+                "width=\"%d\" height=\"%d\" alt=\"%s\"></a></figure>\n",
                 v->label, v->at, kinds[c->kind].shown, name, name, v->worst.width, v->worst.height, v->label);
     }
     fputs("</div></details>\n", html);
@@ -652,13 +743,16 @@ static void table_of(FILE *html, const result *results, const int *shown)
 {
     char text[32];
     FILE *f = html ? html : stdout;
-    fputs(html ? "<h2>One number a method and cause</h2>\n<div class=\"wide\"><table>\n<tr><th>cause" : "cause          ", f);
+    fputs(html ? "<h2>One number a method and cause</h2>\n<div class=\"wide\"><table>\n<tr><th>cause"
+               : "cause          ",
+          f);
     for (int m = 0; m < METHODS; ++m) fprintf(f, html ? "<th>%s" : " %10s", methods[m].label);
     fputs(html ? "<th>beside<th>what\n" : "     beside\n", f);
     for (int k = 0; k < CAUSES; ++k) {
         const result *r = &results[k];
         if (!shown[k] || causes[k].curves) continue;
-        fprintf(f, html ? "<tr><td><a href=\"#%s\">%s</a>" : "%s%-15s", html ? causes[k].name : "", html ? causes[k].title : causes[k].name);
+        fprintf(f, html ? "<tr><td><a href=\"#%s\">%s</a>" : "%s%-15s", html ? causes[k].name : "",
+                html ? causes[k].title : causes[k].name);
         for (int m = 0; m <= METHODS; ++m) {
             snprintf(text, sizeof text, html ? "&ndash;" : "-");
             for (int i = 0; i < r->curves; ++i)
@@ -672,9 +766,11 @@ static void table_of(FILE *html, const result *results, const int *shown)
     fputs(html ? "</table></div>\n<div class=\"wide\"><table>\n" : "", f);
     for (int k = 0; k < CAUSES; ++k) {
         if (!shown[k] || !causes[k].curves) continue;
-        fprintf(f, html ? "<tr><td><a href=\"#%s\">%s</a><td>%s" : "%s%s, %s:", html ? causes[k].name : "", html ? causes[k].title : causes[k].name, causes[k].number);
+        fprintf(f, html ? "<tr><td><a href=\"#%s\">%s</a><td>%s" : "%s%s, %s:", html ? causes[k].name : "",
+                html ? causes[k].title : causes[k].name, causes[k].number);
         for (int i = 0; i < results[k].curves; ++i)
-            if (!isnan(results[k].curve[i].number)) fprintf(f, html ? "<td>%s: %.4f" : " %s %.4f;", results[k].curve[i].label, results[k].curve[i].number);
+            if (!isnan(results[k].curve[i].number))
+                fprintf(f, html ? "<td>%s: %.4f" : " %s %.4f;", results[k].curve[i].label, results[k].curve[i].number);
         fputs("\n", f);
     }
     if (html) fputs("</table></div>\n", f);
@@ -694,8 +790,11 @@ static int stability(const options *o, kit_error *err)
         if (sweep(&results[k], &causes[k], o, what, err)) return -1;
     }
     if (page_open(&html, err) || page_open(&csv, err)) return -1;
-    html_head(html.file, "ssgi: where methods fail", "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 closed, 1 open), against ray-traced truth; "
-              "no gain, no fit. Methods with light are under white light from everywhere, where irradiance is ambient visibility.");
+    html_head(html.file, "ssgi: where methods fail",
+              "Each method is swept through what such methods fail at. Errors are of ambient visibility (0 closed, 1 "
+              "open), against ray-traced truth; "
+              "no gain, no fit. Methods with light are under white light from everywhere, where irradiance is ambient "
+              "visibility.");
     fputs("cause,unit,method,settings,value,figure,number\n", csv.file);
     table_of(html.file, results, shown);
     for (int k = 0; k < CAUSES; ++k) if (shown[k] && page_of(html.file, csv.file, &results[k], o->out, err)) return -1;
@@ -707,7 +806,7 @@ static int stability(const options *o, kit_error *err)
     return 0;
 }
 
-/* ---- >>main -------------------------------------------------------------------------------------------------------- */
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int parse(options *o, int argc, char **argv, kit_error *err)
 {
@@ -718,13 +817,15 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         int k = 0;
         if (!strcmp(a, "--quick")) { o->quick = 1; continue; }
         if (strcmp(a, "--out") && strcmp(a, "--cause") && strcmp(a, "--method"))
-            return kit_fail(err, "%s: there is no such argument (--out FOLDER, --quick, --cause NAME, --method NAME)", a);
+            return kit_fail(err, "%s: there is no such argument (--out FOLDER, --quick, --cause NAME, --method NAME)",
+                            a);
         if (!v || !*v) return kit_fail(err, "%s: needs a value", a);
         ++i;
         if (!strcmp(a, "--out")) { o->out = v; continue; }
         if (!strcmp(a, "--cause")) {
             while (k < CAUSES && strcmp(causes[k].name, v)) ++k;
-            if (k == CAUSES) return kit_fail(err, "--cause %s: there is none of that name (stability.html lists them)", v);
+            if (k == CAUSES)
+                return kit_fail(err, "--cause %s: there is none of that name (stability.html lists them)", v);
             o->causes += !o->cause[k];
             o->cause[k] = 1;
         } else {

@@ -8,7 +8,9 @@
 #include <sys/stat.h>
 
 const entry reference = { "ssao, no blur", "ssao", "samples=16,blur=0", 1 };   /* what times are relative to */
-int thrift = 1;                         /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than LEAST_RAYS */
+/* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer
+   than LEAST_RAYS */
+int thrift = 1;
 
 const view views[] = {
     { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
@@ -30,7 +32,7 @@ static const float boxes[4][9] = {
     { -0.95f, -0.989f,  0.55f, -0.65f, -0.70f,  0.90f,  0.06f, 0.14f, 0.80f }
 };
 
-/* ---- >>stage: a scene, its light, its G-buffer, its truth and what else is shown beside methods ---------------------- */
+/* ---- >>stage: a scene, its light, its G-buffer, its truth and what else is shown beside methods ------------------ */
 
 int folder(const char *path, kit_error *err)
 {
@@ -53,19 +55,25 @@ int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
     const int attenuation = l->hard ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
     ssgi_dipole dipole;
     const ssgi_material *m;
-    if (l->kind == GLOSS) return kit_truth_gloss(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation, (double)l->exponent, rays, stride, err);
+    if (l->kind == GLOSS)
+        return kit_truth_gloss(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation,
+                               (double)l->exponent, rays, stride, err);
     if (l->kind == SCATTER) {
         for (int i = 0; (m = ssgi_material_of(i)) && strcmp(m->name, l->material);) ++i;
-        if (!m || ssgi_dipole_set(&dipole, m->sigma_s, m->sigma_a, m->eta, NULL) != SSGI_OK) return kit_fail(err, "%s: there is no such material", l->material);
-        return kit_truth_scatter(out, &s->scene, &s->gbuffer.camera, &s->traced, &dipole, l->unit, 1000 * (size_t)rays, stride, err);
+        if (!m || ssgi_dipole_set(&dipole, m->sigma_s, m->sigma_a, m->eta, NULL) != SSGI_OK)
+            return kit_fail(err, "%s: there is no such material", l->material);
+        return kit_truth_scatter(out, &s->scene, &s->gbuffer.camera, &s->traced, &dipole, l->unit, 1000 * (size_t)rays,
+                                 stride, err);
     }
-    if (s->lit) return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation, s->lit->bounce, rays, stride, err);
+    if (s->lit)
+        return kit_truth_lit(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation, s->lit->bounce,
+                             rays, stride, err);
     if (s->between) return kit_truth_objects(out, &s->scene, &s->gbuffer.camera, rays, stride, err);
     return kit_truth_ao(out, &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, rays, stride, err);
 }
 
-/* The truth, from build/cache where it was computed before: the file's name holds a hash of all that it depends on, and a few hundred pixels
-   are traced anew, so that another tracer does not reuse it either. */
+/* The truth, from build/cache where it was computed before: the file's name holds a hash of all that it depends on, and
+   a few hundred pixels are traced anew, so that another tracer does not reuse it either. */
 static int truth_of(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
@@ -79,19 +87,30 @@ static int truth_of(stage *s, kit_error *err)
     h = kit_hash(h, &s->radius, sizeof s->radius);
     if (s->lit) {
         h = kit_hash(h, s->scene.mesh.albedo, floats / 3);
-        if (s->traced.env.data) h = kit_hash(h, s->traced.env.data, 3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
+        if (s->traced.env.data)
+            h = kit_hash(h, s->traced.env.data,
+                         3 * sizeof(float) * (size_t)s->traced.env.width * (size_t)s->traced.env.height);
         h = kit_hash(h, s->traced.light, (size_t)s->traced.lights * sizeof(kit_light));
         if (s->otherwise.hard || s->otherwise.kind) h = kit_hash(h, &s->otherwise, offsetof(otherwise, material));
         if (s->otherwise.material) h = kit_hash(h, s->otherwise.material, strlen(s->otherwise.material));
     }
     if (s->between) h = kit_hash(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
-    for (int i = 0; i < s->scene.objects && s->between; ++i) h = kit_hash(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
-    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name, s->between ? "objects-" : !s->lit ? "" : s->otherwise.kind == GLOSS ? "gloss-" : s->otherwise.kind ? "scatter-" : s->lit->bounce ? "lit-" : "direct-", c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
+    for (int i = 0; i < s->scene.objects && s->between; ++i)
+        h = kit_hash(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
+    snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name,
+             s->between                   ? "objects-"
+             : !s->lit                    ? ""
+             : s->otherwise.kind == GLOSS ? "gloss-"
+             : s->otherwise.kind          ? "scatter-"
+             : s->lit->bounce             ? "lit-"
+                                          : "direct-",
+             c->width, c->height, (double)s->radius, s->rays, (unsigned long long)h);
     if (!kit_exr_read(&s->truth, path, NULL)) {
         int same = s->truth.width == c->width && s->truth.height == c->height;
         if (trace(&probe, s, s->rays, 61, err)) return -1;
         for (int k = 0; k < probe.channels && same; ++k) {
-            const float *was = kit_image_channel(&s->truth, probe.name[k]), *is = kit_image_channel(&probe, probe.name[k]);
+            const float *was = kit_image_channel(&s->truth, probe.name[k]),
+                        *is = kit_image_channel(&probe, probe.name[k]);
             same = was != NULL;
             for (size_t i = 0; i < pixels && same; ++i) same = isnan(is[i]) || is[i] == was[i];
         }
@@ -100,7 +119,8 @@ static int truth_of(stage *s, kit_error *err)
         kit_image_free(&s->truth);
     }
     if (trace(&s->truth, s, s->rays, 1, err)) return -1;
-    if (folder("build/cache", &note) || kit_exr_write(&s->truth, path, &note)) fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
+    if (folder("build/cache", &note) || kit_exr_write(&s->truth, path, &note))
+        fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
     return 0;
 }
 
@@ -108,7 +128,10 @@ int run_open(kit_run *run, stage *s, const char *method, const char *set, float 
 {
     const kit_world world = { &s->scene, &s->lighting };
     kit_method m;
-    return kit_method_find(&m, method, err) || kit_method_set(&m, set, err) || kit_run_open(run, &s->gbuffer, &m, radius, &world, err) ? -1 : 0;
+    return kit_method_find(&m, method, err) || kit_method_set(&m, set, err)
+                   || kit_run_open(run, &s->gbuffer, &m, radius, &world, err)
+               ? -1
+               : 0;
 }
 
 static int give(stage *s, const char *label, const char *method, kit_image *picture)
@@ -122,7 +145,9 @@ static int give_open(stage *s, kit_error *err)
 {
     kit_run run;
     kit_image picture;
-    if (run_open(&run, s, "ssdo", s->lit->local ? "bounce=none,blur=0,shadows=none" : "bounce=none,blur=0", 1e-4f * s->radius, err)) return -1;
+    if (run_open(&run, s, "ssdo", s->lit->local ? "bounce=none,blur=0,shadows=none" : "bounce=none,blur=0",
+                 1e-4f * s->radius, err))
+        return -1;
     kit_run_draw(&run, 0);
     if (kit_run_read(&picture, &run, err)) return -1;
     kit_run_close(&run);
@@ -133,9 +158,13 @@ static int stage_ao(stage *s, kit_error *err)
 {
     const kit_camera *c = &s->gbuffer.camera;
     kit_image picture;
-    if (!s->between && kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, s->rays, FLOOR_STRIDE, err)) return -1;
+    if (!s->between
+        && kit_floor_ao(&picture, &s->frame, c, s->radius, KIT_ATTENUATION_LINEAR, s->rays, FLOOR_STRIDE, err))
+        return -1;
     if (!s->between) give(s, "floor", "floor", &picture);
-    if (kit_image_new(&s->unit, c->width, c->height, "Y", err) || kit_image_new(&picture, c->width, c->height, "Y", err)) return -1;
+    if (kit_image_new(&s->unit, c->width, c->height, "Y", err)
+        || kit_image_new(&picture, c->width, c->height, "Y", err))
+        return -1;
     for (size_t i = 0; i < (size_t)c->width * (size_t)c->height; ++i) s->unit.data[i] = picture.data[i] = 1;
     return give(s, "no AO", "none", &picture);
 }
@@ -143,10 +172,16 @@ static int stage_ao(stage *s, kit_error *err)
 int stage_lit(stage *s, kit_error *err)
 {
     if (kit_image_new(&s->unit, s->gbuffer.camera.width, s->gbuffer.camera.height, KIT_LIT_CHANNELS, err)) return -1;
-    if (run_open(&s->lights, s, "ssdo", s->lit->local ? "environment=none,bounce=none,shadows=none" : "environment=none,bounce=none", s->radius, err)) return -1;
+    if (run_open(&s->lights, s, "ssdo",
+                 s->lit->local ? "environment=none,bounce=none,shadows=none" : "environment=none,bounce=none",
+                 s->radius, err))
+        return -1;
     kit_run_draw(&s->lights, 0);
     if (kit_run_read(&s->direct, &s->lights, err)) return -1;
-    if (s->lit->local) memset(s->direct.data, 0, (size_t)s->direct.width * (size_t)s->direct.height * (size_t)s->direct.channels * sizeof *s->direct.data);
+    if (s->lit->local)
+        memset(s->direct.data, 0,
+               (size_t)s->direct.width * (size_t)s->direct.height * (size_t)s->direct.channels
+                   * sizeof *s->direct.data);
     return !s->otherwise.kind && (s->lighting.env.data || s->lit->local) ? give_open(s, err) : 0;
 }
 
@@ -155,12 +190,14 @@ static int light_up(stage *s, kit_error *err)
 {
     const lit *l = s->lit;
     if (l->env && kit_env_read(&s->lighting.env, l->env, err)) return -1;
-    for (int i = 0; i < MOST_SUNS && l->light[i]; ++i) if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;
+    for (int i = 0; i < MOST_SUNS && l->light[i]; ++i)
+        if (kit_light_parse(&s->lighting.light[s->lighting.lights++], l->light[i], err)) return -1;
     s->traced = s->lighting;
     if (!l->local) return 0;
     memset(&s->traced, 0, sizeof s->traced);
     if (l->env && kit_env_read(&s->traced.env, l->env, err)) return -1;
-    for (int i = 0; i < s->lighting.lights; ++i) if (kit_env_add_sun(&s->traced.env, &s->lighting.light[i], SUN, err)) return -1;
+    for (int i = 0; i < s->lighting.lights; ++i)
+        if (kit_env_add_sun(&s->traced.env, &s->lighting.light[i], SUN, err)) return -1;
     return 0;
 }
 
@@ -172,12 +209,14 @@ int stage_load(stage *s, const view *v, kit_error *err)
     memset(s, 0, sizeof *s);
     snprintf(s->name, sizeof s->name, "%s", base ? base + 1 : v->name);
     if (strchr(s->name, '.') > s->name) *strchr(s->name, '.') = 0;
-    if (!strcmp(v->path, BUNNY) && stat(BUNNY, &status)) return kit_fail(err, "%s: is missing; install the package %s (apt-get install %s)", BUNNY, PACKAGE, PACKAGE);
+    if (!strcmp(v->path, BUNNY) && stat(BUNNY, &status))
+        return kit_fail(err, "%s: is missing; install the package %s (apt-get install %s)", BUNNY, PACKAGE, PACKAGE);
     if (kit_scene_load(&s->scene, v->path, v->ground, err)) return -1;
     s->lit = v->lit;
     s->rays = s->lit ? s->lit->rays : RAYS;
     if (s->lit) {
-        for (int i = 0; i < s->lit->boxes; ++i) if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
+        for (int i = 0; i < s->lit->boxes; ++i)
+            if (kit_scene_add_box(&s->scene, boxes[i], boxes[i] + 3, boxes[i] + 6, err)) return -1;
         if (light_up(s, err)) return -1;
     }
     return 0;
@@ -194,9 +233,13 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
     }
     camera.width = width / thrift;
     camera.height = height / thrift;
-    if (s->rays > LEAST_RAYS) s->rays = s->rays > LEAST_RAYS * thrift * thrift ? s->rays / (thrift * thrift) : LEAST_RAYS;
+    if (s->rays > LEAST_RAYS)
+        s->rays = s->rays > LEAST_RAYS * thrift * thrift ? s->rays / (thrift * thrift) : LEAST_RAYS;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
-    return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err) || kit_gbuffer_read(&s->frame, &s->gbuffer, err) ? -1 : 0;
+    return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err)
+                   || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
+               ? -1
+               : 0;
 }
 
 int stage_compare(stage *s, kit_error *err)
@@ -229,7 +272,7 @@ void stage_close(stage *s)
     kit_scene_free(&s->scene);
 }
 
-/* ---- >>measure ----------------------------------------------------------------------------------------------------- */
+/* ---- >>measure --------------------------------------------------------------------------------------------------- */
 
 static int by_value(const void *a, const void *b)
 {
@@ -246,7 +289,10 @@ double median(double *v, int count)
 /* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
 int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
 {
-    static const char *const names[4][3] = { { "R", "G", "B" }, { "irradiance.R", "irradiance.G", "irradiance.B" }, { "bounce.R", "bounce.G", "bounce.B" }, { "Y", NULL, NULL } };
+    static const char *const names[4][3] = { { "R", "G", "B" },
+                                             { "irradiance.R", "irradiance.G", "irradiance.B" },
+                                             { "bounce.R", "bounce.G", "bounce.B" },
+                                             { "Y", NULL, NULL } };
     const float *z = kit_image_channel(&s->frame, "Z");
     size_t pixels = (size_t)picture->width * (size_t)picture->height;
     float *mask = malloc(pixels * sizeof *mask);
@@ -257,7 +303,8 @@ int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
     for (int k = 0; k < SPLITS; ++k) r->split[k] = (double)NAN;
     for (int k = 0; k < 3; ++k) r->error[k] = r->bias[k] = (double)NAN;
     for (int g = s->lit ? 0 : 3; g < (s->lit ? 3 : 4) && !failed; ++g) {
-        failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err) || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
+        failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err)
+                 || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
         const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
         if (g % 3 == 0) r->score = here;
         if (g % 3 == 0) r->share = here.rmse * known;
@@ -294,7 +341,8 @@ static void count_surfels(row *r, const kit_run *run)
     }
 }
 
-/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose mean its time is divided by; medians. Slow ones sit out late rounds. */
+/* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose
+   mean its time is divided by; medians. Slow ones sit out late rounds. */
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err)
 {
     double *ratio = calloc((size_t)(2 * count * rounds), sizeof *ratio), *ms = ratio + count * rounds, before, after;
@@ -348,8 +396,8 @@ int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_err
     return 0;
 }
 
-/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm up (that picture is scored), then
-   timed. pictures: NULL, or an empty one an entry. */
+/* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
+   up (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
 int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
 {
     kit_run run[MOST_ENTRIES];
@@ -366,7 +414,9 @@ int measure(row *rows, stage *s, const entry *entries, int count, int rounds, ki
         if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
         rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
         kit_run_draw(&run[i], 1);
-        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err)) || score(&rows[i], s, &picture, err)) return -1;
+        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err))
+            || score(&rows[i], s, &picture, err))
+            return -1;
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
     }

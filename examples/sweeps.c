@@ -1,11 +1,21 @@
-/* sweeps.c - what stability.c sweeps: methods, and the causes of failure, each a scene and one thing in it that changes. Included by stability.c, which measures. */
+/* sweeps.c - what stability.c sweeps: methods, and the causes of failure, each a scene and one thing in it that
+   changes. Included by stability.c, which measures. */
 
-/* ---- >>methods ----------------------------------------------------------------------------------------------------- */
+/* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
-/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from everywhere; surfels; fields; what `thin`
-   mends; a sun that turns. */
-enum { SCREEN = 1, LIGHT = 2, OF_SURFELS = 4, FIELD = 8, THIN = 16, TURNED = 32, AMBIENT = SCREEN | LIGHT | OF_SURFELS };
-typedef struct method { const char *label, *method, *settings; int of, widest; } method;      /* widest: picture that it is drawn at */
+/* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
+   everywhere; surfels; fields; what `thin` mends; a sun that turns. */
+enum {
+    SCREEN = 1,
+    LIGHT = 2,
+    OF_SURFELS = 4,
+    FIELD = 8,
+    THIN = 16,
+    TURNED = 32,
+    AMBIENT = SCREEN | LIGHT | OF_SURFELS
+};
+/* widest: picture that it is drawn at */
+typedef struct method { const char *label, *method, *settings; int of, widest; } method;
 static const method methods[] = {
     { "ssao",       "ssao",       "",                             SCREEN,         3840 },
     { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
@@ -22,24 +32,28 @@ static const method methods[] = {
 };
 enum { METHODS = sizeof methods / sizeof *methods };
 
-/* ---- >>causes ------------------------------------------------------------------------------------------------------ */
+/* ---- >>causes ---------------------------------------------------------------------------------------------------- */
 
 /* What a frame shows; what is 0 is the scene's own. */
-enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };      /* how depth is stored: view depth as 32F; as 16F; window depth */
+/* how depth is stored: view depth as 32F; as 16F; window depth */
+enum { EXACT = 1, HALF, UNORM24, FLOAT32, REVERSED32 };
 enum { BOXES = 2, SUN_DEGREES = 3, MOST_VALUES = 12 };
 typedef struct look {
     const char *scene, *only;              /* only: of what casts the first of that name is there alone, placed */
     float placed[16], box[BOXES][6];       /* boxes with y1 > y0 are added */
     float eye[3], target[3], up[3], fovy, znear, zfar;
-    float scale, aside, nearer;            /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the way to it */
+    /* of the whole scene; the camera then moves by so many of the target's pixels to the right, by that share of the
+       way to it */
+    float scale, aside, nearer;
     float radius, pixels;                  /* pixels: of the radius at the target */
     float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
     float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */
     int   format, width, height, stride, rays;
 } look;
 
-/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after reprojection, less the truth's; second
-   difference over frames; that of light over its mean, less an open surface's. */
+/* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
+   reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
+   surface's. */
 enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND };
 typedef struct result result;
 typedef struct cause {
@@ -48,12 +62,17 @@ typedef struct cause {
     void (*at)(look *l, double value, int frame);
     int (*curves)(result *r, kit_error *err);      /* instead: of the library's maths alone */
     double value[MOST_VALUES];             /* up to the first 0 after the first value */
-    const char *about, *number, *up;       /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
+    /* the last two: what the number is, and the chart's other axis; NULL = the kind's */
+    const char *about, *number, *up;
 } cause;
 
 static const float PI_180 = 0.01745329252f;
 static void set(float v[3], float x, float y, float z) { v[0] = x; v[1] = y; v[2] = z; }
-static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1) { set(b, x0, y0, z0); set(b + 3, x1, y1, z1); }
+static void set_box(float b[6], float x0, float y0, float z0, float x1, float y1, float z1)
+{
+    set(b, x0, y0, z0);
+    set(b + 3, x1, y1, z1);
+}
 static void camera(look *l, float x, float y, float z, float tx, float ty, float tz, float fovy)
 {
     set(l->eye, x, y, z);
@@ -227,53 +246,238 @@ static int popping(result *r, kit_error *err);
 #define DEPTHS   { 1.2225, 78.24, 1251.84, 5007.36, 10014.72, 20029.44, 40058.88, 80117.76 }
 #define SLIDING  { -0.8, -0.6, -0.4, -0.2, -0.001, 0.2, 0.4, 0.6, 0.8 }
 static const cause causes[] = {
-    { "tilt",       "View tilt, a bare plane", "tilt of the view against the plane's normal, degrees", ERROR, AMBIENT, 240, 16, 0, tilt, NULL,
+    { "tilt",
+      "View tilt, a bare plane",
+      "tilt of the view against the plane's normal, degrees",
+      ERROR,
+      AMBIENT,
+      240,
+      16,
+      0,
+      tilt,
+      NULL,
       { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
       .about = "A plane occludes nothing of itself: all that is seen is false." },
-    { "tilt-wall",  "View tilt, a plane and a wall", "tilt of the view against the plane's normal, degrees", ERROR, AMBIENT, 240, 128, 0, tilt_wall, NULL,
+    { "tilt-wall",
+      "View tilt, a plane and a wall",
+      "tilt of the view against the plane's normal, degrees",
+      ERROR,
+      AMBIENT,
+      240,
+      128,
+      0,
+      tilt_wall,
+      NULL,
       { 0.001, 30, 50, 65, 75, 80, 84, 87, 89 },
       .about = "A low wall along the line of sight; both are scored." },
-    { "pole",       "Thickness: a pole before a far wall", "thickness of the pole, pixels", ERROR, AMBIENT | THIN, 240, 64, 1, pole, NULL, { 0.1, 0.3, 1, 2, 4, 10, 20 },
+    { "pole",
+      "Thickness: a pole before a far wall",
+      "thickness of the pole, pixels",
+      ERROR,
+      AMBIENT | THIN,
+      240,
+      64,
+      1,
+      pole,
+      NULL,
+      { 0.1, 0.3, 1, 2, 4, 10, 20 },
       .about = "The wall is almost four radii behind: it is open, and darkness around the pole is a halo." },
-    { "rail",       "Thickness: a rail above a floor", "thickness of the rail, pixels", ERROR, AMBIENT | THIN, 240, 128, 1, rail, NULL, { 0.1, 0.3, 1, 2, 4, 10, 20 },
+    { "rail",
+      "Thickness: a rail above a floor",
+      "thickness of the rail, pixels",
+      ERROR,
+      AMBIENT | THIN,
+      240,
+      128,
+      1,
+      rail,
+      NULL,
+      { 0.1, 0.3, 1, 2, 4, 10, 20 },
       .about = "Half a radius above the floor: its occlusion goes with its thickness." },
-    { "halo",       "Distance behind a depth discontinuity", "distance of the wall behind the screen's edge, radii", ERROR, AMBIENT | THIN, 240, 128, 1, screen, NULL,
-      { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 }, .about = "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is open." },
-    { "radius",     "Radius, from a tenth of a pixel to the whole screen", "radius, pixels at the middle of the room", ERROR, AMBIENT, 240, 64, 1, of_pixels, NULL,
+    { "halo",
+      "Distance behind a depth discontinuity",
+      "distance of the wall behind the screen's edge, radii",
+      ERROR,
+      AMBIENT | THIN,
+      240,
+      128,
+      1,
+      screen,
+      NULL,
+      { 0.1, 0.3, 0.6, 1, 1.5, 3, 10, 30 },
+      .about =
+          "A screen before a wall; of the wall two radii beside the edge are scored. Beyond one radius it is open." },
+    { "radius",
+      "Radius, from a tenth of a pixel to the whole screen",
+      "radius, pixels at the middle of the room",
+      ERROR,
+      AMBIENT,
+      240,
+      64,
+      1,
+      of_pixels,
+      NULL,
       { 0.1, 0.3, 1, 3, 10, 30, 80, 240 },
       .about = "Room." },
-    { "off-screen", "Sliding off the screen", "how far the box is off the screen, radii", ERROR, AMBIENT | FIELD, 240, 128, 0, off_screen, NULL, SLIDING,
-      .about = "A box slides off; the ground beside it, or beside the picture's border, is scored. Of aof: occlusion at any distance, against its own "
-      "truth, here and below." },
-    { "hidden",     "Sliding behind another", "how far the box is behind the screen's edge, radii", ERROR, AMBIENT | FIELD, 240, 128, 0, behind, NULL, SLIDING,
+    { "off-screen", "Sliding off the screen", "how far the box is off the screen, radii", ERROR, AMBIENT | FIELD, 240,
+      128, 0, off_screen, NULL, SLIDING,
+      .about = "A box slides off; the ground beside it, or beside the picture's border, is scored. Of aof: occlusion "
+               "at any distance, against its own "
+               "truth, here and below." },
+    { "hidden", "Sliding behind another", "how far the box is behind the screen's edge, radii", ERROR, AMBIENT | FIELD,
+      240, 128, 0, behind, NULL, SLIDING,
       .about = "A box slides behind a screen in front; the ground beside it, or beside the screen's edge, is scored." },
-    { "near-plane", "Crossing the near plane", "front of the box before the near plane, radii", ERROR, AMBIENT | FIELD, 240, 128, 0, near_plane, NULL,
-      { 1.2, 0.8, 0.4, 0.1, -0.1, -0.3, -0.5, -0.7, -0.9 }, .about = "A box comes toward the camera, is cut open, and is gone at -0.8; the ground beside it is scored." },
-    { "depth-16f",  "View depth stored as 16 bits of float", "view depth", PRECISION, AMBIENT, 160, 0, 1, half_float, NULL, DEPTHS,
-      .about = "Boxes, near plane at 0.1; the radius is of the same number of pixels at all depths, and only precision changes. To the picture with exact depth." },
-    { "depth-24",   "View depth as 24 bits of window depth", "view depth", PRECISION, AMBIENT, 160, 0, 1, unorm24, NULL, DEPTHS, .about = "The same." },
-    { "depth-32f",  "View depth as 32 bits of window depth, float", "view depth", PRECISION, AMBIENT, 160, 0, 1, float32, NULL, DEPTHS, .about = "The same." },
-    { "depth-reversed", "View depth as 32 bits of reversed window depth, float", "view depth", PRECISION, AMBIENT, 160, 0, 1, reversed32, NULL, DEPTHS,
-      .about = "The same." },
-    { "camera",     "The camera moves sideways", "pixels a frame", DEVIATION, AMBIENT | FIELD, 160, 128, 1, moved, NULL, { 0.1, 0.25, 0.5, 1, 2, 4 },
+    { "near-plane",
+      "Crossing the near plane",
+      "front of the box before the near plane, radii",
+      ERROR,
+      AMBIENT | FIELD,
+      240,
+      128,
+      0,
+      near_plane,
+      NULL,
+      { 1.2, 0.8, 0.4, 0.1, -0.1, -0.3, -0.5, -0.7, -0.9 },
+      .about = "A box comes toward the camera, is cut open, and is gone at -0.8; the ground beside it is scored." },
+    { "depth-16f", "View depth stored as 16 bits of float", "view depth", PRECISION, AMBIENT, 160, 0, 1, half_float,
+      NULL, DEPTHS,
+      .about = "Boxes, near plane at 0.1; the radius is of the same number of pixels at all depths, and only precision "
+               "changes. To the picture with exact depth." },
+    { "depth-24", "View depth as 24 bits of window depth", "view depth", PRECISION, AMBIENT, 160, 0, 1, unorm24, NULL,
+      DEPTHS, .about = "The same." },
+    { "depth-32f", "View depth as 32 bits of window depth, float", "view depth", PRECISION, AMBIENT, 160, 0, 1, float32,
+      NULL, DEPTHS, .about = "The same." },
+    { "depth-reversed", "View depth as 32 bits of reversed window depth, float", "view depth", PRECISION, AMBIENT, 160,
+      0, 1, reversed32, NULL, DEPTHS, .about = "The same." },
+    { "camera",
+      "The camera moves sideways",
+      "pixels a frame",
+      DEVIATION,
+      AMBIENT | FIELD,
+      160,
+      128,
+      1,
+      moved,
+      NULL,
+      { 0.1, 0.25, 0.5, 1, 2, 4 },
       .about = "Two dozen shapes. Places that all frames show, between four pixels each." },
-    { "dolly",      "The camera comes closer", "percent of the distance a frame", DEVIATION, AMBIENT | FIELD, 160, 128, 1, closer, NULL, { 0.1, 0.3, 1, 3 },
+    { "dolly",
+      "The camera comes closer",
+      "percent of the distance a frame",
+      DEVIATION,
+      AMBIENT | FIELD,
+      160,
+      128,
+      1,
+      closer,
+      NULL,
+      { 0.1, 0.3, 1, 3 },
       .about = "The same, for surfels that pop." },
-    { "light",      "The sun turns", "degrees a frame", LIT_SECOND, TURNED, 160, 256, 1, sun, NULL, { 0.25, 0.5, 1, 2, 4, 8 },
+    { "light",
+      "The sun turns",
+      "degrees a frame",
+      LIT_SECOND,
+      TURNED,
+      160,
+      256,
+      1,
+      sun,
+      NULL,
+      { 0.25, 0.5, 1, 2, 4, 8 },
       .about = "Three boxes under the sky and a soft sun, in the environment." },
-    { "rotation",   "An object turns", "degrees a frame", SECOND, AMBIENT | FIELD, 160, 256, 1, turning, NULL, { 0.25, 0.5, 1, 2, 4, 8 },
+    { "rotation",
+      "An object turns",
+      "degrees a frame",
+      SECOND,
+      AMBIENT | FIELD,
+      160,
+      256,
+      1,
+      turning,
+      NULL,
+      { 0.25, 0.5, 1, 2, 4, 8 },
       .about = "A table on a ground; places move with it." },
-    { "resolution", "Resolution at constant angular radius", "pixels across", ERROR, AMBIENT, 160, 128, 1, sized, NULL, { 160, 320, 640, 1280, 1920, 3840 },
+    { "resolution",
+      "Resolution at constant angular radius",
+      "pixels across",
+      ERROR,
+      AMBIENT,
+      160,
+      128,
+      1,
+      sized,
+      NULL,
+      { 160, 320, 640, 1280, 1920, 3840 },
       .about = "Room, from 160 x 90 to 3840 x 2160." },
-    { "sh-open",    "Ringing of a sun as harmonics: an open surface", "angle of the sun to the normal, degrees", ERROR, 0, 0, 0, 0, NULL, ringing_open, { 0 },
-      "Irradiance over that of an open surface that faces the sun.", "most negative irradiance", "irradiance" },
-    { "sh-shade",   "Ringing of a sun as harmonics: in shade", "angle of the sun to the normal, degrees", ERROR, 0, 0, 0, 0, NULL, ringing_in_shade, { 0 },
-      "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.", "most negative irradiance", "irradiance" },
-    { "hull",       "Through the hull of a field's occluder", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull, { 0 },
-      "Occlusion by a table, on a line between its legs, facing up.", "largest error", "occlusion" },
-    { "hull-steps", "Through the hull of a field's occluder: steps", "place along the line, in sizes of the table", ERROR, 0, 0, 0, 0, NULL, hull_steps, { 0 },
-      "What a hundredth of the table's size adds.", "largest step", "step of occlusion" },
-    { "surfels",    "Surfel counts with the camera's distance", "distance of the camera, times the nearest", ERROR, 0, 0, 0, 1, NULL, popping, { 0 },
-      "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.", "largest change", "change of the count, a share of it" }
+    { "sh-open",
+      "Ringing of a sun as harmonics: an open surface",
+      "angle of the sun to the normal, degrees",
+      ERROR,
+      0,
+      0,
+      0,
+      0,
+      NULL,
+      ringing_open,
+      { 0 },
+      "Irradiance over that of an open surface that faces the sun.",
+      "most negative irradiance",
+      "irradiance" },
+    { "sh-shade",
+      "Ringing of a sun as harmonics: in shade",
+      "angle of the sun to the normal, degrees",
+      ERROR,
+      0,
+      0,
+      0,
+      0,
+      NULL,
+      ringing_in_shade,
+      { 0 },
+      "The same where a cone of 30 degrees is seen, 45 degrees off the normal, and nothing else.",
+      "most negative irradiance",
+      "irradiance" },
+    { "hull",
+      "Through the hull of a field's occluder",
+      "place along the line, in sizes of the table",
+      ERROR,
+      0,
+      0,
+      0,
+      0,
+      NULL,
+      hull,
+      { 0 },
+      "Occlusion by a table, on a line between its legs, facing up.",
+      "largest error",
+      "occlusion" },
+    { "hull-steps",
+      "Through the hull of a field's occluder: steps",
+      "place along the line, in sizes of the table",
+      ERROR,
+      0,
+      0,
+      0,
+      0,
+      NULL,
+      hull_steps,
+      { 0 },
+      "What a hundredth of the table's size adds.",
+      "largest step",
+      "step of occlusion" },
+    { "surfels",
+      "Surfel counts with the camera's distance",
+      "distance of the camera, times the nearest",
+      ERROR,
+      0,
+      0,
+      0,
+      1,
+      NULL,
+      popping,
+      { 0 },
+      "Two dozen shapes; how many surfels a step of 1 % of the distance adds or takes. Areas alone would add 2 %.",
+      "largest change",
+      "change of the count, a share of it" }
 };
 enum { CAUSES = sizeof causes / sizeof *causes };

@@ -23,18 +23,22 @@ static inline void direction(float d[3])
 /* ---- defined in test_pipeline.c */
 
 kit_camera looking_along_z(int width, int height, int orthographic);
-/* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes x * n = n[3] enclose, from within. */
+/* The exact picture, channels Z, N.X, N.Y, N.Z and those of more ("" or ",direct.R,..", zero), of the space that planes
+   x * n = n[3] enclose, from within. */
 int        planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more);
 int        flat(const kit_image *frame, int x, int y);          /* nothing but surface within 3 pixels */
 void       turn(kit_run *run, kit_gbuffer *g);                  /* to another G-buffer of the same size */
 
-/* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2) times as many sideways and in front of
-   the wall, where what stands behind it is seen. The floor at distance c from the wall is seen through the very centre of row row_at(c). What is drawn
-   is cut to a row of the columns in the middle. */
+/* Floor and wall from 45 degrees above, orthographic; radius 1 is SPAN pixels down the floor, up the wall, and sqrt(2)
+   times as many sideways and in front of the wall, where what stands behind it is seen. The floor at distance c from
+   the wall is seen through the very centre of row row_at(c). What is drawn is cut to a row of the columns in the
+   middle. */
 enum { SPAN = 256, MIDDLE = 364, COLUMNS = 64, WIDE = 2 * MIDDLE + COLUMNS, HIGH = SPAN + 16 + MIDDLE };
 int        row_at(double c);
-kit_camera corner_planes(double plane[2][4], double c, double behind);      /* floor, wall; that one moved away by behind */
-double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);       /* the mean of the last pass's first channel over the middle columns of a row, over phases */
+/* floor, wall; that one moved away by behind */
+kit_camera corner_planes(double plane[2][4], double c, double behind);
+/* the mean of the last pass's first channel over the middle columns of a row, over phases */
+double     row_of(kit_run *run, kit_gbuffer *g, int row, int phases);
 double     linear_corner(double c), hard_corner(double c);      /* occlusion at distance c radii */
 
 /* ---- defined in test_light.c; all return whether it went well */
@@ -43,12 +47,17 @@ typedef struct box { float lower[3], upper[3]; } box;
 /* env: "white", which is 1 everywhere, or what kit_env_read takes; light: what kit_light_parse takes; NULL = none */
 int        lighten(kit_lighting *l, const char *env, const char *light);
 /* A built-in scene with boxes added, and its G-buffer; camera NULL: the scene's own. */
-int        see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera, int width, int height);
-/* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without end, gap behind it. */
+int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
+        int width, int height);
+/* The corner with a slab of this thickness for a wall, layers of it: its face, its back, and the face of a wall without
+   end, gap behind it. */
 int        slab(kit_gbuffer *g, double c, double thickness, double gap, int layers);
-/* A method of light: 33 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its picture; both at once. */
-int        begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);
+/* A method of light: 33 directions of one point, unfiltered, harmonics as published, unless set says otherwise; its
+   picture; both at once. */
+int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+          const kit_lighting *lighting);
 int        drawn(kit_image *out, kit_run *run);
-int        lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting);
+int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+        const kit_lighting *lighting);
 double     mean(const kit_image *image, const char *channel);
 #endif

@@ -1,4 +1,5 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and plans. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and
+   plans. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */
@@ -12,11 +13,18 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-#define MUST(condition) do { if (!(condition)) { fprintf(stderr, "fuzz.c:%d: %s\n", __LINE__, #condition); abort(); } } while (0)
+#define MUST(condition) \
+    do { \
+        if (!(condition)) { \
+            fprintf(stderr, "fuzz.c:%d: %s\n", __LINE__, #condition); \
+            abort(); \
+        } \
+    } while (0)
 
 enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE = 16, MOST = 32 * 1024 };
 
-/* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay cheap. */
+/* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay
+   cheap. */
 static void descs(const uint8_t *data, size_t size)
 {
     static char text[MOST];
@@ -42,10 +50,12 @@ static void descs(const uint8_t *data, size_t size)
     if (ssgi_gl_preset(&tuned, (int)(sum % 4), NULL) == SSGI_OK) MUST(ssgi_gl_check(&tuned, NULL) == SSGI_OK);
     if (ssgi_gl_check(&d, &why) != SSGI_OK) {
         MUST(why && !strncmp(why, "desc", 4));
-        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) && !ssgi_gl_key(&d));
+        MUST(!ssgi_gl_emit(text, sizeof text, &d, SSGI_GL_FRAGMENT) && !ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO)
+             && !ssgi_gl_key(&d));
         return;
     }
-    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0 && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
+    MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0
+         && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
     if (sum % 8) return;
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);
@@ -55,7 +65,8 @@ static void descs(const uint8_t *data, size_t size)
     }
     MUST(n > 60 && n < sizeof text && strlen(text) == n && ssgi_gl_key(&d));
     const size_t room = sum * 97 % (n + 2);
-    char *exact = (char *)malloc(room + 1);                /* ends where the room ends, so that a sanitizer sees a byte too far */
+    /* ends where the room ends, so that a sanitizer sees a byte too far */
+    char *exact = (char *)malloc(room + 1);
     if (exact) MUST(ssgi_gl_emit(exact + 1, room, &d, stage) == n && (!room || !exact[room]));
     free(exact);
 }
@@ -69,43 +80,54 @@ static int all_finite(const float *f, size_t count)
 /* Floats as harmonics, lights and skies; [3*i + c] in sh, finite. */
 static void harmonics(float *sh, int bands, const float *f, size_t count)
 {
-    float out[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], turned[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], window[SSGI_SH_MAX_BANDS], strength;
+    float out[SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], turned[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS],
+        window[SSGI_SH_MAX_BANDS], strength;
     const int any = (int)(count * 7 % 17) - 5;             /* bands: what is too much or too little is limited */
     const char *why = NULL;
     ssgi_sh_basis(out, any, f);
     ssgi_sh_window(window, any, any);
     ssgi_sh_zonal(out, any, f, f + 6);
-    ssgi_sh_rotate(turned, any, count >= 3 * sizeof out / sizeof *out ? f : sh, any < bands ? 3 : 1, count >= 11 ? f : NULL);
+    ssgi_sh_rotate(turned, any, count >= 3 * sizeof out / sizeof *out ? f : sh, any < bands ? 3 : 1,
+                   count >= 11 ? f : NULL);
     ssgi_sh_product(out, bands, sh, f[0] > 0 ? sh : sh + bands * bands);
     ssgi_sh_rotate(turned, bands, sh, 3, NULL);
     MUST(all_finite(turned, (size_t)(3 * bands * bands)));
     if (ssgi_sh_light(sh, bands, f, fabsf(f[3]), f + 4, any, &why) != SSGI_OK) MUST(strchr(why, ':'));
-    if (ssgi_sh_light(sh, bands, f, 0.5f, f + 4, (int)(count % 3), &why) != SSGI_OK) MUST(!strncmp(why, "direction:", 10) || !strncmp(why, "irradiance:", 11));
-    if (ssgi_sh_sky(sh, bands, f, f + 3, f + 6, &why) != SSGI_OK) MUST(!strncmp(why, "up:", 3) || !strncmp(why, "above:", 6) || !strncmp(why, "below:", 6));
+    if (ssgi_sh_light(sh, bands, f, 0.5f, f + 4, (int)(count % 3), &why) != SSGI_OK)
+        MUST(!strncmp(why, "direction:", 10) || !strncmp(why, "irradiance:", 11));
+    if (ssgi_sh_sky(sh, bands, f, f + 3, f + 6, &why) != SSGI_OK)
+        MUST(!strncmp(why, "up:", 3) || !strncmp(why, "above:", 6) || !strncmp(why, "below:", 6));
     MUST(all_finite(sh, (size_t)(3 * bands * bands)));
     if (count % 55 == 0)                                   /* takes long */
-        MUST(ssgi_sh_dering(sh, bands, &strength, &why) == SSGI_OK && strength >= 0.0f && strength <= 1e30f && all_finite(sh, (size_t)(3 * bands * bands)));
+        MUST(ssgi_sh_dering(sh, bands, &strength, &why) == SSGI_OK && strength >= 0.0f && strength <= 1e30f
+             && all_finite(sh, (size_t)(3 * bands * bands)));
 }
 
 /* Pictures of random size as environments, pixels as a reflective shadow map. */
 static void pictures(const float *f, size_t count)
 {
-    const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels, height = pixels / width;
+    const size_t pixels = count / 3, width = 1 + (size_t)fabsf(isfinite(f[0]) ? fmodf(f[0], 16) : 3) % pixels,
+                 height = pixels / width;
     const float *const faces[6] = { f, f, f, f, f, f };
     const int bands = 1 + (int)(count % SSGI_SH_MAX_BANDS), many = 1 + (int)(count % 17);
     float sh[3 * SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS], map[3 * 8 * 8], e[2], d[3];
     ssgi_sun sun[17];
     ssgi_vpl vpl[17];
     const char *why = NULL;
-    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, (int)height, &why) == SSGI_OK && all_finite(sh, (size_t)(3 * bands * bands)));
+    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, (int)height, &why) == SSGI_OK
+         && all_finite(sh, (size_t)(3 * bands * bands)));
     if (count > 16 && count % 5 == 0) harmonics(sh, bands, f, count);
     MUST(ssgi_sh_project_cube(sh, 3, faces, (int)sqrt((double)pixels), &why) == SSGI_OK && all_finite(sh, 27));
-    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, 0, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "height:", 7));
+    MUST(ssgi_sh_project_equirect(sh, bands, f, (int)width, 0, &why) == SSGI_BAD_ARGUMENT
+         && !strncmp(why, "height:", 7));
     MUST(ssgi_environment_suns(sun, many, f, (int)width, (int)height, &why) == SSGI_OK);
     for (int i = 0; i < many; ++i) MUST(all_finite(sun[i].irradiance, 3) && all_finite(sun[i].direction, 3));
     if (count > 64 && count % 16 == 9) {                   /* takes long */
-        MUST(ssgi_environment_map(map, 8, f, (int)width, (int)height, fabsf(f[1]) < 10.0f ? fabsf(f[1]) : 0.0f, &why) == SSGI_OK && all_finite(map, 3 * 8 * 8));
-        if (ssgi_environment_cone(map, 8, f, (int)width, (int)height, fabsf(f[1]), &why) != SSGI_OK) MUST(!strncmp(why, "cosine:", 7));
+        MUST(ssgi_environment_map(map, 8, f, (int)width, (int)height, fabsf(f[1]) < 10.0f ? fabsf(f[1]) : 0.0f, &why)
+                 == SSGI_OK
+             && all_finite(map, 3 * 8 * 8));
+        if (ssgi_environment_cone(map, 8, f, (int)width, (int)height, fabsf(f[1]), &why) != SSGI_OK)
+            MUST(!strncmp(why, "cosine:", 7));
         else MUST(all_finite(map, 3 * 8 * 8));
     }
     if (ssgi_vpl_choose(vpl, many, f, f, f, pixels, &why) != SSGI_OK) MUST(!strncmp(why, "flux:", 5));
@@ -113,8 +135,12 @@ static void pictures(const float *f, size_t count)
     for (size_t i = 0; i + 3 <= count; i += 3) {
         ssgi_octahedral_encode(f + i, e);
         ssgi_octahedral_decode(e, d);
-        if (all_finite(f + i, 3)) MUST(fabsf(e[0]) <= 1.0f && fabsf(e[1]) <= 1.0f && fabsf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) < 1e-5f);
-        if (all_finite(f + i, 3)) MUST(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2])) >= 0.0f && isfinite(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2]))));
+        if (all_finite(f + i, 3))
+            MUST(fabsf(e[0]) <= 1.0f && fabsf(e[1]) <= 1.0f
+                 && fabsf(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1.0f) < 1e-5f);
+        if (all_finite(f + i, 3))
+            MUST(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2])) >= 0.0f
+                 && isfinite(ssgi_shadow_bias(fabsf(f[i]), f[i + 1], fabsf(f[i + 2]))));
     }
 }
 
@@ -129,11 +155,16 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
     const char *why = NULL;
     ssgi_extra_displacement((int)(count % 4), displacement);
     for (int k = 0; k < 2; ++k) {                          /* hardly ever rigid; always, but for its translation */
-        if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why) != SSGI_OK) MUST(strchr(why, ':'));
-        else MUST(ssgi_view_from_projection(&other, projection, SSGI_CLIP_GL, 64, 64, &why) == SSGI_OK && all_finite(to, 16));
+        if (ssgi_extra_camera(to, projection, k ? turn : f, f + 3, last[5], k && count % 2 ? displacement : last, &why)
+            != SSGI_OK)
+            MUST(strchr(why, ':'));
+        else
+            MUST(ssgi_view_from_projection(&other, projection, SSGI_CLIP_GL, 64, 64, &why) == SSGI_OK
+                 && all_finite(to, 16));
     }
     if (ssgi_gl_views_set(&views, (int)(count % 4), view, f, last, &why) != SSGI_OK)
-        MUST(!strncmp(why, "main_world_to_view:", 19) && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
+        MUST(!strncmp(why, "main_world_to_view:", 19)
+             && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
 
@@ -163,8 +194,10 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     memcpy(source.to_view, count & 4 ? f : still, sizeof still);
     if (ssgi_surfels(made, 256, &many, &d, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
     else for (size_t i = 0; i < many && i < 256; ++i) {
-        const float *p = made[i].position, *n = made[i].normal, side = fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f);
-        MUST(all_finite(p, 3) && made[i].radius > 0.0f && isfinite(made[i].radius) && side < 1e-5f && made[i].seed >= 0.0f && made[i].seed < 1.0f);
+            const float *p = made[i].position, *n = made[i].normal,
+                        side = fabsf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1.0f);
+            MUST(all_finite(p, 3) && made[i].radius > 0.0f && isfinite(made[i].radius) && side < 1e-5f
+                 && made[i].seed >= 0.0f && made[i].seed < 1.0f);
     }
     if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
     else MUST(cost.surfels == many);
@@ -173,7 +206,8 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     if (ssgi_gl_surfels_set(&frame, view, &d, levels, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 
-/* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and loaded. */
+/* Bakes of whatever triangles: few, they take long. What is baked is saved, damaged with a checksum that fits, and
+   loaded. */
 static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
 {
     static uint32_t texels[6 * 4 * 4 * 4];
@@ -202,7 +236,8 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
     }
     ++calls;
     memcpy(file, kept, length);
-    for (size_t i = 0; i + 3 <= size && i < 24; i += 3) file[(data[i] & 1 ? data[i + 1] % 128u : (data[i] * 256u + data[i + 1])) % (length - 8)] = data[i + 2];
+    for (size_t i = 0; i + 3 <= size && i < 24; i += 3)
+        file[(data[i] & 1 ? data[i + 1] % 128u : (data[i] * 256u + data[i + 1])) % (length - 8)] = data[i + 2];
     if (size % 8) {
         const uint64_t h = ssgi__field_checksum(file, length - 8);
         ssgi__field_put(file, length / 4 - 2, (uint32_t)h);
@@ -213,7 +248,10 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
     if (exact) memcpy(exact, file, cut);
     if (exact && ssgi_field_load(&field, texels, sizeof texels, exact, cut, &why) == SSGI_OK) {
         for (size_t i = 0; i + 6 <= count && i < 60; i += 3) {
-            const float near_by[3] = { field.centre[0] + field.radius * (float)(data[i] - 128) / 64, field.centre[1] + field.radius * (float)(data[i + 1] - 128) / 64, field.centre[2] }, a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3);
+            const float near_by[3] = { field.centre[0] + field.radius * (float)(data[i] - 128) / 64,
+                                       field.centre[1] + field.radius * (float)(data[i + 1] - 128) / 64,
+                                       field.centre[2] },
+                        a = ssgi_field_occlusion(&field, NULL, f + i, f + i + 3);
             const float b = ssgi_field_occlusion(&field, NULL, near_by, f + i + 3);
             MUST(a >= 0.0f && a <= 1.0f && b >= 0.0f && b <= 1.0f);
         }
@@ -226,8 +264,12 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
         ssgi__normalise(directions + 3 * i);
     }
     const double w[3] = { 0, 0, 1 };
-    if (calls % 16 == 0) MUST(isfinite(ssgi__field_fit(q, radii, values, 3 + (int)(size % 6), 1.0)) && q[0] >= 1.0 && q[2] >= 1.0 && isfinite(q[1]));
-    if (calls % 16 == 1) MUST(isfinite(ssgi__field_centre(c, w, radii, directions, 1 + (int)(size % 8), 1e-14)) && isfinite(c[0] + c[1] + c[2]));
+    if (calls % 16 == 0)
+        MUST(isfinite(ssgi__field_fit(q, radii, values, 3 + (int)(size % 6), 1.0)) && q[0] >= 1.0 && q[2] >= 1.0
+             && isfinite(q[1]));
+    if (calls % 16 == 1)
+        MUST(isfinite(ssgi__field_centre(c, w, radii, directions, 1 + (int)(size % 8), 1e-14))
+             && isfinite(c[0] + c[1] + c[2]));
 }
 
 static void plans(const float *f, size_t count, const uint8_t *data, size_t size)
@@ -253,9 +295,12 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     s.calibration.unoccluded = f[4];
     s.calibration.hsao = f[5];
     memcpy(s.energy, f + count - 4, sizeof s.energy);
-    if (ssgi_depth_statistics_of(&statistics, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK) s.statistics = statistics;
+    if (ssgi_depth_statistics_of(&statistics, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK)
+        s.statistics = statistics;
     if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
-        MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error) && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8 && strlen(plan.why) < sizeof plan.why - 1);
+        MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error)
+             && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8
+             && strlen(plan.why) < sizeof plan.why - 1);
     else MUST(!strncmp(why, "scene.", 6) && !memcmp(&plan, &was, sizeof plan));
 }
 
@@ -287,7 +332,8 @@ static void floats(const float *f, size_t count)
     for (size_t i = 1; i * 9 <= count && i <= 256; i += i < 4 ? 1 : i / 2) {
         MUST(ssgi_trace_build(&trace, memory, sizeof memory, f, 12, NULL, i, &why) == SSGI_OK && trace.skipped <= i);
         if (!ssgi_trace_closest(&trace, f, f + 3, 0.0f, 1e30f, &hit)) continue;
-        MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f && ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
+        MUST(hit.triangle < i && hit.t > 0.0f && hit.u >= 0.0f && hit.v >= 0.0f && hit.u + hit.v <= 1.00001f
+             && ssgi_trace_any(&trace, f, f + 3, 0.0f, 1e30f));
     }
 }
 
@@ -314,11 +360,15 @@ int main(int argc, char **argv)
     uint32_t state = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
     uint8_t bytes[4 * 9 * 64];
     for (long i = 0; i < times; ++i) {
-        size_t size = FIELDS + next(&state) % CODE, k;     /* most inputs: a desc that is right but for a byte or none */
+        /* most inputs: a desc that is right but for a byte or none */
+        size_t size = FIELDS + next(&state) % CODE, k;
         if (i % 16 == 0) size = next(&state) % (sizeof bytes + 1);
-        for (k = 0; k < size; ++k) bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % ((uint32_t)ssgi_gl__fields[k].most + 1u) : next(&state));
+        for (k = 0; k < size; ++k)
+            bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % ((uint32_t)ssgi_gl__fields[k].most + 1u)
+                                                      : next(&state));
         if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
-        if (i % 32 == 0)                                    /* floats of a size that means something, and a projection */
+        /* floats of a size that means something, and a projection */
+        if (i % 32 == 0)
             for (k = 0; 4 * k + 4 <= size; ++k) {
                 float x = k < 16 && i % 64 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);
                 memcpy(bytes + 4 * k, &x, sizeof x);

@@ -1,5 +1,6 @@
-/* main.c - runs all tests; the last line is "N passed, N failed". Arguments name the groups to run, none = all. Each group is a process of its own, as many at
-   once as there are processors; what they print comes in order, each under its name and the seconds of processor that it and what it started took. */
+/* main.c - runs all tests; the last line is "N passed, N failed". Arguments name the groups to run, none = all. Each
+   group is a process of its own, as many at once as there are processors; what they print comes in order, each under
+   its name and the seconds of processor that it and what it started took. */
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -7,10 +8,13 @@
 #include <unistd.h>
 #include "t.h"
 
-static const struct { const char *name; void (*run)(void); } groups[] = {    /* long ones first: the last to end is then a short one */
-    { "build", test_build }, { "casters", test_casters }, { "surfels", test_surfels }, { "pipeline", test_pipeline }, { "stability", test_stability }, { "plan", test_plan },
-    { "library", test_library }, { "text", test_text }, { "twins", test_twins }, { "light", test_light }, { "vectors", test_vectors }, { "field", test_field }, { "math", test_math }, { "trace", test_trace }, { "files", test_files }
-};
+/* long ones first: the last to end is then a short one */
+static const struct { const char *name; void (*run)(void);
+} groups[] = { { "build", test_build },       { "casters", test_casters },     { "surfels", test_surfels },
+               { "pipeline", test_pipeline }, { "stability", test_stability }, { "plan", test_plan },
+               { "library", test_library },   { "text", test_text },           { "twins", test_twins },
+               { "light", test_light },       { "vectors", test_vectors },     { "field", test_field },
+               { "math", test_math },         { "trace", test_trace },         { "files", test_files } };
 enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];
@@ -38,7 +42,8 @@ static void finish(int g, int status, const struct rusage *spent)
     int counts[2] = { 0, 1 };
     job[g].done = 1;
     job[g].seconds = t_seconds(spent);
-    if (read(job[g].answer[0], counts, sizeof counts) != sizeof counts) dprintf(fileno(job[g].said), "FAILED  the group ended before its tests did: status %d\n", status);
+    if (read(job[g].answer[0], counts, sizeof counts) != sizeof counts)
+        dprintf(fileno(job[g].said), "FAILED  the group ended before its tests did: status %d\n", status);
     close(job[g].answer[0]);
     t_passed += counts[0];
     t_failed += counts[1];
@@ -57,7 +62,8 @@ static void print(int g)
 int main(int argc, char **argv)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    /* Mesa's software rasteriser spends its time on optimising shaders that draw a few small pictures; and in words of 4 floats a picture is the same on every processor. */
+    /* Mesa's software rasteriser spends its time on optimising shaders that draw a few small pictures; and in words of
+       4 floats a picture is the same on every processor. */
     setenv("GALLIVM_PERF", "nopt", 0);
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
     int running = 0, next = 0, shown = 0, wanted[GROUPS];
@@ -72,12 +78,20 @@ int main(int argc, char **argv)
             if (wanted[next]) { start(next); ++running; }
             ++next;
         }
-        for (; shown < GROUPS && job[shown].done; ++shown) if (wanted[shown]) { print(shown); all += job[shown].seconds; }
+        for (; shown < GROUPS && job[shown].done; ++shown)
+            if (wanted[shown]) {
+                print(shown);
+                all += job[shown].seconds;
+            }
         if (!running) break;
         struct rusage spent;
         int status;
         const pid_t ended = wait4(-1, &status, 0, &spent);
-        for (int g = 0; g < GROUPS; ++g) if (wanted[g] && !job[g].done && job[g].process == ended) { finish(g, status, &spent); --running; }
+        for (int g = 0; g < GROUPS; ++g)
+            if (wanted[g] && !job[g].done && job[g].process == ended) {
+                finish(g, status, &spent);
+                --running;
+            }
     }
     printf("%.1f s of processor\n%d passed, %d failed\n", all, t_passed, t_failed);
     return t_failed != 0;

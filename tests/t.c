@@ -62,7 +62,8 @@ void t_note(const char *format, ...)
 
 double t_seconds(const struct rusage *spent)
 {
-    return (double)(spent->ru_utime.tv_sec + spent->ru_stime.tv_sec) + 1e-6 * (double)(spent->ru_utime.tv_usec + spent->ru_stime.tv_usec);
+    return (double)(spent->ru_utime.tv_sec + spent->ru_stime.tv_sec)
+           + 1e-6 * (double)(spent->ru_utime.tv_usec + spent->ru_stime.tv_usec);
 }
 
 double t_spent(int children)

@@ -4,18 +4,24 @@
 #include <stdio.h>
 #include <sys/resource.h>
 
-#define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))      /* what the message is made of is looked at when it fails */
+/* what the message is made of is looked at when it fails */
+#define CHECK(condition, ...) t_is((condition) || t_check(__FILE__, __LINE__, __VA_ARGS__))
 static inline int t_is(int ok) { return ok; }
 #define RUN(sentence, function) t_run(sentence, function)
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
-int  t_check(const char *file, int line, const char *format, ...);         /* failed: the message says what was found; returns 0. Outside a test it is one of its own */
-void t_note(const char *format, ...);                                      /* a figure worth printing under the test's line */
-void t_run(const char *sentence, void (*test)(void));                      /* runs it, prints "ok" or "FAILED", counts it; the seconds of processor that it took if it is one or more */
-double t_seconds(const struct rusage *spent);                              /* of processor: no test may depend on how fast or busy the machine is */
-double t_spent(int children);                                              /* until now by this process, or by those that it started and that have ended */
+/* failed: the message says what was found; returns 0. Outside a test it is one of its own */
+int  t_check(const char *file, int line, const char *format, ...);
+/* a figure worth printing under the test's line */
+void t_note(const char *format, ...);
+/* runs it, prints "ok" or "FAILED", counts it; the seconds of processor that it took if it is one or more */
+void t_run(const char *sentence, void (*test)(void));
+/* of processor: no test may depend on how fast or busy the machine is */
+double t_seconds(const struct rusage *spent);
+/* until now by this process, or by those that it started and that have ended */
+double t_spent(int children);
 
 extern int t_passed, t_failed;
 

@@ -1,4 +1,5 @@
-/* test_build.c - what a compiler, a newcomer and a shell see: warnings, linking, the documentation's code, sanitizers, bad command lines. */
+/* test_build.c - what a compiler, a newcomer and a shell see: warnings, linking, the documentation's code, sanitizers,
+   bad command lines. */
 #include "t.h"
 #include <stdlib.h>
 #include <string.h>
@@ -52,72 +53,96 @@ static const char *const rooms =
     "int field(void);\n"
     "int deep(void);\n"
     "int use(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
+    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, tri[9] = { 0, 0, "
+    "-1, 1, 0, -1, 0, 1, -1 };\n"
     "    static const float o[3] = { 0.2f, 0.2f, 0 }, d[3] = { 0, 0, -1 };\n"
     "    static float memory[4096];\n"
-    "    float k[64]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io io[SSGI_GL_MAX_IO]; ssgi_trace t; char text[64]; int i, bad = 0;\n"
+    "    float k[64]; ssgi_view v; ssgi_gl_frame f; ssgi_gl_desc desc; ssgi_gl_io io[SSGI_GL_MAX_IO]; ssgi_trace t; "
+    "char text[64]; int i, bad = 0;\n"
     "    for (i = 0; i < (int)sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
     "    for (i = 0; i < (int)sizeof v; ++i) ((char *)&v)[i] = 0;\n"
     "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
     "    bad += ssgi_kernel(k, 1, 16, NULL) != SSGI_OK;\n"
     "    bad += !(ssgi_normal_offset(&v, 1.0f) > 0.0f);\n"
-    "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, o, d, 0.0f, 2.0f);\n"
-    "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
-    "    bad += ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || !ssgi_gl_dialect_name(0);\n"
-    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory || ssgi_radius_guess(&v, 1.0f, o, o) <= 0.0f;\n"
+    "    bad += ssgi_trace_build(&t, memory, sizeof memory, tri, 12, NULL, 1, NULL) != SSGI_OK || !ssgi_trace_any(&t, "
+    "o, d, 0.0f, 2.0f);\n"
+    "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, "
+    "SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
+    "    bad += ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || "
+    "!ssgi_gl_dialect_name(0);\n"
+    "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory || "
+    "ssgi_radius_guess(&v, 1.0f, o, o) <= 0.0f;\n"
     "    return bad + light() + field() + deep();\n"
     "}\n"
     "int light(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };\n"
+    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, rigid[16] = { 1, 0, "
+    "0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };\n"
     "    static const float texel[6] = { 1, 2, 3, 4, 5, 6 }, up[3] = { 0, 1, 0 };\n"
     "    const float *faces[6] = { texel, texel, texel, texel, texel, texel };\n"
     "    static float map[3 * 64];\n"
-    "    float sh[27], w[3], basis[9], e[2], d[3], to[16], projection[16]; char text[64]; ssgi_gl_frame f; ssgi_sun sun[2]; ssgi_vpl vpl[2]; ssgi_view v; ssgi_gl_views views; ssgi_gl_light light; int bad = 0;\n"
+    "    float sh[27], w[3], basis[9], e[2], d[3], to[16], projection[16]; char text[64]; ssgi_gl_frame f; ssgi_sun "
+    "sun[2]; ssgi_vpl vpl[2]; ssgi_view v; ssgi_gl_views views; ssgi_gl_light light; int bad = 0;\n"
     "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK;\n"
     "    ssgi_sh_basis(basis, 3, up);\n"
-    "    bad += ssgi_sh_project_equirect(sh, 3, texel, 2, 1, NULL) != SSGI_OK || ssgi_sh_project_cube(sh, 3, faces, 1, NULL) != SSGI_OK || !(ssgi_sh_cosine(0) > 3.0f) || !(basis[0] > 0.0f);\n"
+    "    bad += ssgi_sh_project_equirect(sh, 3, texel, 2, 1, NULL) != SSGI_OK || ssgi_sh_project_cube(sh, 3, faces, 1, "
+    "NULL) != SSGI_OK || !(ssgi_sh_cosine(0) > 3.0f) || !(basis[0] > 0.0f);\n"
     "    ssgi_sh_rotate(sh, 3, sh, 3, rigid);\n"
     "    ssgi_sh_window(w, 3, SSGI_SH_WINDOW_HANN);\n"
     "    ssgi_sh_zonal(basis, 3, w, up);\n"
     "    ssgi_sh_product(basis, 3, basis, basis);\n"
-    "    bad += ssgi_sh_light(sh, 3, up, 0.1f, texel, SSGI_SH_WINDOW_HANN, NULL) != SSGI_OK || ssgi_sh_sky(sh, 3, up, texel, texel + 3, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_sh_dering(sh, 3, NULL, NULL) != SSGI_OK || ssgi_gl_harmonics_set(&f, sh, 3, rigid, NULL) != SSGI_OK || !ssgi_gl_sh(text, sizeof text, 3);\n"
+    "    bad += ssgi_sh_light(sh, 3, up, 0.1f, texel, SSGI_SH_WINDOW_HANN, NULL) != SSGI_OK || ssgi_sh_sky(sh, 3, up, "
+    "texel, texel + 3, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_sh_dering(sh, 3, NULL, NULL) != SSGI_OK || ssgi_gl_harmonics_set(&f, sh, 3, rigid, NULL) != "
+    "SSGI_OK || !ssgi_gl_sh(text, sizeof text, 3);\n"
     "    ssgi_octahedral_encode(up, e);\n"
     "    ssgi_octahedral_decode(e, d);\n"
-    "    bad += !(d[1] > 0.99f) || ssgi_environment_map(map, 8, texel, 2, 1, 0.0f, NULL) != SSGI_OK || ssgi_environment_cone(map, 8, texel, 2, 1, 0.5f, NULL) != SSGI_OK || ssgi_environment_suns(sun, 2, texel, 2, 1, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK || !(ssgi_shadow_bias(ssgi_shadow_patch(1.0f, 1.0f, 64), 0.5f, 1.0f) > 0.0f);\n"
+    "    bad += !(d[1] > 0.99f) || ssgi_environment_map(map, 8, texel, 2, 1, 0.0f, NULL) != SSGI_OK || "
+    "ssgi_environment_cone(map, 8, texel, 2, 1, 0.5f, NULL) != SSGI_OK || ssgi_environment_suns(sun, 2, texel, 2, 1, "
+    "NULL) != SSGI_OK;\n"
+    "    bad += ssgi_vpl_choose(vpl, 2, texel, texel, texel, 2, NULL) != SSGI_OK || "
+    "!(ssgi_shadow_bias(ssgi_shadow_patch(1.0f, 1.0f, 64), 0.5f, 1.0f) > 0.0f);\n"
     "    ssgi_extra_displacement(0, d);\n"
     "    bad += ssgi_extra_camera(to, projection, rigid, up, 1.0f, d, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_gl_views_set(&views, 0, &v, rigid, to, NULL) != SSGI_OK || ssgi_gl_light_map(&light, &v, 0, 0, rigid, to, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_gl_views_set(&views, 0, &v, rigid, to, NULL) != SSGI_OK || ssgi_gl_light_map(&light, &v, 0, 0, "
+    "rigid, to, NULL) != SSGI_OK;\n"
     "    return bad;\n"
     "}\n";
 static const char *const field_rooms =
     "#include \"ssgi_gl.h\"\n"
     "int field(void);\n"
     "int field(void) {\n"
-    "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, up[3] = { 0, 0, 1 };\n"
+    "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 }, rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, "
+    "0, 0, 0, -2, 1 }, up[3] = { 0, 0, 1 };\n"
     "    static float work[1 << 17]; static uint32_t texels[864], face[32]; static unsigned char file[8192];\n"
-    "    ssgi_field_desc desc; ssgi_field f; ssgi_gl_desc gl; ssgi_gl_occluder occluder; float axis[3], angle, fill; char text[64]; size_t i, n; int bad = 0;\n"
+    "    ssgi_field_desc desc; ssgi_field f; ssgi_gl_desc gl; ssgi_gl_occluder occluder; float axis[3], angle, fill; "
+    "char text[64]; size_t i, n; int bad = 0;\n"
     "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
     "    for (i = 0; i < sizeof gl; ++i) ((char *)&gl)[i] = 0;\n"
     "    desc.resolution = desc.radii = 4;\n"
     "    bad += ssgi_cap_table(work, 8, NULL) != SSGI_OK || !(ssgi_cap_occlusionf(1.0f, 1.0f) > 0.0f);\n"
     "    bad += ssgi_field_size(4, 16) != sizeof texels || ssgi_field_bake_size(&desc, 1) > sizeof work;\n"
-    "    bad += ssgi_field_bake(&f, texels, work, sizeof work, &desc, tri, 12, NULL, 1, NULL) != SSGI_OK || !(ssgi_field_limits_of(&f).reach > 0.0f);\n"
-    "    bad += !(ssgi_field_occlusion(&f, NULL, up, up) >= 0.0f) || !(ssgi_field_cap(&f, up, &angle, axis, &fill) > 0.0f);\n"
+    "    bad += ssgi_field_bake(&f, texels, work, sizeof work, &desc, tri, 12, NULL, 1, NULL) != SSGI_OK || "
+    "!(ssgi_field_limits_of(&f).reach > 0.0f);\n"
+    "    bad += !(ssgi_field_occlusion(&f, NULL, up, up) >= 0.0f) || !(ssgi_field_cap(&f, up, &angle, axis, &fill) > "
+    "0.0f);\n"
     "    ssgi_field_cube(&f, 0, face, NULL);\n"
     "    i = ssgi_field_save(file, sizeof file, &f);\n"
-    "    bad += i > sizeof file || ssgi_field_peek(&n, file, i, NULL) != SSGI_OK || ssgi_field_load(&f, texels, n, file, i, NULL) != SSGI_OK;\n"
-    "    return bad + (ssgi_gl_occluder_set(&occluder, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, sizeof text, &gl);\n"
+    "    bad += i > sizeof file || ssgi_field_peek(&n, file, i, NULL) != SSGI_OK || ssgi_field_load(&f, texels, n, "
+    "file, i, NULL) != SSGI_OK;\n"
+    "    return bad + (ssgi_gl_occluder_set(&occluder, &f, NULL, rigid, 0, 1, NULL) != SSGI_OK) + !ssgi_gl_field(text, "
+    "sizeof text, &gl);\n"
     "}\n";
 static const char *const deep_rooms =
     "#include \"ssgi_gl.h\"\n"
     "int deep(void);\n"
     "int deep(void) {\n"
-    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };\n"
+    "    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, still[16] = { 1, 0, "
+    "0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };\n"
     "    static const float tri[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };\n"
-    "    static ssgi_surfel surfel[64]; float scale[4], offscreen[2]; double far_[3] = { 0, 0, 9 }; int size[2]; size_t i, n = 0;\n"
-    "    ssgi_surfel_desc desc; ssgi_surfel_source source; ssgi_splat splat; ssgi_surfel_cost cost; ssgi_view v; ssgi_dipole dipole; ssgi_gl_frame frame; int bad = 0;\n"
+    "    static ssgi_surfel surfel[64]; float scale[4], offscreen[2]; double far_[3] = { 0, 0, 9 }; int size[2]; "
+    "size_t i, n = 0;\n"
+    "    ssgi_surfel_desc desc; ssgi_surfel_source source; ssgi_splat splat; ssgi_surfel_cost cost; ssgi_view v; "
+    "ssgi_dipole dipole; ssgi_gl_frame frame; int bad = 0;\n"
     "    const ssgi_material *material = ssgi_material_of(0);\n"
     "    for (i = 0; i < sizeof desc; ++i) ((char *)&desc)[i] = 0;\n"
     "    for (i = 0; i < sizeof source; ++i) ((char *)&source)[i] = 0;\n"
@@ -126,35 +151,58 @@ static const char *const deep_rooms =
     "    desc.size = 0.2f;\n"
     "    source.position = tri;\n"
     "    source.triangles = 1;\n"
-    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > 0.0f) || !(ssgi_view_outside(&v, far_) > 0.0);\n"
+    "    bad += ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 64, NULL) != SSGI_OK || !(ssgi_view_near(&v) > "
+    "0.0f) || !(ssgi_view_outside(&v, far_) > 0.0);\n"
     "    bad += ssgi_tess_count(1) != 3 || ssgi_tess_level(1.0, 1.0) != 1;\n"
-    "    bad += ssgi_surfel_scale(scale, offscreen, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, &desc, &v, &source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_surfel_scale(scale, offscreen, &desc, &v, NULL) != SSGI_OK || ssgi_surfels_divide(NULL, 0, &n, "
+    "&desc, &v, &source, NULL) != SSGI_OK || ssgi_splat_size(size, 64, 64, 4, NULL) != SSGI_OK;\n"
     "    bad += ssgi_surfels(surfel, 64, &n, &desc, &v, &source, NULL) != SSGI_OK || n < 1 || n > 64;\n"
-    "    bad += ssgi_surfels_predict(&cost, &desc, &splat, &v, &source, NULL) != SSGI_OK || cost.surfels != n || ssgi_splat_predict(&cost, &splat, &v, surfel, n, NULL) != SSGI_OK;\n"
-    "    bad += ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL) != SSGI_OK || !(ssgi_dipole_total(&dipole, 0) > 0.0) || !(ssgi_dipole_reflectance(&dipole, 0, 1.0) > 0.0);\n"
-    "    bad += ssgi_gl_frame_init(&frame, &v, 1.0f, NULL) != SSGI_OK || ssgi_gl_surfels_set(&frame, &v, &desc, 4, still, NULL) != SSGI_OK || ssgi_gl_dipole_set(&frame, &dipole, 0.001f, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_surfels_predict(&cost, &desc, &splat, &v, &source, NULL) != SSGI_OK || cost.surfels != n || "
+    "ssgi_splat_predict(&cost, &splat, &v, surfel, n, NULL) != SSGI_OK;\n"
+    "    bad += ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL) != SSGI_OK || "
+    "!(ssgi_dipole_total(&dipole, 0) > 0.0) || !(ssgi_dipole_reflectance(&dipole, 0, 1.0) > 0.0);\n"
+    "    bad += ssgi_gl_frame_init(&frame, &v, 1.0f, NULL) != SSGI_OK || ssgi_gl_surfels_set(&frame, &v, &desc, 4, "
+    "still, NULL) != SSGI_OK || ssgi_gl_dipole_set(&frame, &dipole, 0.001f, NULL) != SSGI_OK;\n"
     "    return bad;\n"
     "}\n";
 
-/* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic that they may take apart) C's. */
+/* Each compiler takes both ways and both standards; what optimisers alone see (values that may be unset, arithmetic
+   that they may take apart) C's. */
 static void compilers(void)
 {
-    static const struct { const char *whole, *one; } modes[] = { { "gcc -std=c11 -O2 -xc", "gcc -std=c99 -O2 -ffast-math -xc" }, { "clang -std=c99 -xc", "clang -std=c11 -xc" },
-        { "g++ -std=c++11 -xc++", "g++ -std=c++17 -xc++" }, { "clang++ -std=c++17 -xc++", "clang++ -std=c++11 -xc++" } };
+    static const struct {
+        const char *whole, *one;
+    } modes[] = { { "gcc -std=c11 -O2 -xc", "gcc -std=c99 -O2 -ffast-math -xc" },
+                  { "clang -std=c99 -xc", "clang -std=c11 -xc" },
+                  { "g++ -std=c++11 -xc++", "g++ -std=c++17 -xc++" },
+                  { "clang++ -std=c++17 -xc++", "clang++ -std=c++11 -xc++" } };
     char text[4000], present[200];
     int ran = 0;
-    write_text("implementation.c", "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
+    write_text("implementation.c",
+               "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n");
     write_text("rooms.c", rooms);
     write_text("field.c", field_rooms);
     write_text("deep.c", deep_rooms);
     write_text("main.c", "#include \"ssgi_gl.h\"\nint use(void);\nint main(void) { return use(); }\n");
-    write_text("static.c", "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"rooms.c\"\n#include \"field.c\"\n#include \"deep.c\"\nint main(void) { return use(); }\n");
+    write_text("static.c",
+               "#define SSGI_STATIC\n#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include "
+               "\"rooms.c\"\n#include \"field.c\"\n#include \"deep.c\"\nint main(void) { return use(); }\n");
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         const int name = (int)strcspn(modes[i].whole, " ");
         snprintf(present, sizeof present, "command -v %.*s", name, modes[i].whole);
-        if (shell(text, sizeof text, "%s%s", present, "")) { t_note("%.*s is not here: not tried", name, modes[i].whole); continue; }
-        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -I. implementation.c rooms.c field.c deep.c main.c -o two %s && ./two", modes[i].whole, "-lm") && !text[0], "%s: %s", modes[i].whole, text);
-        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one", modes[i].one, "-lm") && !text[0], "%s, SSGI_STATIC: %s", modes[i].one, text);
+        if (shell(text, sizeof text, "%s%s", present, "")) {
+            t_note("%.*s is not here: not tried", name, modes[i].whole);
+            continue;
+        }
+        CHECK(!shell(text, sizeof text,
+                     "%s " WARNINGS " -I. implementation.c rooms.c field.c deep.c main.c -o two %s && ./two",
+                     modes[i].whole, "-lm")
+                  && !text[0],
+              "%s: %s", modes[i].whole, text);
+        CHECK(!shell(text, sizeof text, "%s " WARNINGS " -Wno-unused-function -I. static.c -o one %s && ./one",
+                     modes[i].one, "-lm")
+                  && !text[0],
+              "%s, SSGI_STATIC: %s", modes[i].one, text);
         ++ran;
     }
     CHECK(ran >= 2, "only %d compilers were there", ran);
@@ -166,12 +214,15 @@ static void optimised(void)
     static const char *const program =
         "#define SSGI_IMPLEMENTATION\n#include \"ssgi.h\"\n#include <stdio.h>\n"
         "int main(void) {\n"
-        "    static float tri[9 * 60], work[1 << 16]; static uint32_t texels[6 * 6 * 6 * 4]; static unsigned char file[8192]; size_t i, n;\n"
+        "    static float tri[9 * 60], work[1 << 16]; static uint32_t texels[6 * 6 * 6 * 4]; static unsigned char "
+        "file[8192]; size_t i, n;\n"
         "    ssgi_field_desc desc = { 0 }; ssgi_field f;\n"
         "    uint32_t state = 1;\n"
-        "    for (i = 0; i < 9 * 60; ++i) { state = state * 1664525u + 1013904223u; tri[i] = (float)(state >> 8) / 16777216.0f; }\n"
+        "    for (i = 0; i < 9 * 60; ++i) { state = state * 1664525u + 1013904223u; tri[i] = (float)(state >> 8) / "
+        "16777216.0f; }\n"
         "    desc.resolution = desc.radii = 4; desc.rays = 32;\n"
-        "    if (ssgi_field_bake_size(&desc, 60) > sizeof work || ssgi_field_bake(&f, texels, work, sizeof work, &desc, tri, 12, NULL, 60, NULL) != SSGI_OK) return 1;\n"
+        "    if (ssgi_field_bake_size(&desc, 60) > sizeof work || ssgi_field_bake(&f, texels, work, sizeof work, "
+        "&desc, tri, 12, NULL, 60, NULL) != SSGI_OK) return 1;\n"
         "    n = ssgi_field_save(file, sizeof file, &f);\n"
         "    return n < 100 || fwrite(file, 1, n, stdout) != n;\n"
         "}\n";
@@ -182,7 +233,9 @@ static void optimised(void)
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
         snprintf(present, sizeof present, "command -v %.*s", (int)strcspn(modes[i], " "), modes[i]);
         if (shell(text, sizeof text, "%s%s", present, "")) continue;
-        CHECK(!shell(text, sizeof text, "%s -ffp-contract=off -I. bake.c -o bake -lm && ./bake >%s", modes[i], ran ? "other.field && cmp first.field other.field" : "first.field"), "%s: %s", modes[i], text);
+        CHECK(!shell(text, sizeof text, "%s -ffp-contract=off -I. bake.c -o bake -lm && ./bake >%s", modes[i],
+                     ran ? "other.field && cmp first.field other.field" : "first.field"),
+              "%s: %s", modes[i], text);
         ++ran;
     }
     CHECK(ran >= 2, "only %d compilers were there", ran);
@@ -196,7 +249,8 @@ static double compiled(const char *how)
     return shell(text, sizeof text, "gcc %s -c -I. implementation.c -o time.o%s", how, "") ? 0 : t_spent(1) - before;
 }
 
-/* What an optimiser makes of the headers, against parsing and plain code of the same on the same machine. A few tries, as others may be busy: the least of each. */
+/* What an optimiser makes of the headers, against parsing and plain code of the same on the same machine. A few tries,
+   as others may be busy: the least of each. */
 static void compile_time(void)
 {
     double best[2] = { 1e9, 1e9 };
@@ -211,9 +265,11 @@ static void compile_time(void)
 }
 
 /* The text between two marks, comment stars and all, as the body of a program. */
-static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after, char *output, size_t size)
+static int snippet(const char *file, const char *from, const char *to, const char *before, const char *after,
+                   char *output, size_t size)
 {
-    char *all = read_text(file), *a = all ? strstr(all, from) : NULL, *b = a ? strstr(a + strlen(from), to) : NULL, *program;
+    char *all = read_text(file), *a = all ? strstr(all, from) : NULL, *b = a ? strstr(a + strlen(from), to) : NULL,
+         *program;
     int status = -1;
     snprintf(output, size, "%s: no text between \"%s\" and \"%s\"", file, from, to);
     if (a && b) {
@@ -223,7 +279,8 @@ static int snippet(const char *file, const char *from, const char *to, const cha
         if (program) {
             sprintf(program, "%s%s%s", before, a, after);
             write_text("snippet.c", program);
-            status = shell(output, size, "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c -o snippet %s && ./snippet%s", "-lm", "");
+            status = shell(output, size,
+                           "gcc -std=c99 -Wall -Wextra -Werror -I. snippet.c -o snippet %s && ./snippet%s", "-lm", "");
         }
         free(program);
     }
@@ -233,33 +290,53 @@ static int snippet(const char *file, const char *from, const char *to, const cha
 
 static void documentation(void)
 {
-    static const char *const head = "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n";
-    static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
+    static const char *const head = "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include "
+                                    "\"ssgi_gl.h\"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) {\n";
+    static const char *const view = "    float m[16] = { 1,0,0,0, 0,1,0,0, 0,0,-1,-1, 0,0,-1,0 }; ssgi_view view; "
+                                    "ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, NULL);\n";
     char text[4000], both[2000];
     int status = snippet("ssgi.h", "   QUICK USE", "   CONVENTIONS", head, "    return 0;\n}\n", text, sizeof text);
     CHECK(!status && strstr(text, "a pixel is"), "ssgi.h's usage: %s", text);
     snprintf(both, sizeof both, "%s%s", head, view);
-    status = snippet("ssgi_gl.h", "   QUICK USE", "   HOW A PASS", both, "    free(text); return frame.radius != 0.5f;\n}\n", text, sizeof text);
+    status = snippet("ssgi_gl.h", "   QUICK USE", "   HOW A PASS", both,
+                     "    free(text); return frame.radius != 0.5f;\n}\n", text, sizeof text);
     CHECK(!status && strstr(text, "unit 0: t_ssgi_depth"), "ssgi_gl.h's usage: %s", text);
-    status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both, "    free(text); return 0;\n}\n", text, sizeof text);
+    status = snippet("README.md", "<!-- usage -->\n```c", "```\n<!-- /usage -->", both,
+                     "    free(text); return 0;\n}\n", text, sizeof text);
     CHECK(!status, "README.md's usage: %s", text);
-    CHECK(!shell(text, sizeof text, "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s", getenv("PWD"), ""),
+    CHECK(!shell(text, sizeof text,
+                 "awk 'length($0) > 120 || NR > 250 { print \"line \" NR; bad = 1 } END { exit bad }' '%s/README.md'%s",
+                 getenv("PWD"), ""),
           "README.md: 250 lines of 120 columns are enough: %s", text);
-    CHECK(!shell(text, sizeof text, "cd '%s' && for f in README.md examples/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut -d'#' -f1); do "
-          "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done", getenv("PWD"), "[^)]*"), "a link leads nowhere: %s", text);
-    CHECK(!shell(text, sizeof text, "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c 15 ao.pgm", getenv("PWD"), "-lOSMesa -lm") && strstr(text, "P5 960 540 255"),
+    CHECK(!shell(text, sizeof text,
+                 "cd '%s' && for f in README.md examples/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut "
+                 "-d'#' -f1); do "
+                 "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done",
+                 getenv("PWD"), "[^)]*"),
+          "a link leads nowhere: %s", text);
+    CHECK(!shell(text, sizeof text,
+                 "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c "
+                 "15 ao.pgm",
+                 getenv("PWD"), "-lOSMesa -lm")
+              && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text,
         "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"),
         getenv("PWD")),
           "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
-    CHECK(!shell(text, sizeof text, "grep -q 'v0.2 ' '%s/ssgi.h' && grep -q 'v0.2 ' '%s/ssgi_gl.h'", getenv("PWD"), getenv("PWD")) && SSGI_VERSION == 200, "the headers' first lines and SSGI_VERSION disagree");
+    CHECK(!shell(text, sizeof text, "grep -q 'v0.2 ' '%s/ssgi.h' && grep -q 'v0.2 ' '%s/ssgi_gl.h'", getenv("PWD"),
+                 getenv("PWD"))
+              && SSGI_VERSION == 200,
+          "the headers' first lines and SSGI_VERSION disagree");
 }
 
 static void fuzz(void)
 {
     char text[4000];
-    int status = shell(text, sizeof text, "gcc -O1 -g -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o fuzz %s && ./fuzz 60000", getenv("PWD"), "-lm");
+    int status = shell(text, sizeof text,
+                       "gcc -O1 -g -I. -fsanitize=address,undefined -fno-sanitize-recover=all '%s/tests/fuzz.c' -o "
+                       "fuzz %s && ./fuzz 60000",
+                       getenv("PWD"), "-lm");
     CHECK(!status, "60,000 inputs under address and undefined-behaviour sanitizers: %s", text);
 }
 
@@ -299,7 +376,9 @@ static void streams(void)
     }
     CHECK(shell(text, sizeof text, "ls big* s.exr.*%s%s", "", ""), "left behind: %s", text);
     CHECK(!shell(text, sizeof text,
-        "ln -s there.exr here.exr && '%s/build/render' room --size 8x8 --out here.exr && test -L here.exr && cmp there.exr s.exr%s", getenv("PWD"), ""),
+                 "ln -s there.exr here.exr && '%s/build/render' room --size 8x8 --out here.exr && test -L here.exr && "
+                 "cmp there.exr s.exr%s",
+                 getenv("PWD"), ""),
           "a dangling link is not written through: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' cr.obj --size 8x8 --out cr.exr && test -s cr.exr%s",
         getenv("PWD"), ""), "lines that end in CR: %s", text);
@@ -308,25 +387,56 @@ static void streams(void)
 /* Bad command lines and files: status 2, one line that names the argument or file, nothing left behind. */
 static void command_line(void)
 {
-    static const struct { const char *arguments, *word; } cases[] = {
-        { "nowhere.obj --out a.exr", "nowhere.obj" }, { "cut.obj --out a.exr", "cut.obj" },
-            { "empty.obj --out a.exr", "empty.obj" }, { "far.obj --out a.exr", "1e+38" },
-            { "room --method none --out a.exr", "--method none" },
-        { "room --set steps=99 --out a.exr", "steps=99" }, { "room --set colour=1 --out a.exr", "colour=1" }, { "room --size 0x5 --out a.exr", "--size 0x5" }, { "room --camera 1,2 --out a.exr", "--camera 1,2" },
-        { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" }, { "room --fovy 999 --out a.exr", "--fovy 999" }, { "room --out a.bmp", "--out a.bmp" }, { "room --size 8x8 --out none/a.exr", "none/a.exr" },
-        { "room --size 8x8 --out none/a.png", "none/a.png" }, { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" }, { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },
-        { "--gbuffer y.exr --radius 1 --out a.exr", "--fovy" }, { "room --size 8x8 --score y.exr", "y.exr" }, { "room --radius nan --out a.exr", "--radius nan" }, { "room --radius -1 --out a.exr", "--radius -1" },
-        { "room --wrong 1 --out a.exr", "--wrong" }, { "--list none", "--list none" }, { "room --context vulkan --out a.exr", "vulkan" }, { "room", "--out" }, { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" }, { "room --near 5 --far 2 --out a.exr", "--far" },
-        { "room --env sky --out a.exr", "--env" }, { "room --light sun:0,1,0,1,1,1 --method hsao-march --out a.exr", "--light" }, { "room --method ssdo --env none.hdr --out a.exr", "none.hdr" },
-        { "room --method ssdo --env sky.png --out a.exr", "sky.png" }, { "room --method ssdo --env y.exr --out a.exr", "y.exr" }, { "room --method ssdo --light lamp:1,2 --out a.exr", "lamp:1,2" },
-        { "room --method ssdo --light point:0,1,0,1,1 --out a.exr", "point:0,1,0,1,1" }, { "room --method ssdo --light sun:0,0,0,1,1,1 --out a.exr", "sun:0,0,0" },
-        { "room --method ssdo --light point:0,0,0,1,-1,1 --out a.exr", "1,-1,1" }, { "room --method ssdo --floor 4 --out a.exr", "--floor" },
-        { "room --method ssdo --set bounce=three --out a.exr", "bounce=three" }, { "room --method ssdo --set layers=9 --out a.exr", "layers=9" },
-        { "room --size 8x8 --method ssdo --set vpls=4 --out a.exr", "vpls=4" }, { "room --size 8x8 --method ssdo --env sky --score y.exr", "y.exr" },
-        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssao --set layers=2 --out a.exr", "layers=2" }, { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --env sky --set views=1 --out a.exr", "views=1" },
-        { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" }, { "room --plan best:1 --out a.exr", "--plan best:1" }, { "room --plan light:x --env sky --out a.exr", "light:x" },
-        { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" }, { "room --plan light:0.1 --out a.exr", "--env" }, { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" }
-    };
+    static const struct { const char *arguments, *word;
+    } cases[] = { { "nowhere.obj --out a.exr", "nowhere.obj" },
+                  { "cut.obj --out a.exr", "cut.obj" },
+                  { "empty.obj --out a.exr", "empty.obj" },
+                  { "far.obj --out a.exr", "1e+38" },
+                  { "room --method none --out a.exr", "--method none" },
+                  { "room --set steps=99 --out a.exr", "steps=99" },
+                  { "room --set colour=1 --out a.exr", "colour=1" },
+                  { "room --size 0x5 --out a.exr", "--size 0x5" },
+                  { "room --camera 1,2 --out a.exr", "--camera 1,2" },
+                  { "room --camera 1,1,1,1,1,1 --out a.exr", "--camera" },
+                  { "room --fovy 999 --out a.exr", "--fovy 999" },
+                  { "room --out a.bmp", "--out a.bmp" },
+                  { "room --size 8x8 --out none/a.exr", "none/a.exr" },
+                  { "room --size 8x8 --out none/a.png", "none/a.png" },
+                  { "--gbuffer cut.exr --fovy 50 --radius 1 --out a.exr", "cut.exr" },
+                  { "--gbuffer y.exr --fovy 50 --radius 1 --out a.exr", "y.exr" },
+                  { "--gbuffer y.exr --radius 1 --out a.exr", "--fovy" },
+                  { "room --size 8x8 --score y.exr", "y.exr" },
+                  { "room --radius nan --out a.exr", "--radius nan" },
+                  { "room --radius -1 --out a.exr", "--radius -1" },
+                  { "room --wrong 1 --out a.exr", "--wrong" },
+                  { "--list none", "--list none" },
+                  { "room --context vulkan --out a.exr", "vulkan" },
+                  { "room", "--out" },
+                  { "room --set half=1,blur=0 --size 8x8 --out a.exr", "half=1" },
+                  { "room --near 5 --far 2 --out a.exr", "--far" },
+                  { "room --env sky --out a.exr", "--env" },
+                  { "room --light sun:0,1,0,1,1,1 --method hsao-march --out a.exr", "--light" },
+                  { "room --method ssdo --env none.hdr --out a.exr", "none.hdr" },
+                  { "room --method ssdo --env sky.png --out a.exr", "sky.png" },
+                  { "room --method ssdo --env y.exr --out a.exr", "y.exr" },
+                  { "room --method ssdo --light lamp:1,2 --out a.exr", "lamp:1,2" },
+                  { "room --method ssdo --light point:0,1,0,1,1 --out a.exr", "point:0,1,0,1,1" },
+                  { "room --method ssdo --light sun:0,0,0,1,1,1 --out a.exr", "sun:0,0,0" },
+                  { "room --method ssdo --light point:0,0,0,1,-1,1 --out a.exr", "1,-1,1" },
+                  { "room --method ssdo --floor 4 --out a.exr", "--floor" },
+                  { "room --method ssdo --set bounce=three --out a.exr", "bounce=three" },
+                  { "room --method ssdo --set layers=9 --out a.exr", "layers=9" },
+                  { "room --size 8x8 --method ssdo --set vpls=4 --out a.exr", "vpls=4" },
+                  { "room --size 8x8 --method ssdo --env sky --score y.exr", "y.exr" },
+                  { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssao --set layers=2 --out a.exr", "layers=2" },
+                  { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --env sky --set views=1 --out a.exr",
+                    "views=1" },
+                  { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
+                  { "room --plan best:1 --out a.exr", "--plan best:1" },
+                  { "room --plan light:x --env sky --out a.exr", "light:x" },
+                  { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },
+                  { "room --plan light:0.1 --out a.exr", "--env" },
+                  { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" } };
     char text[4000];
     kit_image y;
     char path[256];
@@ -337,17 +447,29 @@ static void command_line(void)
     snprintf(path, sizeof path, "%s/y.exr", folder);
     if (!kit_image_new(&y, 4, 4, "Y", NULL)) { kit_exr_write(&y, path, NULL); kit_image_free(&y); }
     shell(text, sizeof text, "head -c 300 %s > cut.exr%s", "y.exr", "");
-    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", getenv("PWD"), ""), "a frame of one layer: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", getenv("PWD"), ""),
+          "a frame of one layer: %s", text);
     shell(text, sizeof text, "ls > before%s%s", "", "");
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         int status = shell(text, sizeof text, "'%s/build/render' %s", getenv("PWD"), cases[i].arguments);
         char *line = strchr(text, '\n');
-        CHECK(status == 2 && line && !line[1] && strstr(text, cases[i].word), "render %s: status %d, %s", cases[i].arguments, status, text);
+        CHECK(status == 2 && line && !line[1] && strstr(text, cases[i].word), "render %s: status %d, %s",
+              cases[i].arguments, status, text);
     }
-    CHECK(!shell(text, sizeof text, "ls | grep -v after > after; diff before after%s%s", "", ""), "left behind: %s", text);
-    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 64x36 --save-gbuffer g.exr --out a.exr%s", getenv("PWD"), "")
-          && !shell(text, sizeof text, "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr%s", getenv("PWD"), "") && strstr(text, "\"rmse\""), "a frame saved and taken back: %s", text);
-    CHECK(!shell(text, sizeof text, "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --plan visibility:0.1 --json --out b.exr%s", getenv("PWD"), "") && strstr(text, "\"plan\": {\"error\""), "a plan of a frame: %s", text);
+    CHECK(!shell(text, sizeof text, "ls | grep -v after > after; diff before after%s%s", "", ""), "left behind: %s",
+          text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 64x36 --save-gbuffer g.exr --out a.exr%s",
+                 getenv("PWD"), "")
+              && !shell(text, sizeof text,
+                        "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --out b.exr --json --score a.exr%s",
+                        getenv("PWD"), "")
+              && strstr(text, "\"rmse\""),
+          "a frame saved and taken back: %s", text);
+    CHECK(!shell(text, sizeof text,
+                 "'%s/build/render' --gbuffer g.exr --fovy 57 --radius 0.5 --plan visibility:0.1 --json --out b.exr%s",
+                 getenv("PWD"), "")
+              && strstr(text, "\"plan\": {\"error\""),
+          "a plan of a frame: %s", text);
 }
 
 void test_build(void)

@@ -1,4 +1,5 @@
-/* test_casters.c - fields of occluders through the whole of GL: the shader against the CPU, pictures against closed forms and truth, what one draw covers, how occluders combine. */
+/* test_casters.c - fields of occluders through the whole of GL: the shader against the CPU, pictures against closed
+   forms and truth, what one draw covers, how occluders combine. */
 #include "t.h"
 #include "frames.h"
 
@@ -19,27 +20,39 @@ static void placed(float m[16], float angle, float scale, float x, float y, floa
     const float cross[9] = { 0, u[2], -u[1], -u[2], 0, u[0], u[1], -u[0], 0 };
     memset(m, 0, 16 * sizeof *m);
     for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) m[4 * k + i] = scale * ((i == k ? c : 0) + s * cross[3 * k + i] + (1 - c) * u[k] * u[i]);
+        for (int i = 0; i < 3; ++i)
+            m[4 * k + i] = scale * ((i == k ? c : 0) + s * cross[3 * k + i] + (1 - c) * u[k] * u[i]);
     m[12] = x;
     m[13] = y;
     m[14] = z;
     m[15] = 1;
 }
 
-/* ---- the functions of ssgi_gl_field against their twins ----------------------------------------------------------------- */
+/* ---- the functions of ssgi_gl_field against their twins ---------------------------------------------------------- */
 
-/* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures: t_ssgi_occluders, _fields, _field, _field_centre, _cap. 0 on failure. */
-static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first, const float *second, const GLuint textures[5])
+/* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures:
+   t_ssgi_occluders, _fields, _field, _field_centre, _cap. 0 on failure. */
+static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first,
+                     const float *second, const GLuint textures[5])
 {
-    static const char *const names[7] = { "t_ssgi_occluders", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre", "t_ssgi_cap", "u_first", "u_second" };
-    static const GLenum kinds[7] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D, GL_TEXTURE_2D, GL_TEXTURE_2D };
+    static const char *const names[7] = { "t_ssgi_occluders", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre",
+                                          "t_ssgi_cap",       "u_first",       "u_second" };
+    static const GLenum kinds[7] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP,
+                                     GL_TEXTURE_2D, GL_TEXTURE_2D,       GL_TEXTURE_2D };
     static char text[20000];
-    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[7] = { textures[0], textures[1], textures[2], textures[3], textures[4] };
+    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program,
+                        unit[7] = { textures[0], textures[1], textures[2], textures[3], textures[4] };
     size_t n = ssgi_gl_field(text, sizeof text, desc);
     int ok;
-    snprintf(text + n, sizeof text - n, "uniform sampler2D u_first, u_second;\nlayout(location = 0) out vec4 o;\nvoid main() { vec4 a = texelFetch(u_first, ivec2(gl_FragCoord.xy), 0), "
-             "b = texelFetch(u_second, ivec2(gl_FragCoord.xy), 0); o = vec4(%s); }\n", expression);
-    program = kit_program_text("", "void main() { gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0); }\n", text, &err);
+    snprintf(text + n, sizeof text - n,
+             "uniform sampler2D u_first, u_second;\nlayout(location = 0) out vec4 o;\nvoid main() { vec4 a = "
+             "texelFetch(u_first, ivec2(gl_FragCoord.xy), 0), "
+             "b = texelFetch(u_second, ivec2(gl_FragCoord.xy), 0); o = vec4(%s); }\n",
+             expression);
+    program = kit_program_text("",
+                               "void main() { gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, "
+                               "float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0); }\n",
+                               text, &err);
     if (!CHECK(program != 0, "%s", err.text)) return 0;
     unit[5] = kit_texture(64, 64, GL_RGBA32F, first);
     unit[6] = kit_texture(64, 64, GL_RGBA32F, second);
@@ -96,7 +109,9 @@ static void caps(void)
     for (int k = 0; k < 2; ++k) {
         d.cap = k ? SSGI_GL_CAP_TABLE : SSGI_GL_CAP_CLOSED;
         if (!evaluated(out, &d, "ssgi_cap_any(a.x, a.y)", at, at, textures)) return;
-        for (int i = 0; i < POINTS; ++i) worst[k] = fmax(worst[k], fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
+        for (int i = 0; i < POINTS; ++i)
+            worst[k] = fmax(worst[k], fabs((double)out[i]
+                                           - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
     }
     CHECK(worst[0] < 1e-5, "the closed form is off by %.2g", worst[0]);
     CHECK(worst[1] < 1.7e-3, "the table of 64 x 64 is off by %.2g", worst[1]);
@@ -104,7 +119,10 @@ static void caps(void)
     glDeleteTextures(1, &textures[4]);
 }
 
-static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera) { return see(scene, g, name, NULL, 0, camera, W, H); }
+static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera)
+{
+    return see(scene, g, name, NULL, 0, camera, W, H);
+}
 
 /* The field of a built-in scene's object. */
 static const ssgi_field *field_of(const kit_scene *scene, int object, int measure, int bits, int resolution)
@@ -117,13 +135,22 @@ static const ssgi_field *field_of(const kit_scene *scene, int object, int measur
 
 static void same_as_on_the_cpu(void)
 {
-    static const struct { int storage, measure, bits, cap; double limit; } row[] = { { 0, 0, 16, 0, 2e-5 }, { 0, 1, 8, 0, 2e-5 }, { 0, 0, 8, 1, 2e-3 }, { 0, 1, 16, 1, 2e-3 }, { 1, 0, 16, 0, 2e-2 }, { 1, 1, 8, 0, 2e-2 } };
+    static const struct {
+        int storage, measure, bits, cap;
+        double limit;
+    } row[] = { { 0, 0, 16, 0, 2e-5 }, { 0, 1, 8, 0, 2e-5 },  { 0, 0, 8, 1, 2e-3 },
+                { 0, 1, 16, 1, 2e-3 }, { 1, 0, 16, 0, 2e-2 }, { 1, 1, 8, 0, 2e-2 } };
     static float first[4 * POINTS], second[4 * POINTS], out[POINTS], expected[POINTS];
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
-        const ssgi_field *f[2] = { field_of(&scene, 3 + m, row[m].measure, row[m].bits, 8), field_of(&scene, 12, row[m].measure, row[m].bits, 5) };
-        ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .storage = row[m].storage, .measure = row[m].measure, .eight_bits = row[m].bits == 8, .cap = row[m].cap };
+        const ssgi_field *f[2] = { field_of(&scene, 3 + m, row[m].measure, row[m].bits, 8),
+                                   field_of(&scene, 12, row[m].measure, row[m].bits, 5) };
+        ssgi_gl_desc d = { .pass = SSGI_GL_FIELD,
+                           .storage = row[m].storage,
+                           .measure = row[m].measure,
+                           .eight_bits = row[m].bits == 8,
+                           .cap = row[m].cap };
         ssgi_gl_occluder occluder[2];
         GLuint textures[5] = { 0 };
         float to[2][16];
@@ -135,9 +162,11 @@ static void same_as_on_the_cpu(void)
             l.ramp *= 0.5f + 0.2f * (float)k;
             l.power = 1.7f;
             placed(to[k], 0.7f + (float)m, k ? 0.4f : 3, 1, -2.5f * (float)k, 0.5f);
-            if (!CHECK(ssgi_gl_occluder_set(&occluder[k], f[k], &l, to[k], k, 5 + k, &why) == SSGI_OK, "%s", why)) return;
+            if (!CHECK(ssgi_gl_occluder_set(&occluder[k], f[k], &l, to[k], k, 5 + k, &why) == SSGI_OK, "%s", why))
+                return;
         }
-        for (int i = 0; i < POINTS; ++i) {     /* in the space of the pass, around the first, in its hull too; normals any */
+        /* in the space of the pass, around the first, in its hull too; normals any */
+        for (int i = 0; i < POINTS; ++i) {
             float p[3], n[3];
             direction(p);
             direction(n);
@@ -161,15 +190,25 @@ static void same_as_on_the_cpu(void)
         textures[1] = kit_field_atlas(f, 2);
         if (row[m].storage) CHECK(kit_field_cubes(&textures[2], f[0]), "no cube maps");
         textures[4] = table_of(64);
-        if (!evaluated(out, &d, row[m].storage ? "ssgi_field_visibility(1, 0, a.xyz, b.xyz)" : "ssgi_field_visibility(2, 0, a.xyz, b.xyz)", first, second, textures)) return;
+        if (!evaluated(out, &d,
+                       row[m].storage ? "ssgi_field_visibility(1, 0, a.xyz, b.xyz)"
+                                      : "ssgi_field_visibility(2, 0, a.xyz, b.xyz)",
+                       first, second, textures))
+            return;
         for (int i = 0; i < POINTS; ++i) {
             worst = fmax(worst, fabs((double)out[i] - (double)expected[i]));
             sum += (double)expected[i] / POINTS;
         }
-        CHECK(worst < row[m].limit && sum < 0.95, "storage %d measure %d bits %d cap %d: off by %.2g, mean %.3f", row[m].storage, row[m].measure, row[m].bits, row[m].cap, worst, sum);
-        t_note("%s of %d bits, %s, %s: off by %.1e at most", row[m].storage ? "cube" : "atlas", row[m].bits, row[m].measure ? "solid angle" : "vector", row[m].cap ? "table" : "closed form", worst);
+        CHECK(worst < row[m].limit && sum < 0.95, "storage %d measure %d bits %d cap %d: off by %.2g, mean %.3f",
+              row[m].storage, row[m].measure, row[m].bits, row[m].cap, worst, sum);
+        t_note("%s of %d bits, %s, %s: off by %.1e at most", row[m].storage ? "cube" : "atlas", row[m].bits,
+               row[m].measure ? "solid angle" : "vector", row[m].cap ? "table" : "closed form", worst);
         if (!m) {                              /* an occluder that is the object itself is left out */
-            if (!evaluated(out, &d, "abs(ssgi_field_visibility(1, 5, a.xyz, b.xyz) - 1.0) + abs(ssgi_field_visibility(2, 6, a.xyz, b.xyz) - ssgi_field_visibility(1, 0, a.xyz, b.xyz))", first, second, textures)) return;
+            if (!evaluated(out, &d,
+                           "abs(ssgi_field_visibility(1, 5, a.xyz, b.xyz) - 1.0) + abs(ssgi_field_visibility(2, 6, "
+                           "a.xyz, b.xyz) - ssgi_field_visibility(1, 0, a.xyz, b.xyz))",
+                           first, second, textures))
+                return;
             for (int i = 0; i < POINTS; ++i) CHECK(out[i] < 1e-6f, "own object: off by %g", (double)out[i]);
         }
         glDeleteTextures(5, textures);
@@ -177,14 +216,15 @@ static void same_as_on_the_cpu(void)
     kit_scene_free(&scene);
 }
 
-/* ---- pictures -------------------------------------------------------------------------------------------------------- */
+/* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
 static int drawn_aof(kit_image *out, kit_gbuffer *g, const kit_scene *scene, const char *set)
 {
     const kit_world world = { scene, NULL };
     kit_method m;
     kit_run run;
-    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "resolution=8,radii=8,rays=64", &err)) && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
+    int ok = TRY(kit_method_find(&m, "aof", &err)) && TRY(kit_method_set(&m, "resolution=8,radii=8,rays=64", &err))
+             && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&run, g, &m, 1, &world, &err));
     if (!ok) return 0;
     kit_run_draw(&run, 0);
     ok = TRY(kit_run_read(out, &run, &err));
@@ -199,10 +239,14 @@ static double apart(const kit_image *a, const kit_image *b)
     return worst;
 }
 
-/* Every pixel of the plane against the closed form of a resting ball; the ball itself, and the background, are left alone. */
+/* Every pixel of the plane against the closed form of a resting ball; the ball itself, and the background, are left
+   alone. */
 static void ball_on_a_plane(void)
 {
-    static const struct { const char *set; double limit; } row[] = { { "", 0.012 }, { "measure=solid-angle", 0.05 }, { "draw=each,storage=cube", 0.012 } };
+    static const struct {
+        const char *set;
+        double limit;
+    } row[] = { { "", 0.012 }, { "measure=solid-angle", 0.05 }, { "draw=each,storage=cube", 0.012 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image out;
@@ -224,7 +268,9 @@ static void ball_on_a_plane(void)
                 ++plane;
             }
         }
-        CHECK(worst < row[m].limit && plane > 1000 && sum > 0.05 * plane && !own, "%s: off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", row[m].set, worst, plane, sum / plane, own);
+        CHECK(worst < row[m].limit && plane > 1000 && sum > 0.05 * plane && !own,
+              "%s: off by %.4f over %d pixels (mean %.3f), %d of the ball's own shaded", row[m].set, worst, plane,
+              sum / plane, own);
         t_note("%s off by %.4f at most", *row[m].set ? row[m].set : "default", worst);
         kit_image_free(&frame);
         kit_image_free(&out);
@@ -233,12 +279,16 @@ static void ball_on_a_plane(void)
     kit_scene_free(&scene);
 }
 
-/* A draw covers each occluder's sphere of influence, from outside, from within, beside the picture and behind the eye: against all occluders at every pixel, on the CPU. */
+/* A draw covers each occluder's sphere of influence, from outside, from within, beside the picture and behind the eye:
+   against all occluders at every pixel, on the CPU. */
 static void what_a_draw_covers(void)
 {
-    static const struct { float eye[3], target[3], fovy, height; int depth; } camera[] = {
-        { { 0, 6, 12 }, { 0, 0, 0 }, 45, 0, KIT_DEPTH_NORMAL }, { { 0.3f, 1.2f, 0.5f }, { 3, 0, -2 }, 100, 0, KIT_DEPTH_INFINITE }, { { 6, 8, 4 }, { 0, 0, 0 }, 0, 9, KIT_DEPTH_REVERSED },
-        { { 1, 9, 1 }, { 1, 0, 1.01f }, 30, 0, KIT_DEPTH_NORMAL }, { { -5, 2, 0 }, { 5, 1, 0.4f }, 60, 0, KIT_DEPTH_NORMAL } };
+    static const struct { float eye[3], target[3], fovy, height; int depth;
+    } camera[] = { { { 0, 6, 12 }, { 0, 0, 0 }, 45, 0, KIT_DEPTH_NORMAL },
+                   { { 0.3f, 1.2f, 0.5f }, { 3, 0, -2 }, 100, 0, KIT_DEPTH_INFINITE },
+                   { { 6, 8, 4 }, { 0, 0, 0 }, 0, 9, KIT_DEPTH_REVERSED },
+                   { { 1, 9, 1 }, { 1, 0, 1.01f }, 30, 0, KIT_DEPTH_NORMAL },
+                   { { -5, 2, 0 }, { 5, 1, 0.4f }, 60, 0, KIT_DEPTH_NORMAL } };
     enum { SHAPES = 8 };
     const char *set = "reach=2.5,ramp=0.6";
     double worst = 0;
@@ -259,7 +309,9 @@ static void what_a_draw_covers(void)
         c.height = H;
         const int margin[4] = { 5, 3, 2, 9 };
         kit_scene_move(&scene, 0.2 * m);
-        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, margin, &err)) || !drawn_aof(&out, &g, &scene, set) || !TRY(kit_gbuffer_read(&frame, &g, &err))) return;
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, margin, &err)) || !drawn_aof(&out, &g, &scene, set)
+            || !TRY(kit_gbuffer_read(&frame, &g, &err)))
+            return;
         float view[16], projection[16];
         float *number = malloc((size_t)g.width * (size_t)g.height * sizeof *number);
         kit_camera_matrices(&g.camera, view, projection);
@@ -270,7 +322,9 @@ static void what_a_draw_covers(void)
         if (!CHECK(scene.shapes <= SHAPES, "%d shapes", scene.shapes)) return;
         for (int o = 0; o < scene.objects; ++o) {
             const int shape = scene.object[o].shape;
-            if (scene.object[o].casts && !CHECK((field[shape] = kit_field(&scene.shape[shape], &d, NULL, &err)) != NULL, "%s", err.text)) return;
+            if (scene.object[o].casts
+                && !CHECK((field[shape] = kit_field(&scene.shape[shape], &d, NULL, &err)) != NULL, "%s", err.text))
+                return;
         }
         for (int i = 0; i < W * H; ++i) {
             const float z = kit_image_channel(&frame, "Z")[i];
@@ -314,7 +368,8 @@ static void what_a_draw_covers(void)
     t_note("five cameras, off by %.1e at most", worst);
 }
 
-/* One draw, a draw each, and fields as cube maps give one picture; occluders together lie between the most of them and their sum; a pixel's own object makes no difference to others. */
+/* One draw, a draw each, and fields as cube maps give one picture; occluders together lie between the most of them and
+   their sum; a pixel's own object makes no difference to others. */
 static void combination(void)
 {
     kit_scene scene;
@@ -326,7 +381,8 @@ static void combination(void)
     if (!drawn_aof(&both, &g, &scene, "")) return;
     for (int s = 0; s < 2; ++s) {
         if (!drawn_aof(&other, &g, &scene, s ? "storage=cube" : "draw=each")) return;
-        CHECK(apart(&both, &other) < (s ? 1e-2 : 1e-6), "%s differs by %.2g", s ? "storage=cube" : "draw=each", apart(&both, &other));
+        CHECK(apart(&both, &other) < (s ? 1e-2 : 1e-6), "%s differs by %.2g", s ? "storage=cube" : "draw=each",
+              apart(&both, &other));
         kit_image_free(&other);
     }
     for (int s = 0; s < 2; ++s) {
@@ -335,7 +391,8 @@ static void combination(void)
         if (!drawn_aof(&single[s], &g, &scene, "")) return;
     }
     for (int i = 0; i < W * H; ++i) {
-        const double a = 1 - (double)single[0].data[i], b = 1 - (double)single[1].data[i], ab = 1 - (double)both.data[i];
+        const double a = 1 - (double)single[0].data[i], b = 1 - (double)single[1].data[i],
+                     ab = 1 - (double)both.data[i];
         bad += !(ab >= fmax(a, b) - 1e-6 && ab <= fmin(a + b, 1) + 1e-6 && fabs(1 - ab - (1 - a) * (1 - b)) < 1e-6);
         met += a > 0.02 && b > 0.02;
     }
@@ -354,19 +411,25 @@ static void combination(void)
 /* Against rays: share of no occlusion's error, and what the published measure and a coarse cube map lose. */
 static void against_truth(void)
 {
-    static const struct { const char *set; double share; } row[] = { { "", 0.16 }, { "measure=solid-angle", 0.19 }, { "resolution=4", 0.18 }, { "normal=depth", 0.25 } };
+    static const struct {
+        const char *set;
+        double share;
+    } row[] = { { "", 0.16 }, { "measure=solid-angle", 0.19 }, { "resolution=4", 0.18 }, { "normal=depth", 0.25 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image truth, out, none;
     kit_score score, nothing;
-    if (!scene_of(&scene, &g, "casters", NULL) || !TRY(kit_truth_objects(&truth, &scene, &g.camera, 64, 1, &err)) || !TRY(kit_image_new(&none, W, H, "Y", &err))) return;
+    if (!scene_of(&scene, &g, "casters", NULL) || !TRY(kit_truth_objects(&truth, &scene, &g.camera, 64, 1, &err))
+        || !TRY(kit_image_new(&none, W, H, "Y", &err)))
+        return;
     for (int i = 0; i < W * H; ++i) none.data[i] = 1;
     TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         if (!drawn_aof(&out, &g, &scene, row[m].set)) return;
         TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
         CHECK(score.rmse < row[m].share * nothing.rmse, "%s: RMSE %.4f of %.4f", row[m].set, score.rmse, nothing.rmse);
-        t_note("%s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", *row[m].set ? row[m].set : "default", score.rmse, score.rmse / nothing.rmse, score.bias);
+        t_note("%s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", *row[m].set ? row[m].set : "default", score.rmse,
+               score.rmse / nothing.rmse, score.bias);
         kit_image_free(&out);
     }
     kit_image_free(&truth);
@@ -385,7 +448,10 @@ static void refusals(void)
     const ssgi_field_limits fine = ssgi_field_limits_of(f);
     memset(&was, 0x5a, sizeof was);
     for (int k = 0; k < 14; ++k) {
-        static const char *const names[] = { "occluder", "field", "mesh_to_view", "slice", "slice", "object", "limits.reach", "limits.reach", "limits.reach", "limits.inside", "limits.power", "mesh_to_view", "mesh_to_view", "mesh_to_view" };
+        static const char *const names[] = { "occluder",     "field",         "mesh_to_view", "slice",
+                                             "slice",        "object",        "limits.reach", "limits.reach",
+                                             "limits.reach", "limits.inside", "limits.power", "mesh_to_view",
+                                             "mesh_to_view", "mesh_to_view" };
         ssgi_field_limits l = fine;
         ssgi_field none = *f;
         const char *why = "";
@@ -400,8 +466,14 @@ static void refusals(void)
         if (k == 12) for (int i = 0; i < 3; ++i) m[i] = -m[i];
         if (k == 13) m[13] = INFINITY;
         occluder = was;
-        CHECK(ssgi_gl_occluder_set(k ? &occluder : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m, k == 3 ? -1 : k == 4 ? 2048 : 0, k == 5 ? 1 << 24 : 0, &why) == SSGI_BAD_ARGUMENT
-              && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&occluder, &was, sizeof was), "%d: \"%s\" (expected %s)", k, why, names[k]);
+        CHECK(ssgi_gl_occluder_set(k ? &occluder : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m,
+                                   k == 3   ? -1
+                                   : k == 4 ? 2048
+                                            : 0,
+                                   k == 5 ? 1 << 24 : 0, &why)
+                      == SSGI_BAD_ARGUMENT
+                  && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&occluder, &was, sizeof was),
+              "%d: \"%s\" (expected %s)", k, why, names[k]);
     }
     kit_scene_free(&scene);
 }
@@ -410,7 +482,9 @@ void test_casters(void)
 {
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
     RUN("the shader's caps are the CPU's: closed form and table", caps);
-    RUN("the shader's fields are the CPU's: atlas and cube maps, both measures, 16 and 8 bits, turned, scaled and moved", same_as_on_the_cpu);
+    RUN("the shader's fields are the CPU's: atlas and cube maps, both measures, 16 and 8 bits, turned, scaled and "
+        "moved",
+        same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
     RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
     RUN("occluders combine to between the most and the sum; one draw, a draw each and cube maps agree", combination);

@@ -1,6 +1,8 @@
-/* test_field.c - ssgi.h's rooms of caps and of fields: against closed forms, exact solid angles of boxes and balls, reference fits, and rays of the tests' own. */
+/* test_field.c - ssgi.h's rooms of caps and of fields: against closed forms, exact solid angles of boxes and balls,
+   reference fits, and rays of the tests' own. */
 #include "t.h"
-#define SSGI_STATIC                        /* white-box: this file has its own copy of the library, for what is private in it */
+/* white-box: this file has its own copy of the library, for what is private in it */
+#define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -56,33 +58,52 @@ static const float *point_at(const float centre[3], double r, const double w[3])
 
 static void caps(void)
 {
-    static const struct { double solid_angle, cosine, occlusion; } rows[] = {   /* by quadrature over azimuths; below, straddling, above; the same for more than half of the sphere; ends */
-        { PI / 4, -0.75, 0 }, { PI / 4, -0.03125, 0.022492340305020567 }, { PI / 4, 0.125, 0.042777206502847248 }, { PI / 4, 0.875, 0.205078125 }, { PI / 16, 0.03125, 0.0043360642700743697 },
-        { 5 * PI / 4, -0.375, 0.12196989623960146 }, { 31 * PI / 16, 0.25, 0.60561821739016908 }, { 5 * PI / 2, -0.375, 0.47046421768861002 }, { 45 * PI / 16, 0.5625, 0.94551137474100155 },
-        { 15 * PI / 4, -0.0625, 0.96612634172917533 }, { 15 * PI / 4, -0.84375, 0.80224609375 }, { 0, 1, 0 }, { 4 * PI, -1, 1 },
-        { -1, 0.5, 0 }, { 13, -0.5, 1 }, { PI / 4, 1.5, 0.234375 }, { PI / 4, -1.5, 0 } };       /* beyond the ends */
+    /* by quadrature over azimuths; below, straddling, above; the same for more than half of the sphere; ends */
+    static const struct { double solid_angle, cosine, occlusion;
+    } rows[] = { { PI / 4, -0.75, 0 },
+                 { PI / 4, -0.03125, 0.022492340305020567 },
+                 { PI / 4, 0.125, 0.042777206502847248 },
+                 { PI / 4, 0.875, 0.205078125 },
+                 { PI / 16, 0.03125, 0.0043360642700743697 },
+                 { 5 * PI / 4, -0.375, 0.12196989623960146 },
+                 { 31 * PI / 16, 0.25, 0.60561821739016908 },
+                 { 5 * PI / 2, -0.375, 0.47046421768861002 },
+                 { 45 * PI / 16, 0.5625, 0.94551137474100155 },
+                 { 15 * PI / 4, -0.0625, 0.96612634172917533 },
+                 { 15 * PI / 4, -0.84375, 0.80224609375 },
+                 { 0, 1, 0 },
+                 { 4 * PI, -1, 1 },
+                 { -1, 0.5, 0 },
+                 { 13, -0.5, 1 },
+                 { PI / 4, 1.5, 0.234375 },
+                 { PI / 4, -1.5, 0 } }; /* beyond the ends */
     double wide = 0, single = 0;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         wide = fmax(wide, fabs(ssgi__cap_occlusion(rows[i].solid_angle, rows[i].cosine) - rows[i].occlusion));
-        single = fmax(single, fabs((double)ssgi_cap_occlusionf((float)rows[i].solid_angle, (float)rows[i].cosine) - rows[i].occlusion));
+        single = fmax(single, fabs((double)ssgi_cap_occlusionf((float)rows[i].solid_angle, (float)rows[i].cosine)
+                                   - rows[i].occlusion));
     }
     CHECK(wide < 1e-14 && single < 1e-6, "off by %g, f by %g", wide, single);
     double before[81] = { 0 };
     for (int i = 0; i <= 160; ++i) for (int j = 0; j <= 80; ++j) {
-        const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = ssgi__cap_occlusion(o, c), left = 1 - ssgi__cap_occlusion(4 * PI - o, -c);
-        CHECK(fabs(a - left) < 1e-12, "%g sr, cosine %g: %.15g, by the complement %.15g", o, c, a, left);
-        CHECK(a >= before[j] - 1e-14 && (!j || a >= before[j - 1] - 1e-14), "%g sr, cosine %g: not monotone", o, c);
-        if (i == 80) CHECK(fabs(a - 0.5 - 0.5 * c) < 1e-14, "half of the sphere, cosine %g: %.15g", c, a);
-        before[j] = a;
+            const double o = 4 * PI * i / 160, c = j / 40.0 - 1, a = ssgi__cap_occlusion(o, c),
+                         left = 1 - ssgi__cap_occlusion(4 * PI - o, -c);
+            CHECK(fabs(a - left) < 1e-12, "%g sr, cosine %g: %.15g, by the complement %.15g", o, c, a, left);
+            CHECK(a >= before[j] - 1e-14 && (!j || a >= before[j - 1] - 1e-14), "%g sr, cosine %g: not monotone", o, c);
+            if (i == 80) CHECK(fabs(a - 0.5 - 0.5 * c) < 1e-14, "half of the sphere, cosine %g: %.15g", c, a);
+            before[j] = a;
     }
 }
 
-/* What a texture with linear filtering gives of the table: coordinates hit texel centres, ((x/(4 pi)) (size-1) + 0.5) / size. */
+/* What a texture with linear filtering gives of the table: coordinates hit texel centres, ((x/(4 pi)) (size-1) + 0.5) /
+   size. */
 static float look_up(const float *table, int size, float solid_angle, float cosine)
 {
-    const float last = (float)(size - 1), x = fminf(fmaxf(solid_angle * (float)(0.25 / PI) * last, 0), last), y = fminf(fmaxf((0.5f * cosine + 0.5f) * last, 0), last);
+    const float last = (float)(size - 1), x = fminf(fmaxf(solid_angle * (float)(0.25 / PI) * last, 0), last),
+                y = fminf(fmaxf((0.5f * cosine + 0.5f) * last, 0), last);
     const int i = (int)fminf(x, last - 1), k = (int)fminf(y, last - 1);
-    const float *t = table + k * size + i, top = t[0] + (x - (float)i) * (t[1] - t[0]), bottom = t[size] + (x - (float)i) * (t[size + 1] - t[size]);
+    const float *t = table + k * size + i, top = t[0] + (x - (float)i) * (t[1] - t[0]),
+                bottom = t[size] + (x - (float)i) * (t[size + 1] - t[size]);
     return top + (y - (float)k) * (bottom - top);
 }
 
@@ -100,18 +121,25 @@ static void cap_table(void)
             most = fmax(most, fabs((double)look_up(table, n, (float)o, (float)c) - ssgi__cap_occlusion(o, c)));
         }
         for (int y = 0; y < n; ++y) for (int x = 0; x < n; ++x)
-            at_texels = fmax(at_texels, fabs((double)look_up(table, n, (float)(4 * PI * x / (n - 1)), (float)(2.0 * y / (n - 1) - 1)) - ssgi__cap_occlusion(4 * PI * x / (n - 1), 2.0 * y / (n - 1) - 1)));
-        CHECK(most < 1.05 * rows[i].most && most > 0.8 * rows[i].most && at_texels < 1e-5, "size %d: off by %g, at texels by %g", n, most, at_texels);
+                at_texels =
+                    fmax(at_texels,
+                         fabs((double)look_up(table, n, (float)(4 * PI * x / (n - 1)), (float)(2.0 * y / (n - 1) - 1))
+                              - ssgi__cap_occlusion(4 * PI * x / (n - 1), 2.0 * y / (n - 1) - 1)));
+        CHECK(most < 1.05 * rows[i].most && most > 0.8 * rows[i].most && at_texels < 1e-5,
+              "size %d: off by %g, at texels by %g", n, most, at_texels);
     }
-    CHECK(look_up(table, 128, 99, 0) == 1 && look_up(table, 128, -99, 0) == 0 && look_up(table, 128, (float)PI, 9) == look_up(table, 128, (float)PI, 1),
+    CHECK(look_up(table, 128, 99, 0) == 1 && look_up(table, 128, -99, 0) == 0
+              && look_up(table, 128, (float)PI, 9) == look_up(table, 128, (float)PI, 1),
           "what is beyond does not count as the end");
     CHECK(ssgi_cap_table(NULL, 32, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "%s", why);
-    for (int k = 0; k < 2; ++k) CHECK(ssgi_cap_table(table, k ? 1025 : 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:"), "%s", why);
+    for (int k = 0; k < 2; ++k)
+        CHECK(ssgi_cap_table(table, k ? 1025 : 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:"), "%s", why);
 }
 
 /* ---- >>field: what a bake is made of ----------------------------------------------------------------------------- */
 
-/* Solid angle and vector irradiance of a box about the origin from p outside: the faces that p sees, each two triangles [Oosterom, Strackee 1983] and four edges [Lambert]. */
+/* Solid angle and vector irradiance of a box about the origin from p outside: the faces that p sees, each two triangles
+   [Oosterom, Strackee 1983] and four edges [Lambert]. */
 static void box_exact(double out[4], const double half[3], const double p[3])
 {
     memset(out, 0, 4 * sizeof *out);
@@ -126,7 +154,8 @@ static void box_exact(double out[4], const double half[3], const double p[3])
             q[k][v] = (k > 1 ? half[v] : -half[v]) - p[v];
         }
         for (int t = 0; t < 2; ++t) {
-            const double *a = q[0], *b = q[1 + t], *c = q[2 + t], la = sqrt(dot(a, a)), lb = sqrt(dot(b, b)), lc = sqrt(dot(c, c));
+            const double *a = q[0], *b = q[1 + t], *c = q[2 + t], la = sqrt(dot(a, a)), lb = sqrt(dot(b, b)),
+                         lc = sqrt(dot(c, c));
             double x[3];
             cross(x, b, c);
             out[0] += fabs(2 * atan2(dot(a, x), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb));
@@ -165,7 +194,10 @@ static void sample_ray(samples *s, const double *half, const double w[3], int co
     }
 }
 
-static double quadratic(const double q[3], double t) { return q[0] * (1 - t) * (1 - t) + 2 * q[1] * t * (1 - t) + q[2] * t * t; }
+static double quadratic(const double q[3], double t)
+{
+    return q[0] * (1 - t) * (1 - t) + 2 * q[1] * t * (1 - t) + q[2] * t * t;
+}
 
 static double least_of(const double q[3])
 {
@@ -176,25 +208,41 @@ static double least_of(const double q[3])
 
 static void fits(void)
 {
-    static const double NONE = -1;           /* the reference's optimum is below 1/(4 pi) in between, which is more than the sphere: no bar */
-    const struct { double half[3], w[3]; int count; double error; } rows[] = {      /* half 0: the ball. Optima by an independent descent from many starts */
-        { { 1, 1, 1 }, { 1, 0, 0 }, 32, 1.216465e-2 }, { { 1, 1, 1 }, { 1, 1, 0 }, 32, 5.168629e-4 }, { { 1, 1, 1 }, { 1, 1, 1 }, 32, 4.710741e-8 },
-        { { 1, 1, 1 }, { 6, 3, 2 }, 32, 8.763182e-2 }, { { 1, 1, 1 }, { 9, 1, 7 }, 32, 2.554233e-1 }, { { 0 }, { 1, 0, 0 }, 16, 4.120544e-2 }, { { 0 }, { 1, 0, 0 }, 64, 4.233979e-1 },
-        { { 1, 1, 0.05 }, { 0, 0, 1 }, 16, 0.00679018239 }, { { 1, 1, 0.05 }, { 1, 0, 0 }, 16, 9.86588616e-05 }, { { 1, 1, 0.05 }, { 1, 1, 0.05 }, 16, 2.60447768e-05 },
-        { { 1, 1, 0.05 }, { -0.511427511, -0.844602922, -0.158391307 }, 16, 2.33613284 }, { { 1, 1, 0.05 }, { 0.345672599, 0.93401024, 0.0901960416 }, 6, NONE },
-        { { 1, 0.1, 0.1 }, { 0.21723003, 0.440070427, -0.871291646 }, 16, 0.0883685306 }, { { 1, 0.1, 0.1 }, { -0.588616267, -0.45646528, -0.667210865 }, 16, NONE },
-        { { 1, 1, 1 }, { -0.628675918, 0.66321451, 0.406094945 }, 16, 0.0600108708 }, { { 1, 0.3, 0.02 }, { 1, 0, 0 }, 6, 5.7743997e-09 }, { { 1, 0.3, 0.02 }, { 1, 1, 0.05 }, 16, 0.00234562866 } };
+    /* the reference's optimum is below 1/(4 pi) in between, which is more than the sphere: no bar */
+    static const double NONE = -1;
+    /* half 0: the ball. Optima by an independent descent from many starts */
+    const struct { double half[3], w[3]; int count; double error;
+    } rows[] = { { { 1, 1, 1 }, { 1, 0, 0 }, 32, 1.216465e-2 },
+                 { { 1, 1, 1 }, { 1, 1, 0 }, 32, 5.168629e-4 },
+                 { { 1, 1, 1 }, { 1, 1, 1 }, 32, 4.710741e-8 },
+                 { { 1, 1, 1 }, { 6, 3, 2 }, 32, 8.763182e-2 },
+                 { { 1, 1, 1 }, { 9, 1, 7 }, 32, 2.554233e-1 },
+                 { { 0 }, { 1, 0, 0 }, 16, 4.120544e-2 },
+                 { { 0 }, { 1, 0, 0 }, 64, 4.233979e-1 },
+                 { { 1, 1, 0.05 }, { 0, 0, 1 }, 16, 0.00679018239 },
+                 { { 1, 1, 0.05 }, { 1, 0, 0 }, 16, 9.86588616e-05 },
+                 { { 1, 1, 0.05 }, { 1, 1, 0.05 }, 16, 2.60447768e-05 },
+                 { { 1, 1, 0.05 }, { -0.511427511, -0.844602922, -0.158391307 }, 16, 2.33613284 },
+                 { { 1, 1, 0.05 }, { 0.345672599, 0.93401024, 0.0901960416 }, 6, NONE },
+                 { { 1, 0.1, 0.1 }, { 0.21723003, 0.440070427, -0.871291646 }, 16, 0.0883685306 },
+                 { { 1, 0.1, 0.1 }, { -0.588616267, -0.45646528, -0.667210865 }, 16, NONE },
+                 { { 1, 1, 1 }, { -0.628675918, 0.66321451, 0.406094945 }, 16, 0.0600108708 },
+                 { { 1, 0.3, 0.02 }, { 1, 0, 0 }, 6, 5.7743997e-09 },
+                 { { 1, 0.3, 0.02 }, { 1, 1, 0.05 }, 16, 0.00234562866 } };
     static samples s;
     double q[3], worst = 0;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         sample_ray(&s, rows[i].half[0] > 0 ? rows[i].half : NULL, rows[i].w, rows[i].count);
         const double error = ssgi__field_fit(q, s.radii, s.values, rows[i].count, 4 * PI);
-        if (rows[i].error > 0) CHECK(error <= 1.01 * rows[i].error || error <= 1e-6, "row %zu: %.6g, the best is %.6g", i, error, rows[i].error);
+        if (rows[i].error > 0)
+            CHECK(error <= 1.01 * rows[i].error || error <= 1e-6, "row %zu: %.6g, the best is %.6g", i, error,
+                  rows[i].error);
         if (rows[i].error > 1e-6) worst = fmax(worst, error / rows[i].error);
         CHECK(least_of(q) * 4 * PI >= 1 - 1e-12, "row %zu: more than the sphere, 4 pi q = %g", i, least_of(q) * 4 * PI);
     }
     t_note("worst error of a fit: %.4f of the reference's", worst);
-    for (int i = 0; i < 800; ++i) {          /* slabs, rods, a cube from everywhere, edge-on too, and what no occluder would be */
+    /* slabs, rods, a cube from everywhere, edge-on too, and what no occluder would be */
+    for (int i = 0; i < 800; ++i) {
         static const double halves[4][3] = { { 1, 1, 0.05 }, { 1, 0.1, 0.1 }, { 1, 1, 1 }, { 1, 0.3, 0.02 } };
         const int count = 3 + i * 7 % 62;
         const double most = i % 2 ? PI : 4 * PI;
@@ -202,19 +250,30 @@ static void fits(void)
         direction(w);
         if (i % 10 == 0) w[2] = 0;
         sample_ray(&s, halves[i % 4], w, count);
-        for (int k = 0; k < count; ++k) s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? uniform(0, most) : uniform(-1, 1) > 0 ? most : 0;
+        for (int k = 0; k < count; ++k)
+            s.values[k] = i % 5 ? fmin(s.values[k], most) : i % 3 ? uniform(0, most) : uniform(-1, 1) > 0 ? most : 0;
         const double error = ssgi__field_fit(q, s.radii, s.values, count, most);
-        for (int k = 0; k < count; ++k) sum += pow(1 / quadratic(q, (s.radii[k] - s.radii[0]) / (s.radii[count - 1] - s.radii[0])) - s.values[k], 2);
-        CHECK(least_of(q) * most >= 1 - 1e-12 && fabs(sum - error) <= 1e-9 * sum + 1e-12, "occluder %d, %d samples: at least %g, error %g is %g", i, count, least_of(q) * most, error, sum);
+        for (int k = 0; k < count; ++k)
+            sum +=
+                pow(1 / quadratic(q, (s.radii[k] - s.radii[0]) / (s.radii[count - 1] - s.radii[0])) - s.values[k], 2);
+        CHECK(least_of(q) * most >= 1 - 1e-12 && fabs(sum - error) <= 1e-9 * sum + 1e-12,
+              "occluder %d, %d samples: at least %g, error %g is %g", i, count, least_of(q) * most, error, sum);
     }
 }
 
 static void centres(void)
 {
-    const struct { double half[3], w[3], error; } rows[] = {
-        { { 1, 1, 1 }, { 6, 3, 2 }, 4.859418e-4 }, { { 1, 1, 1 }, { 9, 1, 7 }, 3.280256e-4 }, { { 1, 0.5, 0.25 }, { 1, 1, 0 }, 2.658109e-4 }, { { 1, 0.5, 0.25 }, { 1, 1, 1 }, 3.920803e-3 },
-        { { 1, 0.5, 0.25 }, { 6, 3, 2 }, 3.163771e-3 }, { { 1, 0.5, 0.25 }, { 2, 9, 4 }, 1.193163e-2 },
-        { { 1, 1, 1 }, { 1, 0, 0 }, 0 }, { { 1, 1, 1 }, { 1, 1, 0 }, 0 }, { { 1, 1, 1 }, { 1, 1, 1 }, 0 }, { { 1, 0.5, 0.25 }, { 1, 0, 0 }, 0 } };
+    const struct { double half[3], w[3], error;
+    } rows[] = { { { 1, 1, 1 }, { 6, 3, 2 }, 4.859418e-4 },
+                 { { 1, 1, 1 }, { 9, 1, 7 }, 3.280256e-4 },
+                 { { 1, 0.5, 0.25 }, { 1, 1, 0 }, 2.658109e-4 },
+                 { { 1, 0.5, 0.25 }, { 1, 1, 1 }, 3.920803e-3 },
+                 { { 1, 0.5, 0.25 }, { 6, 3, 2 }, 3.163771e-3 },
+                 { { 1, 0.5, 0.25 }, { 2, 9, 4 }, 1.193163e-2 },
+                 { { 1, 1, 1 }, { 1, 0, 0 }, 0 },
+                 { { 1, 1, 1 }, { 1, 1, 0 }, 0 },
+                 { { 1, 1, 1 }, { 1, 1, 1 }, 0 },
+                 { { 1, 0.5, 0.25 }, { 1, 0, 0 }, 0 } };
     static samples s;
     double c[3], worst = 0;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
@@ -222,7 +281,8 @@ static void centres(void)
         sample_ray(&s, rows[i].half, rows[i].w, 32);
         for (int k = 0; k < 32; ++k) none += pow(1 + dot(s.w, s.directions + 3 * k), 2);
         const double error = ssgi__field_centre(c, s.w, s.radii, s.directions, 32, 1e-14);
-        CHECK(error <= fmax(1.2 * rows[i].error, 1e-10) && error <= none * (1 + 1e-12) + 1e-28, "row %zu: %g, the best is %g, c = 0 has %g", i, error, rows[i].error, none);
+        CHECK(error <= fmax(1.2 * rows[i].error, 1e-10) && error <= none * (1 + 1e-12) + 1e-28,
+              "row %zu: %g, the best is %g, c = 0 has %g", i, error, rows[i].error, none);
         if (rows[i].error > 0) worst = fmax(worst, error / rows[i].error);
         else CHECK(sqrt(dot(c, c)) < 1e-3, "row %zu is symmetric, c = %g %g %g", i, c[0], c[1], c[2]);
     }
@@ -230,16 +290,18 @@ static void centres(void)
     const double truth[3] = { 0.3, -0.2, 0.4 };
     for (int holes = 0; holes < 3; ++holes) {            /* one true centre; some directions unknown; all */
         for (int i = 0; i < 32; ++i) {
-            for (int k = 0; k < 3; ++k) s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
+            for (int k = 0; k < 3; ++k)
+                s.directions[3 * i + k] = holes == 2 || (holes && i % 3 == 0) ? 0 : truth[k] - s.radii[i] * s.w[k];
             normalise(s.directions + 3 * i);
         }
         const double error = ssgi__field_centre(c, s.w, s.radii, s.directions, 32, 1e-14);
-        const double off = fabs(c[0] - (holes < 2 ? truth[0] : 0)) + fabs(c[1] - (holes < 2 ? truth[1] : 0)) + fabs(c[2] - (holes < 2 ? truth[2] : 0));
+        const double off = fabs(c[0] - (holes < 2 ? truth[0] : 0)) + fabs(c[1] - (holes < 2 ? truth[1] : 0))
+                           + fabs(c[2] - (holes < 2 ? truth[2] : 0));
         CHECK(off < 1e-6 && error < 1e-14, "one true centre: found %g %g %g, error %g", c[0], c[1], c[2], error);
     }
 }
 
-/* ---- occluders ----------------------------------------------------------------------------------------------------- */
+/* ---- occluders --------------------------------------------------------------------------------------------------- */
 
 typedef struct mesh { size_t triangles; float position[9 * 2048]; } mesh;
 
@@ -271,7 +333,8 @@ static void add_round(mesh *m, double tube, int around, int along)
     for (int i = 0; i < around; ++i) for (int k = 0; k < along; ++k) {
         double q[4][3];
         for (int n = 0; n < 4; ++n) {
-            const double a = 2 * PI * (i + (n == 1 || n == 2)) / around, b = (tube > 0 ? 2 * PI : PI) * (k + (n > 1)) / along - PI / 2;
+            const double a = 2 * PI * (i + (n == 1 || n == 2)) / around,
+                         b = (tube > 0 ? 2 * PI : PI) * (k + (n > 1)) / along - PI / 2;
             const double r = tube > 0 ? 1 + tube * cos(b) : cos(b);
             q[n][0] = r * cos(a); q[n][1] = r * sin(a); q[n][2] = (tube > 0 ? tube : 1) * sin(b);
         }
@@ -316,7 +379,8 @@ static int box_hit(void *user, const float o[3], const float d[3])
     const double *half = (const double *)user;
     double in = 0, out = 1e30;
     for (int k = 0; k < 3; ++k) {
-        const double p = (double)o[k], step = fabs((double)d[k]) > 1e-30 ? (double)d[k] : 1e-30, a = (-half[k] - p) / step, b = (half[k] - p) / step;
+        const double p = (double)o[k], step = fabs((double)d[k]) > 1e-30 ? (double)d[k] : 1e-30,
+                     a = (-half[k] - p) / step, b = (half[k] - p) / step;
         in = fmax(in, fmin(a, b));
         out = fmin(out, fmax(a, b));
     }
@@ -325,7 +389,8 @@ static int box_hit(void *user, const float o[3], const float d[3])
 
 static int ball_hit(void *user, const float o[3], const float d[3])
 {
-    const double radius = *(const double *)user, p[3] = { (double)o[0], (double)o[1], (double)o[2] }, w[3] = { (double)d[0], (double)d[1], (double)d[2] };
+    const double radius = *(const double *)user, p[3] = { (double)o[0], (double)o[1], (double)o[2] },
+                 w[3] = { (double)d[0], (double)d[1], (double)d[2] };
     const double b = dot(p, w), c = dot(p, p) - radius * radius;
     return c < 0 || (b < 0 && b * b > c * dot(w, w));
 }
@@ -340,24 +405,39 @@ static int porous_hit(void *user, const float o[3], const float d[3])
 
 static int nothing_hit(void *user, const float o[3], const float d[3]) { (void)user; (void)o; (void)d; return 0; }
 
-static void threads(void *user, int count, void (*job)(void *context, int i), void *context) { (void)user; kit_parallel(NULL, count, job, context); }
-static void backwards(void *user, int count, void (*job)(void *context, int i), void *context) { (void)user; while (count) job(context, --count); }
+static void threads(void *user, int count, void (*job)(void *context, int i), void *context)
+{
+    (void)user;
+    kit_parallel(NULL, count, job, context);
+}
+static void backwards(void *user, int count, void (*job)(void *context, int i), void *context)
+{
+    (void)user;
+    while (count) job(context, --count);
+}
 
-/* Bakes into one of four places, from work memory of no alignment that ends where it should; with threads unless the desc has its own. */
+/* Bakes into one of four places, from work memory of no alignment that ends where it should; with threads unless the
+   desc has its own. */
 static uint32_t place[4][6 * 66 * 66 * 4 + 1];
 
 static ssgi_field baked(int at, const ssgi_field_desc *desc, const mesh *m)
 {
     ssgi_field_desc d = *desc;
     ssgi_field f = { .texels = place[at], .resolution = 2, .bits = 16, .reach = 1 };
-    const size_t size = ssgi_field_bake_size(&d, m->triangles), used = ssgi_field_size(d.resolution ? d.resolution : 16, d.bits ? d.bits : 16);
+    const size_t size = ssgi_field_bake_size(&d, m->triangles),
+                 used = ssgi_field_size(d.resolution ? d.resolution : 16, d.bits ? d.bits : 16);
     unsigned char *work = malloc(size + 9);
     const char *why = "no memory";
     if (!d.parallel) d.parallel = threads;
     memset(place[at], 0x5a, sizeof place[at]);
     if (work) memset(work, 0x5a, size + 9);
-    CHECK(work && ssgi_field_bake(&f, place[at], work + 1, size, &d, m->position, 3 * sizeof(float), NULL, m->triangles, &why) == SSGI_OK, "%s", why);
-    CHECK(work && work[size + 1] == 0x5a && work[0] == 0x5a && place[at][used / 4] == 0x5a5a5a5au, "memory beyond what was asked for was written");
+    CHECK(work
+              && ssgi_field_bake(&f, place[at], work + 1, size, &d, m->position, 3 * sizeof(float), NULL, m->triangles,
+                                 &why)
+                     == SSGI_OK,
+          "%s", why);
+    CHECK(work && work[size + 1] == 0x5a && work[0] == 0x5a && place[at][used / 4] == 0x5a5a5a5au,
+          "memory beyond what was asked for was written");
     free(work);
     return f;
 }
@@ -410,7 +490,8 @@ typedef struct counted { const ssgi_trace *trace; float axis[3], cosine; int ray
 static int count_hit(void *user, const float o[3], const float d[3])
 {
     counted *c = (counted *)user;
-    const float along = d[0] * c->axis[0] + d[1] * c->axis[1] + d[2] * c->axis[2], length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const float along = d[0] * c->axis[0] + d[1] * c->axis[1] + d[2] * c->axis[2],
+                length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     ++c->rays;
     c->outside += along < c->cosine - 1e-6f || fabsf(length - 1) > 1e-5f;
     return ssgi_trace_any(c->trace, o, d, 0, 1e30f);
@@ -418,18 +499,29 @@ static int count_hit(void *user, const float o[3], const float d[3])
 
 static void sampled(void)
 {
-    static const struct { double w[3], r, exact[4]; } rows[] = {
-        { { 1, 0, 0 }, 1.403814607127422, { 4.1394821824481216, -2.7731105152166093, 0, 0 } }, { { 1, 0, 0 }, 7.0312267072705845, { 0.10703419221617852, -0.10608198959364103, 0, 0 } },
+    static const struct { double w[3], r, exact[4];
+    } rows[] = {
+        { { 1, 0, 0 }, 1.403814607127422, { 4.1394821824481216, -2.7731105152166093, 0, 0 } },
+        { { 1, 0, 0 }, 7.0312267072705845, { 0.10703419221617852, -0.10608198959364103, 0, 0 } },
         { { 1, 1, 0 }, 2.1996201935249728, { 1.4310319037634232, -0.88948573411840537, -0.88948573411840526, 0 } },
-        { { 1, 1, 1 }, 3.1677291649156141, { 0.60726429033122975, -0.33292576074142693, -0.33292576074142693, -0.33292576074142693 } },
-        { { 6, 3, 2 }, 1.3686188605969116, { 4.9278206128796951, -2.9637915885585562, -0.36527423819247035, -0.17191521857911954 } },
-        { { 9, 1, 7 }, 2.7478455881054624, { 0.89160556736000462, -0.64075577591153532, -0.078042001991519436, -0.51667487064367279 } } };
+        { { 1, 1, 1 },
+          3.1677291649156141,
+          { 0.60726429033122975, -0.33292576074142693, -0.33292576074142693, -0.33292576074142693 } },
+        { { 6, 3, 2 },
+          1.3686188605969116,
+          { 4.9278206128796951, -2.9637915885585562, -0.36527423819247035, -0.17191521857911954 } },
+        { { 9, 1, 7 },
+          2.7478455881054624,
+          { 0.89160556736000462, -0.64075577591153532, -0.078042001991519436, -0.51667487064367279 } }
+    };
     const mesh *m = box_mesh(cube);
     static uint64_t memory[4096];
     ssgi_trace trace;
     const char *why = "";
     double worst = 0, bias = 0;
-    if (!CHECK(ssgi_trace_build(&trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, &why) == SSGI_OK, "%s", why)) return;
+    if (!CHECK(ssgi_trace_build(&trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, &why) == SSGI_OK,
+               "%s", why))
+        return;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         double w[3], p[3], exact[4], mean[4] = { 0 }, out[4], again[4];
         double axis[3];
@@ -438,22 +530,31 @@ static void sampled(void)
         normalise(w);
         for (int k = 0; k < 3; ++k) { p[k] = rows[i].r * w[k]; axis[k] = -w[k]; }
         box_exact(exact, cube, p);
-        for (int k = 0; k < 4; ++k) CHECK(fabs(exact[k] - rows[i].exact[k]) < 1e-9, "row %zu: the test's own %g is not %g", i, exact[k], rows[i].exact[k]);
+        for (int k = 0; k < 4; ++k)
+            CHECK(fabs(exact[k] - rows[i].exact[k]) < 1e-9, "row %zu: the test's own %g is not %g", i, exact[k],
+                  rows[i].exact[k]);
         for (int k = 0; k < 8; ++k) {
             double d[3] = { (k & 1 ? 1 : -1) - p[0], (k & 2 ? 1 : -1) - p[1], (k & 4 ? 1 : -1) - p[2] };
             normalise(d);
             cosine = fminf(cosine, (float)-dot(d, w));
         }
         for (uint32_t seed = 0; seed < 16; ++seed) {
-            ssgi__field_sample(out, NULL, NULL, &trace, NULL, NULL, point_at(NULL, rows[i].r, w), axis, cosine, 4096, seed);
-            for (int k = 0; k < 4; ++k) { mean[k] += out[k] / 16; worst = fmax(worst, fabs(out[k] - exact[k]) / exact[0]); }
+            ssgi__field_sample(out, NULL, NULL, &trace, NULL, NULL, point_at(NULL, rows[i].r, w), axis, cosine, 4096,
+                               seed);
+            for (int k = 0; k < 4; ++k) {
+                mean[k] += out[k] / 16;
+                worst = fmax(worst, fabs(out[k] - exact[k]) / exact[0]);
+            }
         }
         for (int k = 0; k < 4; ++k) bias = fmax(bias, fabs(mean[k] - exact[k]) / exact[0]);
         counted c = { &trace, { (float)axis[0], (float)axis[1], (float)axis[2] }, cosine, 0, 0 };
-        ssgi__field_sample(again, NULL, NULL, NULL, count_hit, &c, point_at(NULL, rows[i].r, w), axis, cosine, 4096, 15);
-        CHECK(c.rays == 4096 && !c.outside && !memcmp(out, again, sizeof out), "row %zu: %d rays, %d of them not in the cone", i, c.rays, c.outside);
+        ssgi__field_sample(again, NULL, NULL, NULL, count_hit, &c, point_at(NULL, rows[i].r, w), axis, cosine, 4096,
+                           15);
+        CHECK(c.rays == 4096 && !c.outside && !memcmp(out, again, sizeof out),
+              "row %zu: %d rays, %d of them not in the cone", i, c.rays, c.outside);
     }
-    CHECK(worst < 0.006 && bias < 0.001, "4096 rays: off by %.5f of the solid angle, the mean of 16 by %.5f", worst, bias);
+    CHECK(worst < 0.006 && bias < 0.001, "4096 rays: off by %.5f of the solid angle, the mean of 16 by %.5f", worst,
+          bias);
     t_note("a cube by 4096 rays: off by up to %.5f of its solid angle, the mean of 16 by %.5f", worst, bias);
 }
 
@@ -469,14 +570,19 @@ static double traced(const ssgi_trace *trace, const float p[3], const double n[3
     normalise(u);
     cross(v, n, u);
     for (int i = 0; i < 1024; ++i) {
-        const double s = (i / 32 + uniform(0, 1)) / 32, a = 2 * PI * (i % 32 + uniform(0, 1)) / 32, x = sqrt(s) * cos(a), y = sqrt(s) * sin(a), z = sqrt(1 - s);
-        const float d[3] = { (float)(x * u[0] + y * v[0] + z * n[0]), (float)(x * u[1] + y * v[1] + z * n[1]), (float)(x * u[2] + y * v[2] + z * n[2]) };
+        const double s = (i / 32 + uniform(0, 1)) / 32, a = 2 * PI * (i % 32 + uniform(0, 1)) / 32,
+                     x = sqrt(s) * cos(a), y = sqrt(s) * sin(a), z = sqrt(1 - s);
+        const float d[3] = { (float)(x * u[0] + y * v[0] + z * n[0]), (float)(x * u[1] + y * v[1] + z * n[1]),
+                             (float)(x * u[2] + y * v[2] + z * n[2]) };
         hits += ssgi_trace_any(trace, p, d, 0, 1e30f);
     }
     return hits / 1024.0;
 }
 
-static int ascending(const void *a, const void *b) { return (*(const double *)a > *(const double *)b) - (*(const double *)a < *(const double *)b); }
+static int ascending(const void *a, const void *b)
+{
+    return (*(const double *)a > *(const double *)b) - (*(const double *)a < *(const double *)b);
+}
 
 static void reported_errors(void)
 {
@@ -486,7 +592,9 @@ static void reported_errors(void)
     const mesh *m = table_mesh();
     ssgi_trace trace;
     const char *why = "";
-    if (!CHECK(ssgi_trace_build(&trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, &why) == SSGI_OK, "%s", why)) return;
+    if (!CHECK(ssgi_trace_build(&trace, memory, sizeof memory, m->position, 12, NULL, m->triangles, &why) == SSGI_OK,
+               "%s", why))
+        return;
     for (int measure = 0; measure < 2; ++measure) {
         const ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64, .measure = measure };
         const ssgi_field f = baked(0, &d, m);
@@ -496,16 +604,22 @@ static void reported_errors(void)
             direction(w);
             direction(n);
             if (dot(n, w) > 0.5) for (int k = 0; k < 3; ++k) n[k] = -n[k];
-            const double hull = (double)f.radius / (double)ssgi_field_cap(&f, point_at(f.centre, (double)f.radius, w), &solid_angle, axis, &fill), r = hull * pow((double)f.reach / hull, uniform(0, 1));
+            const double hull = (double)f.radius
+                                / (double)ssgi_field_cap(&f, point_at(f.centre, (double)f.radius, w), &solid_angle,
+                                                         axis, &fill),
+                         r = hull * pow((double)f.reach / hull, uniform(0, 1));
             const float *p = point_at(f.centre, r, w);
             error[i] = fabs(seen(&f, p, n) - traced(&trace, p, n));
         }
         qsort(error, RECEIVERS, sizeof *error, ascending);
         const double median = error[RECEIVERS / 2], p95 = error[RECEIVERS * 19 / 20];
-        CHECK(fabs(median - (double)f.median) < 0.004 && fabs(p95 - (double)f.p95) < 0.2 * p95 + 0.005, "measure %d: median %.4f, 95 %% within %.4f; reported are %.4f, %.4f",
-              measure, median, p95, (double)f.median, (double)f.p95);
-        CHECK(f.median <= f.p95 && f.p95 <= f.max_error && f.p95 < (measure ? 0.25f : 0.15f), "reported: %g %g %g", (double)f.median, (double)f.p95, (double)f.max_error);
-        t_note("a table, %s: error %.3f in the middle, 95 %% within %.3f, most %.3f (own rays: %.3f, %.3f)", measure ? "solid angle" : "vector", (double)f.median, (double)f.p95, (double)f.max_error, median, p95);
+        CHECK(fabs(median - (double)f.median) < 0.004 && fabs(p95 - (double)f.p95) < 0.2 * p95 + 0.005,
+              "measure %d: median %.4f, 95 %% within %.4f; reported are %.4f, %.4f", measure, median, p95,
+              (double)f.median, (double)f.p95);
+        CHECK(f.median <= f.p95 && f.p95 <= f.max_error && f.p95 < (measure ? 0.25f : 0.15f), "reported: %g %g %g",
+              (double)f.median, (double)f.p95, (double)f.max_error);
+        t_note("a table, %s: error %.3f in the middle, 95 %% within %.3f, most %.3f (own rays: %.3f, %.3f)",
+               measure ? "solid angle" : "vector", (double)f.median, (double)f.p95, (double)f.max_error, median, p95);
     }
 }
 
@@ -525,17 +639,25 @@ static void same_bytes(void)
     void *work = malloc(size);
     const char *why = "no memory";
     ssgi_field f = several;
-    for (size_t i = 0; i < corners; ++i) {               /* corners in reverse, five floats each, and an index that undoes it */
+    /* corners in reverse, five floats each, and an index that undoes it */
+    for (size_t i = 0; i < corners; ++i) {
         memcpy(wide.position + 5 * i, torus.position + 3 * (corners - 1 - i), 3 * sizeof(float));
         index[i] = (uint32_t)(corners - 1 - i);
     }
-    CHECK(work && ssgi_field_bake(&f, place[3], work, size, &d, wide.position, 5 * sizeof(float), index, torus.triangles, &why) == SSGI_OK && same(&several, &f), "one thread, an index and a stride change the field: %s", why);
+    CHECK(work
+              && ssgi_field_bake(&f, place[3], work, size, &d, wide.position, 5 * sizeof(float), index, torus.triangles,
+                                 &why)
+                     == SSGI_OK
+              && same(&several, &f),
+          "one thread, an index and a stride change the field: %s", why);
     free(work);
-    for (int i = 0; i < 9; ++i) wide.position[i] = i == 4 ? NAN : 3e12f;      /* a triangle that is nowhere, among the others */
+    /* a triangle that is nowhere, among the others */
+    for (int i = 0; i < 9; ++i) wide.position[i] = i == 4 ? NAN : 3e12f;
     memcpy(wide.position + 9, torus.position, 9 * torus.triangles * sizeof(float));
     wide.triangles = torus.triangles + 1;
     f = baked(3, &d, &wide);
-    CHECK(apart(&several, &f, 1) < 1e-3, "a triangle that is not finite changes the field by %g", apart(&several, &f, 1));
+    CHECK(apart(&several, &f, 1) < 1e-3, "a triangle that is not finite changes the field by %g",
+          apart(&several, &f, 1));
 }
 
 static void own_rays(void)
@@ -550,7 +672,8 @@ static void own_rays(void)
     CHECK(off < 0.01, "own rays: off by %g", off);
     d.hit = nothing_hit;
     const ssgi_field none = baked(1, &d, box_mesh(half));
-    CHECK(apart(&none, &none, 1) < 1e-3 && seen(&none, point_at(none.centre, 1.5, cube), half) < 1e-4, "rays that hit nothing: occlusion %g", seen(&none, point_at(none.centre, 1.5, cube), half));
+    CHECK(apart(&none, &none, 1) < 1e-3 && seen(&none, point_at(none.centre, 1.5, cube), half) < 1e-4,
+          "rays that hit nothing: occlusion %g", seen(&none, point_at(none.centre, 1.5, cube), half));
     double radius = 1, worst = 0, wrong = 0;
     d = (ssgi_field_desc){ .resolution = 4, .radii = 8, .rays = 256, .hit = porous_hit, .user = &radius };
     const ssgi_field porous = baked(2, &d, ball_mesh());
@@ -563,8 +686,10 @@ static void own_rays(void)
         worst = fmax(worst, fabs((double)fill - 0.5));
         wrong = fmax(wrong, fabs((double)solid_angle / exact - 1));
     }
-    CHECK(worst < 0.05 && wrong < 0.2, "a ball of which half is holes: covered share off by %.3f, its cap by %.3f of it", worst, wrong);
-    t_note("own rays against ours: off by %.5f; half holes: covered share off by %.3f, the cap by %.3f of it", off, worst, wrong);
+    CHECK(worst < 0.05 && wrong < 0.2,
+          "a ball of which half is holes: covered share off by %.3f, its cap by %.3f of it", worst, wrong);
+    t_note("own rays against ours: off by %.5f; half holes: covered share off by %.3f, the cap by %.3f of it", off,
+           worst, wrong);
 }
 
 typedef struct calls_log { int calls, most; float last; int descends; } calls_log;
@@ -583,12 +708,14 @@ static void progress(void)
     ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16, .progress = keep, .user = &l };
     const mesh *m = box_mesh(cube);
     baked(0, &d, m);
-    CHECK(l.calls > 10 && !l.descends && l.last >= 1, "%d calls, %d descend, the last is %g", l.calls, l.descends, (double)l.last);
+    CHECK(l.calls > 10 && !l.descends && l.last >= 1, "%d calls, %d descend, the last is %g", l.calls, l.descends,
+          (double)l.last);
     l = (calls_log){ 0, -1, 0, 0 };
     d.resolution = 8;
     d.error = 1e-6f;
     baked(0, &d, m);
-    CHECK(l.calls > 20 && !l.descends && l.last >= 1, "with an error: %d calls, %d descend, the last is %g", l.calls, l.descends, (double)l.last);
+    CHECK(l.calls > 20 && !l.descends && l.last >= 1, "with an error: %d calls, %d descend, the last is %g", l.calls,
+          l.descends, (double)l.last);
     const size_t size = ssgi_field_bake_size(&d, m->triangles);
     void *work = malloc(size);
     for (int most = 1; work && most < l.calls; most += 1 + l.calls / 4) {
@@ -598,7 +725,8 @@ static void progress(void)
         f = was;
         calls_log stop = { 0, most, 0, 0 };
         d.user = &stop;
-        CHECK(ssgi_field_bake(&f, place[0], work, size, &d, m->position, 12, NULL, m->triangles, &why) == SSGI_CANCELLED && NAMES(why, "desc.progress:") && stop.calls == most && !memcmp(&f, &was, sizeof f),
+        CHECK(ssgi_field_bake(&f, place[0], work, size, &d, m->position, 12, NULL, m->triangles, &why) == SSGI_CANCELLED
+                  && NAMES(why, "desc.progress:") && stop.calls == most && !memcmp(&f, &was, sizeof f),
               "given up at call %d: %d calls, \"%s\"", most, stop.calls, why);
     }
     free(work);
@@ -606,11 +734,16 @@ static void progress(void)
 
 static void bad_arguments(void)
 {
-    static const struct { const char *says; ssgi_field_desc d; } wrong[] = {
-        { "desc.resolution:", { .resolution = 1 } }, { "desc.resolution:", { .resolution = 129 } }, { "desc.resolution:", { .resolution = -4 } }, { "desc.radii:", { .radii = 3 } }, { "desc.radii:", { .radii = 65 } },
-        { "desc.rays:", { .rays = 15 } }, { "desc.rays:", { .rays = 65537 } }, { "desc.measure:", { .measure = 2 } }, { "desc.measure:", { .measure = -1 } }, { "desc.bits:", { .bits = 12 } },
-        { "desc.reach:", { .reach = 1.4f } }, { "desc.reach:", { .reach = 65 } }, { "desc.reach:", { .reach = -8 } }, { "desc.reach:", { .reach = NAN } }, { "desc.reach:", { .reach = INFINITY } },
-        { "desc.error:", { .error = -0.1f } }, { "desc.error:", { .error = 1.1f } }, { "desc.error:", { .error = NAN } } };
+    static const struct { const char *says; ssgi_field_desc d;
+    } wrong[] = { { "desc.resolution:", { .resolution = 1 } },  { "desc.resolution:", { .resolution = 129 } },
+                  { "desc.resolution:", { .resolution = -4 } }, { "desc.radii:", { .radii = 3 } },
+                  { "desc.radii:", { .radii = 65 } },           { "desc.rays:", { .rays = 15 } },
+                  { "desc.rays:", { .rays = 65537 } },          { "desc.measure:", { .measure = 2 } },
+                  { "desc.measure:", { .measure = -1 } },       { "desc.bits:", { .bits = 12 } },
+                  { "desc.reach:", { .reach = 1.4f } },         { "desc.reach:", { .reach = 65 } },
+                  { "desc.reach:", { .reach = -8 } },           { "desc.reach:", { .reach = NAN } },
+                  { "desc.reach:", { .reach = INFINITY } },     { "desc.error:", { .error = -0.1f } },
+                  { "desc.error:", { .error = 1.1f } },         { "desc.error:", { .error = NAN } } };
     const ssgi_field_desc good = { .resolution = 2, .radii = 4, .rays = 16 };
     const mesh *m = box_mesh(cube);
     const float *p = m->position;
@@ -623,8 +756,13 @@ static void bad_arguments(void)
     memset(&was, 0x5a, sizeof was);
     f = was;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; ++i)
-        CHECK(ssgi_field_bake(&f, place[0], work, size, &wrong[i].d, p, 12, NULL, n, &why) == SSGI_BAD_ARGUMENT && NAMES(why, wrong[i].says) && !ssgi_field_bake_size(&wrong[i].d, n), "row %zu: \"%s\"", i, why);
-#define REFUSED(start, ...) CHECK(ssgi_field_bake(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT && ssgi_field_bake(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), "%s \"%s\"", start, why)
+        CHECK(ssgi_field_bake(&f, place[0], work, size, &wrong[i].d, p, 12, NULL, n, &why) == SSGI_BAD_ARGUMENT
+                  && NAMES(why, wrong[i].says) && !ssgi_field_bake_size(&wrong[i].d, n),
+              "row %zu: \"%s\"", i, why);
+#define REFUSED(start, ...) \
+    CHECK(ssgi_field_bake(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT \
+              && ssgi_field_bake(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), \
+          "%s \"%s\"", start, why)
     REFUSED("field:", NULL, place[0], work, size, &good, p, 12, NULL, n);
     REFUSED("texels:", &f, NULL, work, size, &good, p, 12, NULL, n);
     REFUSED("work:", &f, place[0], NULL, size, &good, p, 12, NULL, n);
@@ -639,10 +777,15 @@ static void bad_arguments(void)
     memcpy(line + 3, line, 12);
     memcpy(line + 6, line, 12);
     REFUSED("position:", &f, place[0], work, size, &good, line, 12, NULL, 1);
-    CHECK(ssgi_field_bake(&f, place[0], work, size - 1, &good, p, 12, NULL, n, &why) == SSGI_TOO_SMALL && NAMES(why, "work_size:"), "\"%s\"", why);
+    CHECK(ssgi_field_bake(&f, place[0], work, size - 1, &good, p, 12, NULL, n, &why) == SSGI_TOO_SMALL
+              && NAMES(why, "work_size:"),
+          "\"%s\"", why);
     CHECK(!memcmp(&f, &was, sizeof f), "a refused bake changed the field");
-    CHECK(!ssgi_field_bake_size(NULL, 1) && !ssgi_field_bake_size(&good, 0) && !ssgi_field_bake_size(&good, most) && !ssgi_field_size(1, 16) && !ssgi_field_size(129, 16) && !ssgi_field_size(4, 12), "a size of what cannot be");
-    CHECK(ssgi_field_size(16, 16) == 6 * 18 * 18 * 16 && ssgi_field_size(16, 8) == 6 * 18 * 18 * 8, "16 x 16 texels take %zu and %zu bytes", ssgi_field_size(16, 16), ssgi_field_size(16, 8));
+    CHECK(!ssgi_field_bake_size(NULL, 1) && !ssgi_field_bake_size(&good, 0) && !ssgi_field_bake_size(&good, most)
+              && !ssgi_field_size(1, 16) && !ssgi_field_size(129, 16) && !ssgi_field_size(4, 12),
+          "a size of what cannot be");
+    CHECK(ssgi_field_size(16, 16) == 6 * 18 * 18 * 16 && ssgi_field_size(16, 8) == 6 * 18 * 18 * 8,
+          "16 x 16 texels take %zu and %zu bytes", ssgi_field_size(16, 16), ssgi_field_size(16, 8));
     free(work);
 }
 
@@ -654,7 +797,8 @@ static int sane(const ssgi_field *f)
         double w[3], n[3];
         direction(w);
         direction(n);
-        const float normal[3] = { (float)n[0], (float)n[1], (float)n[2] }, *p = point_at(f->centre, i ? (double)f->radius * exp(uniform(-3, 3)) : 0, w);
+        const float normal[3] = { (float)n[0], (float)n[1], (float)n[2] },
+                    *p = point_at(f->centre, i ? (double)f->radius * exp(uniform(-3, 3)) : 0, w);
         const float a = ssgi_field_occlusion(f, NULL, p, normal);
         ok &= isfinite(a) && a >= 0 && a <= 1;
     }
@@ -663,26 +807,38 @@ static int sane(const ssgi_field *f)
 
 static void degenerate(void)
 {
-    static const struct { const char *name; float position[9]; } few[] = { { "a triangle", { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f } }, { "a needle", { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 } } };
+    static const struct {
+        const char *name;
+        float position[9];
+    } few[] = { { "a triangle", { 0, 0, 0, 1, 0, 0, 0.3f, 1, 0.2f } },
+                { "a needle", { -1, 0, 0, 1, 0, 0, 1, 1e-4f, 0 } } };
     static const double flat[3] = { 1, 0.7, 0 };
     static mesh occluders[4], m;
     const ssgi_field_desc d = { .resolution = 4, .radii = 4, .rays = 16 };
     for (int c = 0; c < 4; ++c) {
         const char *name = c < 2 ? few[c].name : c == 2 ? "a flat box" : "a cube";
         occluders[c].triangles = 0;
-        if (c < 2) { memcpy(occluders[c].position, few[c].position, sizeof few[c].position); occluders[c].triangles = 1; }
-        else add_box(&occluders[c], origin, c == 2 ? flat : cube);
+        if (c < 2) {
+            memcpy(occluders[c].position, few[c].position, sizeof few[c].position);
+            occluders[c].triangles = 1;
+        } else add_box(&occluders[c], origin, c == 2 ? flat : cube);
         const ssgi_field plain = baked(0, &d, &occluders[c]);
         CHECK(sane(&plain), "%s: not in [0,1]", name);
         for (int k = 0; k < 3; ++k) {
             const float scale = k == 0 ? ldexpf(1, -13) : k == 1 ? ldexpf(1, 17) : 1, far_away = k == 2 ? 1e5f : 0;
             m.triangles = occluders[c].triangles;
             for (size_t i = 0; i < 9 * m.triangles; ++i) m.position[i] = occluders[c].position[i] * scale + far_away;
-            if ((c == 1 && k == 2) || (c == 2 && k < 2)) continue;      /* nothing is left of its width; the others tell */
+            /* nothing is left of its width; the others tell */
+            if ((c == 1 && k == 2) || (c == 2 && k < 2)) continue;
             const ssgi_field f = baked(1, &d, &m);
             CHECK(sane(&f), "%s, scaled by %g, %g away: not in [0,1]", name, (double)scale, (double)far_away);
-            if (k < 2) CHECK(!memcmp(place[0], place[1], ssgi_field_size(4, 16)) && plain.p95 == f.p95 && plain.inside == f.inside && f.radius == plain.radius * scale, "%s, scaled by %g, is another field", name, (double)scale);
-            else if (c == 3) CHECK(apart(&plain, &f, 1) < 0.1, "%s, %g away: off by %g", name, (double)far_away, apart(&plain, &f, 1));
+            if (k < 2)
+                CHECK(!memcmp(place[0], place[1], ssgi_field_size(4, 16)) && plain.p95 == f.p95
+                          && plain.inside == f.inside && f.radius == plain.radius * scale,
+                      "%s, scaled by %g, is another field", name, (double)scale);
+            else if (c == 3)
+                CHECK(apart(&plain, &f, 1) < 0.1, "%s, %g away: off by %g", name, (double)far_away,
+                      apart(&plain, &f, 1));
         }
     }
 }
@@ -721,11 +877,14 @@ static void hulls(void)
                 if (x > largest[0]) { largest[1] = largest[0]; largest[0] = x; } else largest[1] = fmax(largest[1], x);
             }
             const double exact = leaves(shapes[i], w);
-            const double off = exact / (double)f.radius * fabs(1 / (double)ssgi_field_cap(&f, point_at(NULL, exact, w), &solid_angle, axis, &fill) - 1);
+            const double off =
+                exact / (double)f.radius
+                * fabs(1 / (double)ssgi_field_cap(&f, point_at(NULL, exact, w), &solid_angle, axis, &fill) - 1);
             if (i && largest[1] > 0.9 * largest[0]) creases = fmax(creases, off);
             else worst = fmax(worst, off);
         }
-        CHECK(worst < 0.0037 && creases < 0.034, "%s: hull off by %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
+        CHECK(worst < 0.0037 && creases < 0.034, "%s: hull off by %.5f radii, %.5f near its edges",
+              i ? "a cube" : "a ball", worst, creases);
         t_note("%s's hull: off by up to %.5f radii, %.5f near its edges", i ? "a cube" : "a ball", worst, creases);
     }
     double half[3] = { 1, 1, 1 }, contact = 1;
@@ -758,7 +917,9 @@ static void wanted_error(void)
         size[i] = bytes_of(&file[i], &f);
         p95[i] = f.p95;
     }
-    for (int i = 0, before = -1; i < 5; ++i) {           /* what the i-th has: the first that has it, with the same bytes as if it had been asked for; what none has: one of them, with its error */
+    /* what the i-th has: the first that has it, with the same bytes as if it had been asked for; what none has: one
+       of them, with its error */
+    for (int i = 0, before = -1; i < 5; ++i) {
         int first = 0;
         d.error = i < 4 ? p95[i] + 1e-4f : 1e-6f;
         while (first < 4 && p95[first] > d.error) ++first;
@@ -767,12 +928,15 @@ static void wanted_error(void)
         const ssgi_field f = baked(0, &d, box_mesh(half));
         for (int k = 0; i == 4 && k < 4; ++k) if (sizes[k] == f.resolution && radii[k] == f.radii) first = k;
         unsigned char *bytes;
-        CHECK(bytes_of(&bytes, &f) == size[first % 4] && !memcmp(bytes, file[first % 4], size[first % 4]) && (i == 4) == (f.p95 > d.error), "error %.4f: resolution %d, %d radii with %.4f, not %d, %d with %.4f",
-              (double)d.error, f.resolution, f.radii, (double)f.p95, sizes[first % 4], radii[first % 4], (double)p95[first % 4]);
+        CHECK(bytes_of(&bytes, &f) == size[first % 4] && !memcmp(bytes, file[first % 4], size[first % 4])
+                  && (i == 4) == (f.p95 > d.error),
+              "error %.4f: resolution %d, %d radii with %.4f, not %d, %d with %.4f", (double)d.error, f.resolution,
+              f.radii, (double)f.p95, sizes[first % 4], radii[first % 4], (double)p95[first % 4]);
         free(bytes);
     }
     for (int i = 0; i < 4; ++i) free(file[i]);
-    t_note("a box, 95 %% of receivers: %.3f and %.3f at resolution 4 with 6 and 12 radii, %.3f and %.3f at 8", (double)p95[0], (double)p95[1], (double)p95[2], (double)p95[3]);
+    t_note("a box, 95 %% of receivers: %.3f and %.3f at resolution 4 with 6 and 12 radii, %.3f and %.3f at 8",
+           (double)p95[0], (double)p95[1], (double)p95[2], (double)p95[3]);
 }
 
 /* The one closed form: a ball that rests on a plane takes 1/(1 + rho^2)^1.5 of it. */
@@ -780,7 +944,9 @@ static void ball_on_plane(void)
 {
     double radius = 1, worst[2] = { 0, 0 };
     for (int measure = 0; measure < 2; ++measure) {
-        const ssgi_field_desc d = { .resolution = 8, .rays = measure ? 64 : 256, .measure = measure, .hit = ball_hit, .user = &radius };
+        const ssgi_field_desc d = {
+            .resolution = 8, .rays = measure ? 64 : 256, .measure = measure, .hit = ball_hit, .user = &radius
+        };
         const ssgi_field f = baked(0, &d, ball_mesh());
         const double up[3] = { 0, 0, 1 };
         for (int i = 0; i <= 600; ++i) {
@@ -788,7 +954,8 @@ static void ball_on_plane(void)
             worst[measure] = fmax(worst[measure], fabs(seen(&f, point_at(NULL, 1, p), up) - pow(1 + rho * rho, -1.5)));
         }
     }
-    CHECK(worst[SSGI_FIELD_VECTOR] < 0.012 && worst[SSGI_FIELD_SOLID_ANGLE] < 0.05, "off by %.4f, by solid angle %.4f", worst[0], worst[1]);
+    CHECK(worst[SSGI_FIELD_VECTOR] < 0.012 && worst[SSGI_FIELD_SOLID_ANGLE] < 0.05, "off by %.4f, by solid angle %.4f",
+          worst[0], worst[1]);
     t_note("a ball on a plane: occlusion off by up to %.4f, by solid angle %.4f", worst[0], worst[1]);
 }
 
@@ -800,7 +967,9 @@ static void eight_bits(void)
     d.bits = 8;
     const ssgi_field narrow = baked(1, &d, box_mesh(half));
     const double off = apart(&wide, &narrow, 1);
-    CHECK(off < 0.012 && !memcmp(wide.low, narrow.low, sizeof wide.low) && !memcmp(wide.span, narrow.span, sizeof wide.span), "8 bits against 16: off by %g", off);
+    CHECK(off < 0.012 && !memcmp(wide.low, narrow.low, sizeof wide.low)
+              && !memcmp(wide.span, narrow.span, sizeof wide.span),
+          "8 bits against 16: off by %g", off);
     t_note("8 bits against 16: occlusion differs by up to %.4f", off);
 }
 
@@ -825,17 +994,22 @@ static void borders(void)
         double step = 0, lower = 1, upper = 0;
         for (int face = 0; face < 6; ++face) {
             int differ = 0;
-            ssgi_field_cube(&f, face, bits == 8 ? (void *)narrow[0] : inner[0], bits == 8 ? (void *)narrow[1] : inner[1]);
+            ssgi_field_cube(&f, face, bits == 8 ? (void *)narrow[0] : inner[0],
+                            bits == 8 ? (void *)narrow[1] : inner[1]);
             for (int y = 0; y < 5; ++y) for (int x = 0; x < 5; ++x) for (int n = 0; n < 8; ++n) {
                 const uint32_t *texel = f.texels + words * ((face * 7 + y + 1) * 7 + x + 1);
-                const uint32_t v = bits == 8 ? texel[n / 4] >> 8 * (n % 4) & 0xff : texel[n / 2] >> 16 * (n % 2) & 0xffff;
-                differ += v != (bits == 8 ? narrow[n / 4][4 * (5 * y + x) + n % 4] : inner[n / 4][4 * (5 * y + x) + n % 4]);
+                const uint32_t v =
+                    bits == 8 ? texel[n / 4] >> 8 * (n % 4) & 0xff : texel[n / 2] >> 16 * (n % 2) & 0xffff;
+                differ +=
+                    v != (bits == 8 ? narrow[n / 4][4 * (5 * y + x) + n % 4] : inner[n / 4][4 * (5 * y + x) + n % 4]);
             }
             CHECK(!differ, "%d bits, face %d: %d components are not the atlas's", bits, face, differ);
         }
         for (int i = 0; i < 6000; ++i) {                 /* across an edge; every fourth close to a corner */
             const int a = i % 3, b = (a + 1) % 3;
-            const double sa = i & 8 ? 1 : -1, sb = i & 16 ? 1 : -1, along = i % 4 ? uniform(-1, 1) : (i & 32 ? 1 : -1) * uniform(0.999, 1.0005), r = (double)f.radius * exp(uniform(0, 2));
+            const double sa = i & 8 ? 1 : -1, sb = i & 16 ? 1 : -1,
+                         along = i % 4 ? uniform(-1, 1) : (i & 32 ? 1 : -1) * uniform(0.999, 1.0005),
+                         r = (double)f.radius * exp(uniform(0, 2));
             double w[2][3], n[3], o[2];
             float solid_angle[2], axis[2][3], fill[2], hull[2];
             direction(n);
@@ -850,11 +1024,14 @@ static void borders(void)
                 upper = fmax(upper, o[k]);
             }
             step = fmax(step, fabs(o[0] - o[1]));
-            step = fmax(step, (double)(fabsf(solid_angle[0] - solid_angle[1]) / 12.6f + fabsf(fill[0] - fill[1]) + fabsf(hull[0] / hull[1] - 1)));
+            step = fmax(step, (double)(fabsf(solid_angle[0] - solid_angle[1]) / 12.6f + fabsf(fill[0] - fill[1])
+                                       + fabsf(hull[0] / hull[1] - 1)));
             for (int k = 0; k < 3; ++k) step = fmax(step, (double)fabsf(axis[0][k] - axis[1][k]));
         }
-        CHECK(step < 1e-3 && upper - lower > 0.3, "%d bits: a step of %g across an edge, of values %g..%g", bits, step, lower, upper);
-        t_note("%d bits: at most %.1e across edges and corners, of a field from %.2f to %.2f", bits, step, lower, upper);
+        CHECK(step < 1e-3 && upper - lower > 0.3, "%d bits: a step of %g across an edge, of values %g..%g", bits, step,
+              lower, upper);
+        t_note("%d bits: at most %.1e across edges and corners, of a field from %.2f to %.2f", bits, step, lower,
+               upper);
     }
     memset(inner, 0x5a, sizeof inner);
     const ssgi_field_desc d = { .resolution = 5, .radii = 4, .rays = 16, .hit = wild_hit };
@@ -871,7 +1048,9 @@ static void limits(void)
     const ssgi_field_desc d = { .resolution = 8, .radii = 6, .rays = 64, .hit = box_hit, .user = half };
     const ssgi_field f = baked(0, &d, box_mesh(half));
     const ssgi_field_limits of = ssgi_field_limits_of(&f), ramp = { 2, 5, 0.3f, 2 };
-    CHECK(of.ramp == 0.75f * f.reach && of.reach == f.reach && of.inside == f.inside && of.power == 1 && fabsf(f.reach - 8 * f.radius) < 1e-4f, "limits %g %g %g %g", (double)of.ramp, (double)of.reach, (double)of.inside, (double)of.power);
+    CHECK(of.ramp == 0.75f * f.reach && of.reach == f.reach && of.inside == f.inside && of.power == 1
+              && fabsf(f.reach - 8 * f.radius) < 1e-4f,
+          "limits %g %g %g %g", (double)of.ramp, (double)of.reach, (double)of.inside, (double)of.power);
     double bent = 0, jump = 0;
     for (int i = 0; i < 500; ++i) {
         double w[3], n[3];
@@ -883,24 +1062,30 @@ static void limits(void)
 #define AT(r) (double)ssgi_field_occlusion(&f, &ramp, point_at(f.centre, r, w), normal)
         for (int k = 1; k < 4; ++k) {                    /* from ramp to reach, 1 - smoothstep */
             const double t = k / 4.0;
-            bent = fmax(bent, fabs(AT(2 + 3 * t) - (1 - t * t * (3 - 2 * t)) * seen(&f, point_at(f.centre, 2 + 3 * t, w), n)));
+            bent = fmax(bent, fabs(AT(2 + 3 * t)
+                                   - (1 - t * t * (3 - 2 * t)) * seen(&f, point_at(f.centre, 2 + 3 * t, w), n)));
         }
         bent = fmax(bent, fabs(AT(1.99) - seen(&f, point_at(f.centre, 1.99, w), n)) + AT(5.0001) + AT(1e6));
         bent = fmax(bent, fabs(AT(hull / 2) - (0.3 + 0.25 * (AT(hull) - 0.3))));
         jump = fmax(jump, fabs(AT(hull * 0.99999) - AT(hull * 1.00001)));
-        CHECK(ssgi_field_occlusion(&f, NULL, point_at(f.centre, (double)f.reach * 1.0001, w), normal) == 0, "beyond the reach there is occlusion");
+        CHECK(ssgi_field_occlusion(&f, NULL, point_at(f.centre, (double)f.reach * 1.0001, w), normal) == 0,
+              "beyond the reach there is occlusion");
     }
     const float up[3] = { 0, 0, 1 };
     CHECK(bent < 1e-5 && jump < 2e-3, "off by %g, a jump of %g at the hull", bent, jump);
-    CHECK(fabsf(ssgi_field_occlusion(&f, &ramp, f.centre, up) - 0.3f) < 1e-6f && fabsf(ssgi_field_occlusion(&f, NULL, f.centre, up) - f.inside) < 1e-6f, "at the centre %g", (double)ssgi_field_occlusion(&f, &ramp, f.centre, up));
+    CHECK(fabsf(ssgi_field_occlusion(&f, &ramp, f.centre, up) - 0.3f) < 1e-6f
+              && fabsf(ssgi_field_occlusion(&f, NULL, f.centre, up) - f.inside) < 1e-6f,
+          "at the centre %g", (double)ssgi_field_occlusion(&f, &ramp, f.centre, up));
     const float odd[] = { NAN, INFINITY, -INFINITY, 1e38f, -3e38f, 1e-42f, 2e18f };
     for (size_t i = 0; i < sizeof odd / sizeof odd[0]; ++i) for (int k = 0; k < 6; ++k) {
         float p[3] = { 1, 2, 0 }, normal[3] = { 0, 0, 1 }, solid_angle, axis[3], fill;
         *(k < 3 ? &p[k] : &normal[k - 3]) = odd[i];
-        const float a = ssgi_field_occlusion(&f, NULL, p, normal), hull = ssgi_field_cap(&f, p, &solid_angle, axis, &fill);
+        const float a = ssgi_field_occlusion(&f, NULL, p, normal),
+                    hull = ssgi_field_cap(&f, p, &solid_angle, axis, &fill);
         CHECK(a >= 0 && a <= 1 && (isfinite(odd[i]) || a == 0), "%g in %d: occlusion %g", (double)odd[i], k, (double)a);
-        CHECK(isfinite(solid_angle) && isfinite(axis[0] + axis[1] + axis[2]) && isfinite(fill) && isfinite(hull), "%g in %d: cap %g, axis %g %g %g, %g hulls", (double)odd[i], k, (double)solid_angle,
-              (double)axis[0], (double)axis[1], (double)axis[2], (double)hull);
+        CHECK(isfinite(solid_angle) && isfinite(axis[0] + axis[1] + axis[2]) && isfinite(fill) && isfinite(hull),
+              "%g in %d: cap %g, axis %g %g %g, %g hulls", (double)odd[i], k, (double)solid_angle, (double)axis[0],
+              (double)axis[1], (double)axis[2], (double)hull);
     }
 }
 
@@ -917,7 +1102,9 @@ static void files(void)
 {
     double half[3] = { 1, 0.5, 0.25 };
     for (int bits = 8; bits <= 16; bits += 8) {
-        const ssgi_field_desc d = { .resolution = 3, .radii = 6, .rays = 64, .bits = bits, .measure = bits == 8, .hit = box_hit, .user = half };
+        const ssgi_field_desc d = {
+            .resolution = 3, .radii = 6, .rays = 64, .bits = bits, .measure = bits == 8, .hit = box_hit, .user = half
+        };
         const ssgi_field f = baked(0, &d, box_mesh(half));
         ssgi_field g, was;
         unsigned char *file, small[64];
@@ -926,14 +1113,21 @@ static void files(void)
         const char *why = "";
         memset(&was, 0x5a, sizeof was);
         memset(small, 0x5a, sizeof small);
-        CHECK(ssgi_field_save(small, sizeof small, &f) == size && ssgi_field_save(file, 0, &f) == size && small[0] == 0x5a, "capacity too small: something was written");
-        CHECK(ssgi_field_peek(&bytes, file, size, &why) == SSGI_OK && bytes == room, "%zu bytes of texels, not %zu: %s", bytes, room, why);
+        CHECK(ssgi_field_save(small, sizeof small, &f) == size && ssgi_field_save(file, 0, &f) == size
+                  && small[0] == 0x5a,
+              "capacity too small: something was written");
+        CHECK(ssgi_field_peek(&bytes, file, size, &why) == SSGI_OK && bytes == room, "%zu bytes of texels, not %zu: %s",
+              bytes, room, why);
         memset(place[1], 0x5a, sizeof place[1]);
-        CHECK(ssgi_field_load(&g, place[1], bytes, file, size, &why) == SSGI_OK && g.texels == place[1] && same(&f, &g) && !memcmp(place[0], place[1], room) && place[1][room / 4] == 0x5a5a5a5au, "loaded is not what was saved: %s", why);
+        CHECK(ssgi_field_load(&g, place[1], bytes, file, size, &why) == SSGI_OK && g.texels == place[1] && same(&f, &g)
+                  && !memcmp(place[0], place[1], room) && place[1][room / 4] == 0x5a5a5a5au,
+              "loaded is not what was saved: %s", why);
         g.texels = f.texels;
-        CHECK(!memcmp(&f, &g, offsetof(ssgi_field, max_error) + sizeof g.max_error), "loaded numbers are not what was saved");
+        CHECK(!memcmp(&f, &g, offsetof(ssgi_field, max_error) + sizeof g.max_error),
+              "loaded numbers are not what was saved");
         g = was;
-#define REFUSES(start, result, to, texels, space, data, n) CHECK(ssgi_field_load(to, texels, space, data, n, &why) == result && NAMES(why, start), "%s \"%s\"", start, why)
+#define REFUSES(start, result, to, texels, space, data, n) \
+    CHECK(ssgi_field_load(to, texels, space, data, n, &why) == result && NAMES(why, start), "%s \"%s\"", start, why)
         REFUSES("field:", SSGI_BAD_ARGUMENT, NULL, place[2], room, file, size);
         REFUSES("texels:", SSGI_BAD_ARGUMENT, &g, NULL, room, file, size);
         REFUSES("file:", SSGI_BAD_ARGUMENT, &g, place[2], room, NULL, size);
@@ -944,10 +1138,13 @@ static void files(void)
         memset(place[2], 0x5a, sizeof place[2]);
         bytes = 77;
         int loads = 0, mad = 0, passed = 0;
-        for (size_t n = 0; n < size; ++n) loads += ssgi_field_load(&g, place[2], sizeof place[2], file, n, &why) != SSGI_BAD_ARGUMENT || !NAMES(why, "file:") || ssgi_field_peek(&bytes, file, n, NULL) == SSGI_OK;
+        for (size_t n = 0; n < size; ++n)
+            loads += ssgi_field_load(&g, place[2], sizeof place[2], file, n, &why) != SSGI_BAD_ARGUMENT
+                     || !NAMES(why, "file:") || ssgi_field_peek(&bytes, file, n, NULL) == SSGI_OK;
         memcpy(copy, file, size);
         memset(copy + size, 0, 4);
-        for (size_t n = 1; n <= 4; ++n) loads += ssgi_field_load(&g, place[2], sizeof place[2], copy, size + n, &why) != SSGI_BAD_ARGUMENT;
+        for (size_t n = 1; n <= 4; ++n)
+            loads += ssgi_field_load(&g, place[2], sizeof place[2], copy, size + n, &why) != SSGI_BAD_ARGUMENT;
         repair(copy, size + 4);
         loads += ssgi_field_load(&g, place[2], sizeof place[2], copy, size + 4, &why) != SSGI_BAD_ARGUMENT;
         CHECK(!loads, "%d of the files that are cut short or too long were taken", loads);
@@ -956,32 +1153,44 @@ static void files(void)
         REFUSES("file: is of another version", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
         copy[6] = 'X';
         repair(copy, size);
-        REFUSES("file: is not an ambient occlusion field", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy, size);
+        REFUSES("file: is not an ambient occlusion field", SSGI_BAD_ARGUMENT, &g, place[2], sizeof place[2], copy,
+                size);
         memcpy(copy, file, size);
         for (size_t i = 0; i < size; ++i) {              /* the checksum sees every single byte */
             copy[i] ^= (unsigned char)(1 + i % 255);
             loads += ssgi_field_load(&g, place[2], sizeof place[2], copy, size, NULL) == SSGI_OK;
             copy[i] = file[i];
         }
-        CHECK(!loads && place[2][0] == 0x5a5a5a5au && !memcmp(&g, &was, sizeof g) && bytes == 77, "%d corrupt files were taken, or outputs changed", loads);
+        CHECK(!loads && place[2][0] == 0x5a5a5a5au && !memcmp(&g, &was, sizeof g) && bytes == 77,
+              "%d corrupt files were taken, or outputs changed", loads);
         for (int i = 0; i < 5000; ++i) {                 /* what passes the checksum, mostly in the head */
             const size_t at = (size_t)uniform(0, i % 4 ? 128 : (double)size - 8), wide = i % 3 ? 1 : 4;
-            for (size_t k = 0; k < wide && at + k < size - 8; ++k) copy[at + k] = i % 2 ? (unsigned char)uniform(0, 256) : copy[at + k] ^ (unsigned char)(1 << (int)uniform(0, 8));
+            for (size_t k = 0; k < wide && at + k < size - 8; ++k)
+                copy[at + k] =
+                    i % 2 ? (unsigned char)uniform(0, 256) : copy[at + k] ^ (unsigned char)(1 << (int)uniform(0, 8));
             repair(copy, size);
             if (ssgi_field_load(&g, place[2], sizeof place[2], copy, size, NULL) == SSGI_OK) {
                 ++passed;
-                mad += !(g.inside >= 0 && g.inside <= 1 && g.radius > 0 && g.reach > g.low[3] + g.span[3] && g.low[3] > 0);
+                mad +=
+                    !(g.inside >= 0 && g.inside <= 1 && g.radius > 0 && g.reach > g.low[3] + g.span[3] && g.low[3] > 0);
                 for (int k = 0; k < 8; ++k) mad += !(isfinite(g.low[k]) && isfinite(g.span[k]) && g.span[k] >= 0);
                 for (int k = 0; k < 12; ++k) {
                     double w[3];
                     direction(w);
-                    const float normal[3] = { (float)w[1], (float)w[2], (float)w[0] }, a = ssgi_field_occlusion(&g, NULL, point_at(g.centre, (double)(k % 2 ? f.radius : g.reach) * uniform(0, 1.2), w), normal);
+                    const float normal[3] = { (float)w[1], (float)w[2], (float)w[0] },
+                                a = ssgi_field_occlusion(&g, NULL,
+                                                         point_at(g.centre,
+                                                                  (double)(k % 2 ? f.radius : g.reach)
+                                                                      * uniform(0, 1.2),
+                                                                  w),
+                                                         normal);
                     mad += !(a >= 0 && a <= 1);
                 }
             }
             memcpy(copy, file, size);
         }
-        CHECK(!mad && passed > 100, "%d occlusions or numbers are out of range, %d of the corrupt files passed", mad, passed);
+        CHECK(!mad && passed > 100, "%d occlusions or numbers are out of range, %d of the corrupt files passed", mad,
+              passed);
         free(copy);
         free(file);
     }

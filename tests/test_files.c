@@ -57,7 +57,8 @@ static void check_error(int result, const kit_error *err, const char *name, cons
 {
     CHECK(result == -1, "%s: accepted", about);
     CHECK(strstr(err->text, name) != NULL, "%s: the error does not name %s: \"%s\"", about, name, err->text);
-    CHECK(strlen(err->text) > strlen(in_folder(name)) + 3 && !strchr(err->text, '\n'), "%s: not one clear line: \"%s\"", about, err->text);
+    CHECK(strlen(err->text) > strlen(in_folder(name)) + 3 && !strchr(err->text, '\n'), "%s: not one clear line: \"%s\"",
+          about, err->text);
 }
 
 /* ---- EXR ---------------------------------------------------------------------------------------------------- */
@@ -97,7 +98,8 @@ static void exr_round_trip(void)
     kit_image_free(&b);
 }
 
-/* What others write: tiles, half floats, whole numbers, a data window that does not start at 0. 21 x 13 in tiles of 8 x 8. */
+/* What others write: tiles, half floats, whole numbers, a data window that does not start at 0. 21 x 13 in tiles of 8 x
+   8. */
 static void write_tiled(const char *path)
 {
     enum { W = 21, H = 13, T = 8 };
@@ -117,7 +119,8 @@ static void write_tiled(const char *path)
     }
     result |= exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, NULL);
     result |= exr_add_part(context, "tiles", EXR_STORAGE_TILED, &part);
-    result |= exr_initialize_required_attr(context, 0, &window, &window, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y, EXR_COMPRESSION_PIZ);
+    result |= exr_initialize_required_attr(context, 0, &window, &window, 1, &centre, 1, EXR_LINEORDER_INCREASING_Y,
+                                           EXR_COMPRESSION_PIZ);
     result |= exr_set_tile_descriptor(context, 0, T, T, EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN);
     result |= exr_add_channel(context, 0, "f", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1);
     result |= exr_add_channel(context, 0, "h", EXR_PIXEL_HALF, EXR_PERCEPTUALLY_LINEAR, 1, 1);
@@ -127,7 +130,8 @@ static void write_tiled(const char *path)
         for (int x = 0; x < W && !result; x += T) {
             int first = !x && !y;
             result |= exr_write_tile_chunk_info(context, 0, x / T, y / T, 0, 0, &chunk);
-            result |= first ? exr_encoding_initialize(context, 0, &chunk, &encode) : exr_encoding_update(context, 0, &chunk, &encode);
+            result |= first ? exr_encoding_initialize(context, 0, &chunk, &encode)
+                            : exr_encoding_update(context, 0, &chunk, &encode);
             for (int c = 0; c < 3; ++c) {
                 const void *from[3] = { f + y * W + x, h + y * W + x, u + y * W + x };
                 int bytes = c == 1 ? 2 : 4;
@@ -149,10 +153,12 @@ static void exr_of_others(void)
     kit_error err = {{0}};
     write_tiled(in_folder("tiled.exr"));
     if (!CHECK(!kit_exr_read(&image, in_folder("tiled.exr"), &err), "%s", err.text)) return;
-    const float *f = kit_image_channel(&image, "f"), *h = kit_image_channel(&image, "h"), *u = kit_image_channel(&image, "u");
+    const float *f = kit_image_channel(&image, "f"), *h = kit_image_channel(&image, "h"),
+                *u = kit_image_channel(&image, "u");
     if (CHECK(image.width == 21 && image.height == 13 && f && h && u, "%d x %d", image.width, image.height))
         for (int i = 0; i < 21 * 13; ++i)
-            CHECK(f[i] == (float)i / 7 && h[i] == 1 + (float)(i % 21) / 1024 && u[i] == 1000.0f * (float)i, "pixel %d: %g %g %g", i, (double)f[i], (double)h[i], (double)u[i]);
+            CHECK(f[i] == (float)i / 7 && h[i] == 1 + (float)(i % 21) / 1024 && u[i] == 1000.0f * (float)i,
+                  "pixel %d: %g %g %g", i, (double)f[i], (double)h[i], (double)u[i]);
     kit_image_free(&image);
 }
 
@@ -167,7 +173,9 @@ static void exr_cut(const char *name, size_t step)
         put("cut.exr", bytes, n);
         int result = kit_exr_read(&untouched, in_folder("cut.exr"), &err);
         check_error(result, &err, "cut.exr", "a cut EXR");
-        if (!CHECK(untouched.width == -7 && !untouched.data, "%zu of %zu bytes of %s: the picture was touched", n, size, name)) return;
+        if (!CHECK(untouched.width == -7 && !untouched.data, "%zu of %zu bytes of %s: the picture was touched", n, size,
+                   name))
+            return;
     }
 }
 
@@ -184,7 +192,9 @@ static void exr_truncated(void)
 
 static void exr_bad(void)
 {
-    static const char *const names[] = { "absent.exr", "folder.exr", "empty.exr", "garbage.exr", "deep.exr", "huge.exr" };
+    static const char *const names[] = {
+        "absent.exr", "folder.exr", "empty.exr", "garbage.exr", "deep.exr", "huge.exr"
+    };
     kit_image a, untouched = { .width = -7 };
     char bytes[2000];
     mkdir(in_folder("folder.exr"), 0777);
@@ -226,7 +236,8 @@ static void unwritable(void)
     files_in_folder(1);
     sample_image(&a, 8, 8, "Y");
     check_error(kit_exr_write(&a, in_folder("none/a.exr"), &err), &err, "none/a.exr", "a folder that does not exist");
-    check_error(kit_png_write(&a, "Y", 0, in_folder("none/a.png"), &err), &err, "none/a.png", "a folder that does not exist");
+    check_error(kit_png_write(&a, "Y", 0, in_folder("none/a.png"), &err), &err, "none/a.png",
+                "a folder that does not exist");
     put("old.png", "old", 3);
     check_error(kit_png_write(&a, "Y,Q", 0, in_folder("old.png"), &err), &err, "old.png", "an absent channel");
     check_error(kit_png_write(&a, "Y,Y", 0, in_folder("old.png"), &err), &err, "old.png", "two channels");
@@ -248,9 +259,11 @@ static void unwritable(void)
 
 static void hdr(void)
 {
-    /* two rows: 8 pixels run-length coded (a run of 8, 8 literals, two half runs, a run), then the same written flat would be a new file */
+    /* two rows: 8 pixels run-length coded (a run of 8, 8 literals, two half runs, a run), then the same written flat
+       would be a new file */
     static const char head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n";
-    static const unsigned char coded[] = { 2, 2, 0, 8,  136, 128,  8, 0, 16, 32, 48, 64, 80, 96, 112,  132, 1, 132, 2,  136, 129 };
+    static const unsigned char coded[] = { 2,  2,  0,  8,   136, 128, 8,   0, 16,  32, 48,
+                                           64, 80, 96, 112, 132, 1,   132, 2, 136, 129 };
     static const char flat_head[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n";
     static const unsigned char flat[] = { 128, 64, 32, 130,  0, 0, 0, 0 };
     char bytes[256];
@@ -262,13 +275,16 @@ static void hdr(void)
         memcpy(bytes + h, k ? flat : coded, n);
         put("a.hdr", bytes, h + n);
         if (!CHECK(!kit_hdr_read(&image, in_folder("a.hdr"), &err), "%s", err.text)) continue;
-        const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"), *b = kit_image_channel(&image, "B");
+        const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"),
+                    *b = kit_image_channel(&image, "B");
         if (k) {
             CHECK(image.width == 1 && image.height == 2, "%d x %d", image.width, image.height);
-            CHECK(r[0] == 2 && g[0] == 1 && b[0] == 0.5f && r[1] == 0, "%g %g %g %g", (double)r[0], (double)g[0], (double)b[0], (double)r[1]);
+            CHECK(r[0] == 2 && g[0] == 1 && b[0] == 0.5f && r[1] == 0, "%g %g %g %g", (double)r[0], (double)g[0],
+                  (double)b[0], (double)r[1]);
         } else {
             CHECK(image.width == 8 && image.height == 1, "%d x %d", image.width, image.height);
-            CHECK(r[0] == 1 && r[7] == 1 && g[3] == 0.375f && b[3] == 1 / 128.0f && b[4] == 2 / 128.0f, "%g %g %g %g %g", (double)r[0], (double)r[7], (double)g[3], (double)b[3], (double)b[4]);
+            CHECK(r[0] == 1 && r[7] == 1 && g[3] == 0.375f && b[3] == 1 / 128.0f && b[4] == 2 / 128.0f,
+                  "%g %g %g %g %g", (double)r[0], (double)r[7], (double)g[3], (double)b[3], (double)b[4]);
         }
         kit_image_free(&image);
         for (size_t cut = 1; cut < h + n; ++cut) {
@@ -294,7 +310,8 @@ static void png(void)
     for (int srgb = 0; srgb < 2; ++srgb) {
         CHECK(!kit_png_write(&a, "Y", srgb, in_folder("a.png"), &err), "%s", err.text);
         stbi_uc *read = stbi_load_from_memory((stbi_uc *)bytes, (int)get("a.png", bytes, sizeof bytes), &w, &h, &n, 0);
-        CHECK(read && w == 3 && h == 2 && n == 1 && !memcmp(read, srgb ? coded : linear, 6), "grey with srgb = %d differs", srgb);
+        CHECK(read && w == 3 && h == 2 && n == 1 && !memcmp(read, srgb ? coded : linear, 6),
+              "grey with srgb = %d differs", srgb);
         stbi_image_free(read);
     }
     CHECK(!kit_png_write(&a, "R,G,B", 0, in_folder("a.png"), &err), "%s", err.text);
@@ -324,7 +341,8 @@ static void score(void)
     CHECK(fabs(s.rmse - sqrt(0.247 / 20)) < 1e-7, "rmse %.9g", s.rmse);        /* 0.01^2 (1 + 4 + ... + 19^2) = 0.247 */
     CHECK(fabs(s.bias - (1.71 - 0.19) / 20) < 1e-7, "bias %.9g", s.bias);
     CHECK(fabs(s.p95 - 0.18) < 1e-6 && s.pixels == 20, "p95 %.9g of %zu", s.p95, s.pixels);
-    CHECK(!kit_score_channel(&s, &a, &b, "Y", mask, &err) && s.pixels == 2 && fabs(s.bias - 0.005) < 1e-7, "masked: bias %.9g of %zu", s.bias, s.pixels);
+    CHECK(!kit_score_channel(&s, &a, &b, "Y", mask, &err) && s.pixels == 2 && fabs(s.bias - 0.005) < 1e-7,
+          "masked: bias %.9g of %zu", s.bias, s.pixels);
     a.data[0] = NAN;
     b.data[3] = NAN;
     a.data[4] = b.data[4] = INFINITY;
@@ -340,9 +358,11 @@ static void score(void)
 
     b.data[0] = 0.5f;
     CHECK(!kit_image_difference(&image, &a, &b, "Y", 0.1f, &err), "%s", err.text);
-    const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"), *bl = kit_image_channel(&image, "B");
+    const float *r = kit_image_channel(&image, "R"), *g = kit_image_channel(&image, "G"),
+                *bl = kit_image_channel(&image, "B");
     CHECK(r[0] == 0 && g[0] == 0, "NaN is not black");
-    CHECK(r[4] > 0.9f && fabsf(r[4] - g[4]) < 0.01f && fabsf(r[4] - bl[4]) < 0.01f, "no difference is %g %g %g, not near-white", (double)r[4], (double)g[4], (double)bl[4]);
+    CHECK(r[4] > 0.9f && fabsf(r[4] - g[4]) < 0.01f && fabsf(r[4] - bl[4]) < 0.01f,
+          "no difference is %g %g %g, not near-white", (double)r[4], (double)g[4], (double)bl[4]);
     CHECK(r[15] > 2 * bl[15] && bl[19] > 2 * r[19], "brighter is not red or darker not blue");
     CHECK(r[15] == r[14] && g[2] > g[7], "the range is not kept");
     kit_image_free(&image);
@@ -361,7 +381,8 @@ static double plain_ssim(const kit_image *a, const kit_image *b)               /
             for (int v = -5; v <= 5; ++v)
                 for (int u = -5; u <= 5; ++u) {
                     if (x + u < 0 || x + u >= w || y + v < 0 || y + v >= h) continue;
-                    double g = exp(-(u * u + v * v) / 4.5), p = (double)a->data[(y + v) * w + x + u], q = (double)b->data[(y + v) * w + x + u];
+                    double g = exp(-(u * u + v * v) / 4.5), p = (double)a->data[(y + v) * w + x + u],
+                           q = (double)b->data[(y + v) * w + x + u];
                     m[0] += g; m[1] += g * p; m[2] += g * q; m[3] += g * p * p; m[4] += g * q * q; m[5] += g * p * q;
                 }
             for (int k = 1; k < 6; ++k) m[k] /= m[0];
@@ -387,7 +408,8 @@ static void ssim(void)
         }
         CHECK(!kit_score_channel(&s, &a, &b, "Y", NULL, NULL), "no score");
         CHECK(k ? s.ssim < before - 0.05 : s.ssim == 1, "ssim %.9g after %.9g", s.ssim, before);
-        CHECK(fabs(s.ssim - plain_ssim(&a, &b)) < 1e-9, "ssim %.12g, by its definition %.12g", s.ssim, plain_ssim(&a, &b));
+        CHECK(fabs(s.ssim - plain_ssim(&a, &b)) < 1e-9, "ssim %.12g, by its definition %.12g", s.ssim,
+              plain_ssim(&a, &b));
         before = s.ssim;
     }
     kit_image_free(&a);
@@ -436,7 +458,8 @@ static const char quirks[] =
 
 static void obj_quirks(void)
 {
-    static const char mtl[] = "newmtl twice\nKd 1 1 1\nnewmtl Material #25\r\nmap_Kd x.png\r\nKd\t1.5 .25 -1 # clamped\r\n\nnewmtl twice\nKd 0.5\nnewmtl last";
+    static const char mtl[] = "newmtl twice\nKd 1 1 1\nnewmtl Material #25\r\nmap_Kd x.png\r\nKd\t1.5 .25 -1 # "
+                              "clamped\r\n\nnewmtl twice\nKd 0.5\nnewmtl last";
     static const float first[] = { 0, 0, 0, 1, 0, 0, 1, 1, 0 };
     kit_mesh m;
     kit_error err = {{0}};
@@ -444,14 +467,18 @@ static void obj_quirks(void)
     if (!CHECK(!obj(&m, quirks, &err), "%s", err.text)) return;
     CHECK(m.triangles == 2 + 1 + 4 + 1, "%zu triangles, not 8", m.triangles);
     if (m.triangles == 8) {
-        for (int i = 0; i < 9; ++i) CHECK(m.position[i] == first[i], "number %d of the first triangle is %g", i, (double)m.position[i]);
+        for (int i = 0; i < 9; ++i)
+            CHECK(m.position[i] == first[i], "number %d of the first triangle is %g", i, (double)m.position[i]);
         const float *n = m.normal;
-        CHECK(n[2] == -1 && n[5] == -1 && n[8] == 1 && n[17] == 1, "normals %g %g (given) %g (length 0) %g (none)", (double)n[2], (double)n[5], (double)n[8], (double)n[17]);
-        CHECK(m.albedo[0] == 1 && m.albedo[1] == 0.25f && m.albedo[2] == 0, "Material #25 is %g %g %g", (double)m.albedo[0], (double)m.albedo[1], (double)m.albedo[2]);
+        CHECK(n[2] == -1 && n[5] == -1 && n[8] == 1 && n[17] == 1, "normals %g %g (given) %g (length 0) %g (none)",
+              (double)n[2], (double)n[5], (double)n[8], (double)n[17]);
+        CHECK(m.albedo[0] == 1 && m.albedo[1] == 0.25f && m.albedo[2] == 0, "Material #25 is %g %g %g",
+              (double)m.albedo[0], (double)m.albedo[1], (double)m.albedo[2]);
         CHECK(m.albedo[6] == 0.5f && m.albedo[8] == 0.5f, "twice is %g", (double)m.albedo[6]);
         CHECK(m.albedo[9] == 0.8f, "an unknown material is %g", (double)m.albedo[9]);
         CHECK(fabs(area(&m, 3, 7) - 8.5) < 1e-6, "the concave polygon covers %g instead of 8.5", area(&m, 3, 7));
-        for (size_t t = 3; t < 7; ++t) CHECK(m.normal[9 * t + 2] == 1, "triangle %zu of the concave polygon is turned over", t);
+        for (size_t t = 3; t < 7; ++t)
+            CHECK(m.normal[9 * t + 2] == 1, "triangle %zu of the concave polygon is turned over", t);
         CHECK(m.lower[2] == 0 && m.upper[2] == 5 && m.upper[0] == 4, "bounds");
     }
     kit_mesh_free(&m);
@@ -470,7 +497,8 @@ static void obj_truncated(void)
         if (result) {
             check_error(result, &err, "cut.obj", "a cut OBJ");
             CHECK(!m.position && !m.triangles, "cut after %zu bytes: the mesh was touched", n);
-        } else CHECK(m.triangles > 0 && m.triangles <= whole.triangles, "%zu triangles after %zu bytes", m.triangles, n);
+        } else
+            CHECK(m.triangles > 0 && m.triangles <= whole.triangles, "%zu triangles after %zu bytes", m.triangles, n);
         kit_mesh_free(&m);
     }
     kit_mesh_free(&whole);
@@ -513,23 +541,29 @@ static void obj_bad(void)
     kit_error err = {{0}};
     check_error(kit_mesh_obj(&m, NULL, NULL, folder, &err), &err, "directory", "a directory");
     check_error(kit_mesh_obj(&m, NULL, NULL, in_folder("absent.obj"), &err), &err, "absent.obj", "an absent file");
-    CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"", err.text);
+    CHECK(!obj(&m, "mtllib absent.mtl\nusemtl x\n" CORNERS "f 1 2 3\n", &err) && m.albedo[0] == 0.8f, "no MTL: \"%s\"",
+          err.text);
     kit_mesh_free(&m);
     CHECK(!obj(&m, "v 0 0 0\rv 1 0 0\rv 0 1 0\r# no face f 1 2 3\rf 1 2 3", &err) && m.triangles == 1,
         "lines that end in CR: \"%s\"", err.text);
     kit_mesh_free(&m);
 }
 
-/* A comb: concave, with many corners on one line; what is cut off must add up. And a ring bridged by doubled corners. */
+/* A comb: concave, with many corners on one line; what is cut off must add up. And a ring bridged by doubled
+   corners. */
 static void obj_polygons(void)
 {
     static char text[40000];
     enum { TEETH = 100 };
     size_t n = 0;
-    for (int k = 0; k < TEETH; ++k) n += (size_t)snprintf(text + n, sizeof text - n, "v %d 3 0\nv %d 1 0\nv %d 1 0\nv %d 3 0\n", 4 * k + 1, 4 * k + 1, 4 * k + 2, 4 * k + 2);
+    for (int k = 0; k < TEETH; ++k)
+        n += (size_t)snprintf(text + n, sizeof text - n, "v %d 3 0\nv %d 1 0\nv %d 1 0\nv %d 3 0\n", 4 * k + 1,
+                              4 * k + 1, 4 * k + 2, 4 * k + 2);
     n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv 0 0 0\nf", 4 * TEETH - 1);
     for (int k = 1; k <= 4 * TEETH + 2; ++k) n += (size_t)snprintf(text + n, sizeof text - n, " %d", k);
-    snprintf(text + n, sizeof text - n, "\nv 0 0 9\nv 3 0 9\nv 3 3 9\nv 0 3 9\nv 1 1 9\nv 1 2 9\nv 2 2 9\nv 2 1 9\nf -8 -7 -6 -5 -8 -4 -3 -2 -1 -4\n");
+    snprintf(text + n, sizeof text - n,
+             "\nv 0 0 9\nv 3 0 9\nv 3 3 9\nv 0 3 9\nv 1 1 9\nv 1 2 9\nv 2 2 9\nv 2 1 9\nf -8 -7 -6 -5 -8 -4 -3 -2 -1 "
+             "-4\n");
     kit_mesh m;
     kit_error err = {{0}};
     if (!CHECK(!obj(&m, text, &err), "%s", err.text)) return;
@@ -537,7 +571,8 @@ static void obj_polygons(void)
     while (ring < m.triangles && m.position[9 * ring + 2] == 0) ++ring;
     for (size_t t = 0; t < m.triangles; ++t) wrong += m.normal[9 * t + 2] != m.normal[t < ring ? 2 : 9 * ring + 2];
     /* 397 x 1 below, teeth of 3 x 2 from x = 2 to 5, 6 to 9 ..., a slope of 1.5 at each end */
-    CHECK(fabs(area(&m, 0, ring) - (397 + 3 * 2 * (TEETH - 1) + 2 * 1.5)) < 1e-3, "the comb covers %g", area(&m, 0, ring));
+    CHECK(fabs(area(&m, 0, ring) - (397 + 3 * 2 * (TEETH - 1) + 2 * 1.5)) < 1e-3, "the comb covers %g",
+          area(&m, 0, ring));
     CHECK(fabs(area(&m, ring, m.triangles) - 8) < 1e-6, "the ring covers %g instead of 8", area(&m, ring, m.triangles));
     CHECK(wrong == 0, "%zu triangles are turned over", wrong);
     kit_mesh_free(&m);
@@ -547,7 +582,8 @@ static void obj_polygons(void)
 
 static void obj_objects(void)
 {
-    static const char nine[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 5 5\nv 5 6 5\nv 1 -0 -1e-60\nv 1 1 0\nv 2 0 0\n";
+    static const char nine[] =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 6 5 5\nv 5 6 5\nv 1 -0 -1e-60\nv 1 1 0\nv 2 0 0\n";
     static const struct { const char *text, *numbers, *names; } files[] = {
         { "o a\ng x\nf 1 2 3\ng y\no b b # it\nf 4 5 6\no a\nf 7 8 9\n", "121", "a,b b" },
         { "f 1 2 3\no unused\no b\nf 4 5 6\nf 7 8 9\n", "122", "default,b" },
@@ -563,22 +599,30 @@ static void obj_objects(void)
         char names[200] = "";
         snprintf(text, sizeof text, "%s%s", nine, files[k].text);
         put("a.obj", text, strlen(text));
-        if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err) && m.triangles == 3, "%s", err.text)) return;
-        for (int i = 0; i < objects; ++i) snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? "," : "", object[i].name);
+        if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err) && m.triangles == 3, "%s", err.text))
+            return;
+        for (int i = 0; i < objects; ++i)
+            snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i ? "," : "", object[i].name);
         CHECK(!strcmp(names, files[k].names), "file %zu: objects %s", k, names);
-        for (size_t t = 0; t < 3; ++t) CHECK((int)m.object[t] == files[k].numbers[t] - '0', "file %zu: triangle %zu is object %u", k, t, (unsigned)m.object[t]);
+        for (size_t t = 0; t < 3; ++t)
+            CHECK((int)m.object[t] == files[k].numbers[t] - '0', "file %zu: triangle %zu is object %u", k, t,
+                  (unsigned)m.object[t]);
         free(object);
         kit_mesh_free(&m);
     }
     size_t n = 0;                                       /* 300 parts, of which the first 45 and one more are smaller */
     for (int k = 0; k < 300; ++k) {
-        n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv %d 1 0\nv %d 0 1\nv %d 1 1\nf -4 -3 -2\n", k, k, k, k);
+        n += (size_t)snprintf(text + n, sizeof text - n, "v %d 0 0\nv %d 1 0\nv %d 0 1\nv %d 1 1\nf -4 -3 -2\n", k, k,
+                              k, k);
         if (k > 44 && k != 100) n += (size_t)snprintf(text + n, sizeof text - n, "f -3 -2 -1\n");
     }
     put("a.obj", text, n);
     if (!CHECK(!kit_mesh_obj(&m, &object, &objects, in_folder("a.obj"), &err), "%s", err.text)) return;
-    CHECK(objects == KIT_MAX_OBJECTS && !strcmp(object[255].name, "rest") && object[255].casts == 0 && object[255].first == 1, "%d objects, the last is %s", objects, object[255].name);
-    CHECK(m.object[0] == 1 && m.object[1] == 256 && m.object[44] == 256 && m.object[45] == 2 && m.object[46] == 2 && m.object[45 + 2 * 55] == 256 && m.object[m.triangles - 1] == 255,
+    CHECK(objects == KIT_MAX_OBJECTS && !strcmp(object[255].name, "rest") && object[255].casts == 0
+              && object[255].first == 1,
+          "%d objects, the last is %s", objects, object[255].name);
+    CHECK(m.object[0] == 1 && m.object[1] == 256 && m.object[44] == 256 && m.object[45] == 2 && m.object[46] == 2
+              && m.object[45 + 2 * 55] == 256 && m.object[m.triangles - 1] == 255,
           "triangles are objects %u %u %u", (unsigned)m.object[1], (unsigned)m.object[45], (unsigned)m.object[155]);
     free(object);
     kit_mesh_free(&m);
@@ -587,13 +631,15 @@ static void obj_objects(void)
 static void add_cube(char *text, const char *name, double x, double y, double z, double size, double height)
 {
     text += strlen(text) + (size_t)sprintf(text + strlen(text), "o %s\n", name);
-    for (int k = 0; k < 8; ++k) text += sprintf(text, "v %g %g %g\n", x + (k & 1 ? size : 0), y + (k & 2 ? height : 0), z + (k & 4 ? size : 0));
+    for (int k = 0; k < 8; ++k)
+        text += sprintf(text, "v %g %g %g\n", x + (k & 1 ? size : 0), y + (k & 2 ? height : 0), z + (k & 4 ? size : 0));
     sprintf(text, "f -8 -4 -2 -6\nf -7 -5 -1 -3\nf -8 -7 -3 -4\nf -6 -2 -1 -5\nf -8 -6 -5 -7\nf -4 -3 -1 -2\n");
 }
 
 static void objects_cast_and_move(void)
 {
-    static const float where[16] = { 0, 0, -2, 0,  0, 2, 0, 0,  2, 0, 0, 0,  20, 1, 5, 1 };         /* a quarter turn about y, twice the size */
+    /* a quarter turn about y, twice the size */
+    static const float where[16] = { 0, 0, -2, 0,  0, 2, 0, 0,  2, 0, 0, 0,  20, 1, 5, 1 };
     static const int casts[6] = { 0, 1, 0, 1, 1, 0 };
     static const float grey[3] = { 0.5f, 0.5f, 0.5f };
     char text[4000] = "";
@@ -602,12 +648,16 @@ static void objects_cast_and_move(void)
     add_cube(text, "room", 0, 0, 0, 10, 10);
     add_cube(text, "cube", 1, 0, 2, 1, 1);
     add_cube(text, "sheet", 5, 0, 0, 4, 0.003);
-    add_cube(text, "pillar", 9, 0, 4, 2, 5);                            /* sticks out of the room, which holds three of the five others */
+    /* sticks out of the room, which holds three of the five others */
+    add_cube(text, "pillar", 9, 0, 4, 2, 5);
     add_cube(text, "book", 3, 0, 5, 1, 1);
     put("a.obj", text, strlen(text));
     if (!CHECK(!kit_scene_load(&s, in_folder("a.obj"), 1, &err), "%s", err.text)) return;
-    if (!CHECK(s.objects == 6 && s.shapes == 6 && !strcmp(s.object[5].name, "floor"), "%d objects, %d shapes", s.objects, s.shapes)) return;
-    for (int k = 0; k < 6; ++k) CHECK(s.object[k].casts == casts[k], "%s: casts %d", s.object[k].name, s.object[k].casts);
+    if (!CHECK(s.objects == 6 && s.shapes == 6 && !strcmp(s.object[5].name, "floor"), "%d objects, %d shapes",
+               s.objects, s.shapes))
+        return;
+    for (int k = 0; k < 6; ++k)
+        CHECK(s.object[k].casts == casts[k], "%s: casts %d", s.object[k].name, s.object[k].casts);
 
     const size_t floats = 9 * s.mesh.triangles;
     float *was = malloc(floats * sizeof *was);
@@ -617,26 +667,37 @@ static void objects_cast_and_move(void)
     for (size_t i = 0; i < 3 * s.mesh.triangles; ++i) {
         const float *p = was + 3 * i, *q = s.mesh.position + 3 * i, *n = s.mesh.normal + 3 * i;
         if (s.mesh.object[i / 3] != 2) others += memcmp(p, q, 3 * sizeof *p) != 0;
-        else wrong += q[0] != 2 * p[2] + 20 || q[1] != 2 * p[1] + 1 || q[2] != 5 - 2 * p[0] || fabsf(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) - 1) > 1e-6f || n[0] * (q[0] - 25) < 0;
+        else
+            wrong += q[0] != 2 * p[2] + 20 || q[1] != 2 * p[1] + 1 || q[2] != 5 - 2 * p[0]
+                     || fabsf(fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]) - 1) > 1e-6f || n[0] * (q[0] - 25) < 0;
     }
     const kit_object *o = &s.object[1];
     CHECK(!wrong && !others, "%d corners are wrong, %d of others moved", wrong, others);
-    CHECK(o->lower[0] == 24 && o->upper[0] == 26 && o->lower[1] == 1 && o->upper[1] == 3 && o->lower[2] == 1 && o->upper[2] == 3, "bounds from %g to %g", (double)o->lower[0], (double)o->upper[0]);
+    CHECK(o->lower[0] == 24 && o->upper[0] == 26 && o->lower[1] == 1 && o->upper[1] == 3 && o->lower[2] == 1
+              && o->upper[2] == 3,
+          "bounds from %g to %g", (double)o->lower[0], (double)o->upper[0]);
     for (int k = 0; k < 6; ++k) {
         float bad[16];
         memcpy(bad, where, sizeof bad);
-        bad[k < 4 ? 5 * k : 13] = k == 3 ? 2 : k == 5 ? INFINITY : k ? -2 : 1;   /* 0, 2: a shear, 1: mirrored, 3: no place, 5: not finite */
+        /* 0, 2: a shear, 1: mirrored, 3: no place, 5: not finite */
+        bad[k < 4 ? 5 * k : 13] = k == 3 ? 2 : k == 5 ? INFINITY : k ? -2 : 1;
         if (k == 4) bad[5] = bad[8] = 2.1f;                                         /* wider two ways */
-        CHECK(kit_scene_place(&s, 1, bad, &err) == -1 && o->lower[0] == 24 && strstr(err.text, "cube"), "place %d was accepted: \"%s\"", k, err.text);
+        CHECK(kit_scene_place(&s, 1, bad, &err) == -1 && o->lower[0] == 24 && strstr(err.text, "cube"),
+              "place %d was accepted: \"%s\"", k, err.text);
     }
-    CHECK(kit_scene_place(&s, 6, where, &err) == -1 && kit_scene_place(&s, -1, where, NULL) == -1, "an object that is not there was placed");
-    CHECK(!kit_scene_place(&s, 0, where, &err) && s.mesh.upper[1] == 21, "the mesh is %g high, not 21", (double)s.mesh.upper[1]);
+    CHECK(kit_scene_place(&s, 6, where, &err) == -1 && kit_scene_place(&s, -1, where, NULL) == -1,
+          "an object that is not there was placed");
+    CHECK(!kit_scene_place(&s, 0, where, &err) && s.mesh.upper[1] == 21, "the mesh is %g high, not 21",
+          (double)s.mesh.upper[1]);
 
-    static const float corners[2][2][3] = { { { 24.5f, 1.5f, 1.5f }, { 25, 2, 2 } }, { { -20, -1, -20 }, { 60, 60, 60 } } };     /* in the cube, which holds no more; around all but the floor */
+    /* in the cube, which holds no more; around all but the floor */
+    static const float corners[2][2][3] = { { { 24.5f, 1.5f, 1.5f }, { 25, 2, 2 } },
+                                            { { -20, -1, -20 }, { 60, 60, 60 } } };
     for (int k = 0; k < 2; ++k) CHECK(!kit_scene_add_box(&s, corners[k][0], corners[k][1], grey, &err), "%s", err.text);
     if (CHECK(s.objects == 8, "%d objects", s.objects))
-        CHECK(s.object[1].casts && s.object[3].casts && s.object[6].casts && !s.object[7].casts, "the cube around a box casts %d, the box %d, one around all %d",
-              s.object[1].casts, s.object[6].casts, s.object[7].casts);
+        CHECK(s.object[1].casts && s.object[3].casts && s.object[6].casts && !s.object[7].casts,
+              "the cube around a box casts %d, the box %d, one around all %d", s.object[1].casts, s.object[6].casts,
+              s.object[7].casts);
     free(was);
     kit_scene_free(&s);
 
@@ -654,7 +715,8 @@ static void objects_cast_and_move(void)
             if (t % 20 == 0) rest = fmax(rest, moved);
         }
     }
-    CHECK(deepest > 0 && least > 0.1 && rest < 1e-5, "casters: down to %g, moved by %g to %g, after a period by %g", deepest, least, most, rest);
+    CHECK(deepest > 0 && least > 0.1 && rest < 1e-5, "casters: down to %g, moved by %g to %g, after a period by %g",
+          deepest, least, most, rest);
     t_note("casters moved by %.2f to %.2f, after a period by %.1e", least, most, rest);
     kit_scene_free(&s);
 }
@@ -674,8 +736,12 @@ static void object_numbers(void)
     s.camera.eye[1] = 2;                                                /* sees past the ground */
     const size_t size = ssgi_trace_size(s.mesh.triangles);
     void *memory = malloc(size);
-    if (!memory || !CHECK(!ssgi_trace_build(&trace, memory, size, s.mesh.position, 12, NULL, s.mesh.triangles, NULL), "no trace")) return;
-    if (!CHECK(!kit_gl_open(NULL, &err) && !kit_gbuffer_from_scene(&g, &s, &s.camera, NULL, &err), "%s", err.text)) return;
+    if (!memory
+        || !CHECK(!ssgi_trace_build(&trace, memory, size, s.mesh.position, 12, NULL, s.mesh.triangles, NULL),
+                  "no trace"))
+        return;
+    if (!CHECK(!kit_gl_open(NULL, &err) && !kit_gbuffer_from_scene(&g, &s, &s.camera, NULL, &err), "%s", err.text))
+        return;
     CHECK(!kit_texture_read(g.object, 160, 90, 1, (float *)number), "the numbers cannot be read");
     for (int i = 0; i < 160 * 90; ++i) {
         ssgi_hit hit;
@@ -685,7 +751,8 @@ static void object_numbers(void)
         other += is != number[i];
         empty += !is;
     }
-    CHECK(other < 160 * 90 / 500 && empty > 100, "%d of %d pixels name another object; %d see none", other, 160 * 90, empty);
+    CHECK(other < 160 * 90 / 500 && empty > 100, "%d of %d pixels name another object; %d see none", other, 160 * 90,
+          empty);
     t_note("%d of %d pixels name another object than rays hit", other, 160 * 90);
     kit_gbuffer_free(&g);
     kit_gl_close();
@@ -693,14 +760,19 @@ static void object_numbers(void)
     kit_scene_free(&s);
 }
 
-/* The greatest error of a truth between objects seen from above: of the plane by the ball, 1 / (1 + rho^2)^1.5, or if the plane casts of the ball by it, (1 - n.y) / 2. */
+/* The greatest error of a truth between objects seen from above: of the plane by the ball, 1 / (1 + rho^2)^1.5, or if
+   the plane casts of the ball by it, (1 - n.y) / 2. */
 static double ball_and_plane(int ball, int plane, kit_image *y)
 {
     kit_error err = {{0}};
     kit_scene s;
     double worst = 0;
-    if (!CHECK(!kit_scene_load(&s, "sphere", 0, &err) && s.objects == 2 && s.object[1].casts && !s.object[0].casts, "%s", err.text)) return 1;
-    const kit_camera above = { .eye = { 0, 10, 0 }, .up = { 0, 0, -1 }, .ortho_height = 0.4f, .width = 80, .height = 4 };
+    if (!CHECK(!kit_scene_load(&s, "sphere", 0, &err) && s.objects == 2 && s.object[1].casts && !s.object[0].casts,
+               "%s", err.text))
+        return 1;
+    const kit_camera above = {
+        .eye = { 0, 10, 0 }, .up = { 0, 0, -1 }, .ortho_height = 0.4f, .width = 80, .height = 4
+    };
     s.object[0].casts = plane;
     s.object[1].casts = ball;
     if (!CHECK(!kit_truth_objects(y, &s, &above, 4096, 1, &err), "%s", err.text)) return 1;
@@ -722,7 +794,8 @@ static void truth_of_objects(void)
     kit_image y = { 0 }, bare = { 0 };
     for (int k = 0; k < 4; ++k) {
         const double worst = ball_and_plane(k & 1, k >> 1, &y);
-        CHECK(worst < (k ? 0.006 : 1e-6), "a ball that casts %d, a plane that casts %d: off by %g", k & 1, k >> 1, worst);
+        CHECK(worst < (k ? 0.006 : 1e-6), "a ball that casts %d, a plane that casts %d: off by %g", k & 1, k >> 1,
+              worst);
         t_note("a ball that casts %d, a plane that casts %d: off by %.1e", k & 1, k >> 1, worst);
     }
     /* through the wall, which is one object with the floor, a box behind it occludes as if there were no wall */
@@ -730,9 +803,16 @@ static void truth_of_objects(void)
     static const char *const names[2] = { "corner", "plane" };
     double darkest = 1, apart = 0;
     for (int k = 0; k < 2; ++k) {
-        const kit_camera above = { .eye = { 1.05f, 10, 0 }, .target = { 1.05f, 0, 0 }, .up = { 0, 0, -1 }, .ortho_height = 1, .width = 32, .height = 16 };
+        const kit_camera above = { .eye = { 1.05f, 10, 0 },
+                                   .target = { 1.05f, 0, 0 },
+                                   .up = { 0, 0, -1 },
+                                   .ortho_height = 1,
+                                   .width = 32,
+                                   .height = 16 };
         kit_scene s;
-        if (!CHECK(!kit_scene_load(&s, names[k], 0, &err) && !kit_scene_add_box(&s, lower, upper, grey, &err), "%s", err.text)) return;
+        if (!CHECK(!kit_scene_load(&s, names[k], 0, &err) && !kit_scene_add_box(&s, lower, upper, grey, &err), "%s",
+                   err.text))
+            return;
         if (!CHECK(!kit_truth_objects(k ? &bare : &y, &s, &above, 256, 1, &err), "%s", err.text)) return;
         kit_scene_free(&s);
     }
@@ -748,7 +828,8 @@ static void truth_of_objects(void)
 
 /* ---- environments -------------------------------------------------------------------------------------------- */
 
-/* Luminance of the irradiance over pi that faces a direction; peak: the brightest texel, step: how far texels beside each other differ. */
+/* Luminance of the irradiance over pi that faces a direction; peak: the brightest texel, step: how far texels beside
+   each other differ. */
 static double facing(const kit_image *env, const float to[3], double *peak, double *step)
 {
     static const double weight[3] = { 0.2126, 0.7152, 0.0722 };
@@ -759,12 +840,14 @@ static double facing(const kit_image *env, const float to[3], double *peak, doub
         const double y = (double)(i / w) + 0.5, pi = acos(-1);
         float d[3];
         kit_env_direction(env, (double)(i % w) + 0.5, y, d);
-        const double cosine = fmax(0, (double)(d[0] * to[0] + d[1] * to[1] + d[2] * to[2])), area = 2 * pi / env->width / env->height * sin(pi * y / env->height);
+        const double cosine = fmax(0, (double)(d[0] * to[0] + d[1] * to[1] + d[2] * to[2])),
+                     area = 2 * pi / env->width / env->height * sin(pi * y / env->height);
         for (size_t c = 0; c < 3; ++c) {
             const double v = (double)env->data[c * texels + i];
             sum += cosine * area * weight[c] * v;
             *peak = fmax(*peak, v);
-            *step = fmax(*step, fmax(fabs(v - (double)env->data[c * texels + i / w * w + (i + 1) % w]), i < texels - w ? fabs(v - (double)env->data[c * texels + i + w]) : 0));
+            *step = fmax(*step, fmax(fabs(v - (double)env->data[c * texels + i / w * w + (i + 1) % w]),
+                                     i < texels - w ? fabs(v - (double)env->data[c * texels + i + w]) : 0));
         }
     }
     return sum;
@@ -772,7 +855,10 @@ static double facing(const kit_image *env, const float to[3], double *peak, doub
 
 static void environments(void)
 {
-    static const struct { const char *name; double up, least, most; } built_in[] = { { "sky", 1.0103, 3, 6 }, { "probe", 1, 150, 300 }, { "white", 1, 1, 1 } };
+    static const struct {
+        const char *name;
+        double up, least, most;
+    } built_in[] = { { "sky", 1.0103, 3, 6 }, { "probe", 1, 150, 300 }, { "white", 1, 1, 1 } };
     static const float up[3] = { 0, 1, 0 };
     kit_image env = { 0 };
     kit_error err = {{0}};
@@ -781,22 +867,27 @@ static void environments(void)
         if (!CHECK(!kit_env_read(&env, built_in[i].name, &err), "%s", err.text)) return;
         const double is = facing(&env, up, &peak, &step);
         CHECK(fabs(is - built_in[i].up) < 5e-4, "%s: irradiance over pi is %.4f facing up", built_in[i].name, is);
-        CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < 0.45 * peak, "%s: peak %g, steps of %g", built_in[i].name, peak, step);
+        CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < 0.45 * peak, "%s: peak %g, steps of %g",
+              built_in[i].name, peak, step);
         t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f", built_in[i].name, is, peak, step);
         kit_image_free(&env);
     }
-    CHECK(kit_env_read(&env, "dusk", &err) == -1 && strstr(err.text, "dusk") && strstr(err.text, "probe"), "\"%s\"", err.text);
+    CHECK(kit_env_read(&env, "dusk", &err) == -1 && strstr(err.text, "dusk") && strstr(err.text, "probe"), "\"%s\"",
+          err.text);
 
     const kit_light sun = { KIT_SUN, { 0.6f, -0.48f, 0.64f }, { 3, 2, 1 } };
     for (int k = 0; k < 2; ++k) {                       /* on black, then on white */
         if (k && !CHECK(!kit_env_read(&env, "white", &err), "%s", err.text)) return;
         if (!CHECK(!kit_env_add_sun(&env, &sun, 3, &err), "%s", err.text)) return;
-        const double is = facing(&env, sun.at, &peak, &step) - k, should = (0.2126 * 3 + 0.7152 * 2 + 0.0722) / acos(-1);
+        const double is = facing(&env, sun.at, &peak, &step) - k,
+                     should = (0.2126 * 3 + 0.7152 * 2 + 0.0722) / acos(-1);
         CHECK(fabs(is / should - 1) < 1e-3, "a sun brings %.5f, not %.5f", is, should);
         t_note("a sun's disc: irradiance off by %.1e", is / should - 1);
         kit_image_free(&env);
     }
-    CHECK(kit_env_add_sun(&env, &sun, 0.1, &err) == -1 && kit_env_add_sun(&env, &sun, (double)NAN, NULL) == -1 && !env.data, "a sun smaller than a texel: \"%s\"", err.text);
+    CHECK(kit_env_add_sun(&env, &sun, 0.1, &err) == -1 && kit_env_add_sun(&env, &sun, (double)NAN, NULL) == -1
+              && !env.data,
+          "a sun smaller than a texel: \"%s\"", err.text);
 }
 
 /* ---- threads ------------------------------------------------------------------------------------------------- */
@@ -848,8 +939,10 @@ void test_files(void)
     RUN("objects of an OBJ are told apart by o, by g, by what hangs together; a rest does not cast", obj_objects);
     RUN("rooms and sheets do not cast; what is placed elsewhere is there, all else as it was", objects_cast_and_move);
     RUN("the G-buffer names the objects that rays hit", object_numbers);
-    RUN("truth between objects: a ball on a plane, casting or not, and what lies behind the own object", truth_of_objects);
-    RUN("built-in environments are as bright as they say, with soft edges; a sun's disc brings the sun's light", environments);
+    RUN("truth between objects: a ball on a plane, casting or not, and what lies behind the own object",
+        truth_of_objects);
+    RUN("built-in environments are as bright as they say, with soft edges; a sun's disc brings the sun's light",
+        environments);
     RUN("threads visit each index exactly once", parallel);
     files_in_folder(1);
     rmdir(folder);

@@ -1,4 +1,5 @@
-/* test_library.c - the library of GLSL as it is written: every condition names a field, every call a function before it, every row and function can be reached. */
+/* test_library.c - the library of GLSL as it is written: every condition names a field, every call a function before
+   it, every row and function can be reached. */
 #include "t.h"
 
 #define SSGI_STATIC                        /* this file has its own copy of the library, for its tables */
@@ -12,7 +13,8 @@
 
 enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 
-/* Does a condition hold nothing but fields, signs, and after a comparison a value of its field? Returns 1 if it does. */
+/* Does a condition hold nothing but fields, signs, and after a comparison a value of its field? Returns 1 if it
+   does. */
 static int condition(const char *s, const char *end)
 {
     static const char *const signs[] = { "&&", "||", "==", "!=", "<", ">", "!", "(", ")" };
@@ -46,19 +48,26 @@ static void conditions(void)
     for (int i = 0; i < CODES; ++i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
         int depth = 0;
-        CHECK(strlen(c->text) <= 4095, "%s: %zu characters are more than a C99 string may have", c->name, strlen(c->text));
+        CHECK(strlen(c->text) <= 4095, "%s: %zu characters are more than a C99 string may have", c->name,
+              strlen(c->text));
         for (const char *line = c->text, *end; *line; line = end + 1) {
             end = strchr(line, '\n');
             if (!CHECK(end, "%s does not end its last line", c->name)) break;
             const char *mark = memchr(line, '#', (size_t)(end - line)), *from = NULL;
             const int length = (int)(end - line);
             if (!mark) continue;
-            if (mark > line) from = CHECK(mark - line > 4 && !strncmp(mark - 4, " // #if ", 8), "%s: no guard: %.*s", c->name, length, line) ? mark + 3 : NULL;
+            if (mark > line)
+                from = CHECK(mark - line > 4 && !strncmp(mark - 4, " // #if ", 8), "%s: no guard: %.*s", c->name,
+                             length, line)
+                           ? mark + 3
+                           : NULL;
             else if (!strncmp(line, "#if ", 4)) { from = line + 4; ++depth; }
             else if (!strncmp(line, "#elif ", 6)) from = line + 6;
             else if (!strncmp(line, "#endif\n", 7)) --depth;
             else CHECK(!strncmp(line, "#else\n", 6), "%s: no directive: %.*s", c->name, length, line);
-            CHECK(depth >= 0 && depth <= (int)sizeof((ssgi_gl__reader *)0)->state && (depth || mark > line || line[1] == 'e'), "%s: depth %d: %.*s", c->name, depth, length, line);
+            CHECK(depth >= 0 && depth <= (int)sizeof((ssgi_gl__reader *)0)->state
+                      && (depth || mark > line || line[1] == 'e'),
+                  "%s: depth %d: %.*s", c->name, depth, length, line);
             if (from) CHECK(condition(from, end), "%s: names no field, or no value of it: %.*s", c->name, length, line);
             count += from != NULL;
         }
@@ -76,23 +85,29 @@ static void conditions(void)
         const ssgi_gl__field *f = &ssgi_gl__fields[i];
         int words = *f->values != 0;
         for (const char *s = f->values; *s; ++s) words += *s == ' ';
-        CHECK(!words || words == f->most + 1, "desc.%s has %d values with names and a limit of %d", f->name, words, f->most);
+        CHECK(!words || words == f->most + 1, "desc.%s has %d values with names and a limit of %d", f->name, words,
+              f->most);
     }
-    CHECK(!condition("thn", "thn" + 3) && !condition("search == SLICE ", "search == SLICE " + 15) && !condition("thin &&", "thin &&" + 2), "a condition that is none is taken");
+    CHECK(!condition("thn", "thn" + 3) && !condition("search == SLICE ", "search == SLICE " + 15)
+              && !condition("thin &&", "thin &&" + 2),
+          "a condition that is none is taken");
     t_note("%d conditions in %d entries", count, CODES);
 }
 
 static int code_named(const char *name, size_t n, int before)      /* the last of that name before an entry; -1: none */
 {
-    for (int i = before - 1; i >= 0; --i) if (strlen(ssgi_gl__library[i].name) == n && !memcmp(ssgi_gl__library[i].name, name, n)) return i;
+    for (int i = before - 1; i >= 0; --i)
+        if (strlen(ssgi_gl__library[i].name) == n && !memcmp(ssgi_gl__library[i].name, name, n)) return i;
     return -1;
 }
 
-/* Marks what is named; every name must be an entry before this one, a row, a function of desc.fetch, or a varying that this one declares. */
+/* Marks what is named; every name must be an entry before this one, a row, a function of desc.fetch, or a varying that
+   this one declares. */
 static void names(void)
 {
     static char reached[CODES], named[ROWS];
-    static const char *const roots[] = { "SSGI_COSINE", "ssgi_sh_zonal", "ssgi_sh_add", "ssgi_sh_dot", "ssgi_sh_turn", "ssgi_field_visibility" };
+    static const char *const roots[] = { "SSGI_COSINE", "ssgi_sh_zonal", "ssgi_sh_add",
+                                         "ssgi_sh_dot", "ssgi_sh_turn",  "ssgi_field_visibility" };
     for (size_t i = 0; i < sizeof roots / sizeof *roots; ++i) {
         const int k = code_named(roots[i], strlen(roots[i]), CODES);
         if (CHECK(k >= 0, "%s is asked for and does not exist", roots[i])) reached[k] = 1;
@@ -101,12 +116,15 @@ static void names(void)
         for (int s = 0; s < SSGI_GL_STAGES; ++s) {
             const char *main_ = ssgi_gl__passes[i].mains[s];
             const int k = main_ ? code_named(main_, strlen(main_), CODES) : -1;
-            if (main_ && CHECK(k >= 0, "pass %s names %s, which does not exist", ssgi_gl__passes[i].name, main_)) reached[k] = 1;
+            if (main_ && CHECK(k >= 0, "pass %s names %s, which does not exist", ssgi_gl__passes[i].name, main_))
+                reached[k] = 1;
         }
     for (int i = CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *c = &ssgi_gl__library[i];
         int defines = 0, others = 0;
-        if (code_named(c->name, strlen(c->name), CODES) != i) reached[i] = reached[code_named(c->name, strlen(c->name), CODES)];     /* entries of one name */
+        /* entries of one name */
+        if (code_named(c->name, strlen(c->name), CODES) != i)
+            reached[i] = reached[code_named(c->name, strlen(c->name), CODES)];
         CHECK(reached[i], "%s: nothing names it", c->name);
         for (const char *s = c->text, *line = s; *s; ++s) {
             size_t n = 0;
@@ -115,26 +133,34 @@ static void names(void)
             if (*line == '#') { s += strcspn(s, "\n") - 1; continue; }
             while (ssgi_gl__letter(s[n])) ++n;
             if (n) {
-                const int ours = n > 5 && (!memcmp(s, "ssgi_", 5) || !memcmp(s, "SSGI_", 5) || !memcmp(s + 1, "_ssgi_", 6));
+                const int ours =
+                    n > 5 && (!memcmp(s, "ssgi_", 5) || !memcmp(s, "SSGI_", 5) || !memcmp(s + 1, "_ssgi_", 6));
                 const int itself = n == strlen(c->name) && !memcmp(s, c->name, n);
                 const int k = itself ? -1 : code_named(s, n, i);
                 int known = k >= 0 || itself || (n > 12 && !memcmp(s, "ssgi_custom_", 12)) || *s == 'v';
                 if (k >= 0) reached[k] = 1;
                 for (int r = 0; r < ROWS && ours; ++r)
-                    if (strlen(ssgi_gl__rows[r].io.name) == n && !memcmp(ssgi_gl__rows[r].io.name, s, n)) known = named[r] = 1;
-                CHECK(!ours || known || !strncmp(s, "SSGI_OVER", n), "%s names %.*s, which does not exist before it", c->name, (int)n, s);
-                defines |= s > line && isalpha((unsigned char)*line) && (itself || (!strncmp(c->name, "main_", 5) && n == 4 && !memcmp(s, "main", 4)));
-                if (itself && *line != ' ' && !strncmp(s + n, " = ", 3)) break;        /* a constant or a global: what follows is its value */
-                others |= isalpha((unsigned char)*line) && s > line && s[n] == '(' && strncmp(line, "layout", 6) && !itself && memcmp(s, "main", 4);
+                    if (strlen(ssgi_gl__rows[r].io.name) == n && !memcmp(ssgi_gl__rows[r].io.name, s, n))
+                        known = named[r] = 1;
+                CHECK(!ours || known || !strncmp(s, "SSGI_OVER", n), "%s names %.*s, which does not exist before it",
+                      c->name, (int)n, s);
+                defines |= s > line && isalpha((unsigned char)*line)
+                           && (itself || (!strncmp(c->name, "main_", 5) && n == 4 && !memcmp(s, "main", 4)));
+                /* a constant or a global: what follows is its value */
+                if (itself && *line != ' ' && !strncmp(s + n, " = ", 3)) break;
+                others |= isalpha((unsigned char)*line) && s > line && s[n] == '(' && strncmp(line, "layout", 6)
+                          && !itself && memcmp(s, "main", 4);
                 s += n - 1;
             }
         }
-        CHECK((defines || !strcmp(c->name, "SSGI_KERNEL")) && !others, "%s: its text defines %s", c->name, defines ? "something else, too" : "something else");
+        CHECK((defines || !strcmp(c->name, "SSGI_KERNEL")) && !others, "%s: its text defines %s", c->name,
+              defines ? "something else, too" : "something else");
     }
     for (int r = 0; r < ROWS; ++r) CHECK(named[r], "row %s: nothing can name it", ssgi_gl__rows[r].io.name);
     for (int r = 1; r < ROWS; ++r) {
         const ssgi_gl_io *a = &ssgi_gl__rows[r - 1].io, *b = &ssgi_gl__rows[r].io;
-        CHECK(a->kind != SSGI_GL_PARAM || b->kind != SSGI_GL_PARAM || a->slot != b->slot || a->offset < b->offset, "rows of a block are not in the order of its struct: %s, %s", a->name, b->name);
+        CHECK(a->kind != SSGI_GL_PARAM || b->kind != SSGI_GL_PARAM || a->slot != b->slot || a->offset < b->offset,
+              "rows of a block are not in the order of its struct: %s, %s", a->name, b->name);
     }
 }
 

@@ -1,4 +1,5 @@
-/* test_light.c - ssdo, lights and senders through the whole of GL: furnace (of s3ho too), closed forms, layers, extra cameras, shadows, virtual lights. */
+/* test_light.c - ssdo, lights and senders through the whole of GL: furnace (of s3ho too), closed forms, layers, extra
+   cameras, shadows, virtual lights. */
 #include "t.h"
 #include "frames.h"
 
@@ -20,17 +21,20 @@ int lighten(kit_lighting *l, const char *env, const char *light)
     if (light && !TRY(kit_light_parse(&l->light[l->lights++], light, &err))) return 0;
     if (!env) return 1;
     if (strcmp(env, "white")) return TRY(kit_env_read(&l->env, env, &err));
-    if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;        /* of coarser ones harmonics see the rows */
+    /* of coarser ones harmonics see the rows */
+    if (!TRY(kit_image_new(&l->env, 512, 256, "R,G,B", &err))) return 0;
     for (int i = 0; i < 3 * 512 * 256; ++i) l->env.data[i] = 1;
     return 1;
 }
 
 static const float grey[3] = { 0.5f, 0.5f, 0.5f };
 
-int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera, int width, int height)
+int see(kit_scene *scene, kit_gbuffer *g, const char *name, const box *boxes, int count, const kit_camera *camera,
+        int width, int height)
 {
     if (!TRY(kit_scene_load(scene, name, 0, &err))) return 0;
-    for (int i = 0; i < count; ++i) if (!TRY(kit_scene_add_box(scene, boxes[i].lower, boxes[i].upper, grey, &err))) return 0;
+    for (int i = 0; i < count; ++i)
+        if (!TRY(kit_scene_add_box(scene, boxes[i].lower, boxes[i].upper, grey, &err))) return 0;
     if (camera) scene->camera = *camera;
     scene->camera.width = width;
     scene->camera.height = height;
@@ -45,13 +49,17 @@ static kit_camera from_above(float high)
 }
 
 /* 33 samples: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
-int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting)
+int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+          const kit_lighting *lighting)
 {
     const kit_world world = { scene, lighting };
     kit_method m;
     memset(run, 0, sizeof *run);
-    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, "blur=0,samples=33,steps=1,range=0,fade=none", &err) && (strncmp(method, "s3ho", 4) || !kit_method_set(&m, "residual=0", &err))
-                 && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err), "%s %s: %s", method, set, err.text);
+    return CHECK(!kit_method_find(&m, method, &err)
+                     && !kit_method_set(&m, "blur=0,samples=33,steps=1,range=0,fade=none", &err)
+                     && (strncmp(method, "s3ho", 4) || !kit_method_set(&m, "residual=0", &err))
+                     && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
+                 "%s %s: %s", method, set, err.text);
 }
 
 int drawn(kit_image *out, kit_run *run)
@@ -61,7 +69,8 @@ int drawn(kit_image *out, kit_run *run)
     return TRY(kit_run_read(out, run, &err));
 }
 
-int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene, const kit_lighting *lighting)
+int lit(kit_image *out, kit_gbuffer *g, const char *method, const char *set, float radius, const kit_scene *scene,
+        const kit_lighting *lighting)
 {
     kit_run run;
     const int ok = begin(&run, g, method, set, radius, scene, lighting) && drawn(out, &run);
@@ -77,15 +86,17 @@ double mean(const kit_image *image, const char *name)
     return sum / (image->width * image->height);
 }
 
-/* ---- furnace ------------------------------------------------------------------------------------------------------- */
+/* ---- furnace ----------------------------------------------------------------------------------------------------- */
 
 /* Makes every surface of a run send 1 from now on: copies of its senders, with that radiance, in place of them. */
 static int shine(kit_run *run)
 {
     const ssgi_gl_desc *d = NULL;                                              /* of the last gather */
-    for (int i = 0; i < run->passes; ++i) if (run->pass[i].desc.pass == SSGI_GL_SSDO || run->pass[i].desc.pass == SSGI_GL_S3HO) d = &run->pass[i].desc;
-    const struct { GLuint *array; int width, height, slices; } held[2] = {
-        { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers }, { &run->view_senders, run->view[0].width, run->view[0].height, d->views * d->view_layers } };
+    for (int i = 0; i < run->passes; ++i)
+        if (run->pass[i].desc.pass == SSGI_GL_SSDO || run->pass[i].desc.pass == SSGI_GL_S3HO) d = &run->pass[i].desc;
+    const struct { GLuint *array; int width, height, slices;
+    } held[2] = { { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers },
+                  { &run->view_senders, run->view[0].width, run->view[0].height, d->views * d->view_layers } };
     const uint32_t one = 256u | 256u << 9 | 256u << 18 | 16u << 27;            /* 256 * 2^-8, three times */
     kit_run_update(run);
     kit_run_draw(run, 0);
@@ -93,9 +104,14 @@ static int shine(kit_run *run)
         const size_t texels = (size_t)held[k].width * (size_t)held[k].height;
         uint32_t *word = malloc(2 * texels * (size_t)held[k].slices * sizeof *word + 1);
         for (int s = 0; s < held[k].slices; ++s)
-            if (!CHECK(!kit_texture_slice_read(*held[k].array, s, held[k].width, held[k].height, 2, (float *)(word + 2 * texels * (size_t)s)), "senders cannot be read")) return 0;
+            if (!CHECK(!kit_texture_slice_read(*held[k].array, s, held[k].width, held[k].height, 2,
+                                               (float *)(word + 2 * texels * (size_t)s)),
+                       "senders cannot be read"))
+                return 0;
         for (size_t i = 0; i < texels * (size_t)held[k].slices; ++i) word[2 * i] = one;
-        if (held[k].slices) *held[k].array = run->texture[run->textures++] = kit_texture_array(held[k].width, held[k].height, held[k].slices, GL_RG32UI, (float *)word);
+        if (held[k].slices)
+            *held[k].array = run->texture[run->textures++] =
+                kit_texture_array(held[k].width, held[k].height, held[k].slices, GL_RG32UI, (float *)word);
         free(word);
     }
     return 1;
@@ -104,15 +120,32 @@ static int shine(kit_run *run)
 static void furnace(void)
 {
     enum { SMALL_W = 96, SMALL_H = 54 };
-    enum { EXACT, ONE_SIDED /* no more */, TWICE /* two gathers, whose depths are rounded apart: all but a sample in 10,000 */, HALVES, KINDS };
-    static const struct { const char *method, *scene, *set; int kind; } row[] = {
-        { "ssdo", "room", "reuse=1,two_sided=1", EXACT }, { "ssdo", "room", "reuse=1,two_sided=1,environment=sh", EXACT }, { "ssdo", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
-        { "ssdo", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT }, { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,thin=0", EXACT },
-        { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED }, { "ssdo", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
-        { "ssdo", "room", "two_sided=1", TWICE }, { "ssdo", "columns", "two_sided=1,layers=2,views=2", TWICE },
-        { "s3ho", "room", "two_sided=1,bands=1", EXACT }, { "s3ho", "room", "two_sided=1,bands=2", EXACT }, { "s3ho", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
-        { "s3ho", "columns", "two_sided=1,layers=2,views=2", EXACT }, { "s3ho", "room", "two_sided=0", ONE_SIDED }, { "s3ho", "room", "two_sided=1,indirect=apart", TWICE },
-        { "s3ho", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE }, { "s3ho", "room", "two_sided=1,filtered=vectors", HALVES }, { "s3ho", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES } };
+    enum {
+        EXACT,
+        ONE_SIDED /* no more */,
+        TWICE /* two gathers, whose depths are rounded apart: all but a sample in 10,000 */,
+        HALVES,
+        KINDS
+    };
+    static const struct { const char *method, *scene, *set; int kind;
+    } row[] = { { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,thin=0", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
+                { "ssdo", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
+                { "ssdo", "room", "two_sided=1", TWICE },
+                { "ssdo", "columns", "two_sided=1,layers=2,views=2", TWICE },
+                { "s3ho", "room", "two_sided=1,bands=1", EXACT },
+                { "s3ho", "room", "two_sided=1,bands=2", EXACT },
+                { "s3ho", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
+                { "s3ho", "columns", "two_sided=1,layers=2,views=2", EXACT },
+                { "s3ho", "room", "two_sided=0", ONE_SIDED },
+                { "s3ho", "room", "two_sided=1,indirect=apart", TWICE },
+                { "s3ho", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
+                { "s3ho", "room", "two_sided=1,filtered=vectors", HALVES },
+                { "s3ho", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES } };
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
     static const int allowed[KINDS] = { 0, SMALL_W * SMALL_H, 33 * SMALL_W * SMALL_H / 10000, 0 };
     double worst[KINDS] = { 0 };
@@ -127,8 +160,11 @@ static void furnace(void)
         kit_gbuffer g;
         kit_run run;
         kit_image out;
-        if (!see(&scene, &g, row[i].scene, NULL, 0, NULL, SMALL_W, SMALL_H) || !begin(&run, &g, row[i].method, row[i].set, scene.radius, &scene, &l)) return;
-        ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);         /* the picture's have a few 1e-6 in higher bands */
+        if (!see(&scene, &g, row[i].scene, NULL, 0, NULL, SMALL_W, SMALL_H)
+            || !begin(&run, &g, row[i].method, row[i].set, scene.radius, &scene, &l))
+            return;
+        /* the picture's have a few 1e-6 in higher bands */
+        ssgi_gl_harmonics_set(&run.frame, uniform, 1, NULL, NULL);
         if (!shine(&run) || !drawn(&out, &run)) return;
         const float *light = kit_image_channel(&out, "irradiance.G"), *bounce = kit_image_channel(&out, "bounce.G");
         for (int k = 0; k < SMALL_W * SMALL_H; ++k) {
@@ -137,16 +173,18 @@ static void furnace(void)
             most = fmax(most, v);
             off += fabs(v - 1) > within;
         }
-        CHECK(mean(&out, "bounce.G") > 0.02 && off <= allowed[kind] && most <= 1 + within + (kind == TWICE ? 0.125 : 0) && (kind == ONE_SIDED) == (least < 0.8),
+        CHECK(mean(&out, "bounce.G") > 0.02 && off <= allowed[kind] && most <= 1 + within + (kind == TWICE ? 0.125 : 0)
+                  && (kind == ONE_SIDED) == (least < 0.8),
               "%s %s %s: %.6f to %.6f, %d pixels off", row[i].method, row[i].scene, row[i].set, least, most, off);
         worst[kind] = fmax(worst[kind], kind == TWICE ? off : fmax(most - 1, 1 - least));
         kit_run_close(&run); kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
     }
-    t_note("one gather: %.1e off at most, with halves %.1e; two: %g pixels are", worst[EXACT], worst[HALVES], worst[TWICE]);
+    t_note("one gather: %.1e off at most, with halves %.1e; two: %g pixels are", worst[EXACT], worst[HALVES],
+           worst[TWICE]);
     kit_image_free(&l.env);
 }
 
-/* ---- open planes --------------------------------------------------------------------------------------------------- */
+/* ---- open planes ------------------------------------------------------------------------------------------------- */
 
 /* irradiance over pi on surfaces with these normals, three channels each */
 static void cosine_integrals(double (*out)[3], const kit_image *env, const double (*n)[3], int normals)
@@ -168,21 +206,28 @@ static void cosine_integrals(double (*out)[3], const kit_image *env, const doubl
 static void open_planes(void)
 {
     enum { PLANES = 16 };
-    static const struct { const char *env, *set; double off; } row[] = {             /* three bands are as good as they are: their error is of the brightest normal's */
-        { "white", "environment=map", 1e-5 }, { "white", "environment=sh", 1e-5 }, { "sky", "environment=map", 0.01 },
-        { "sky", "environment=sh", 0.02 }, { "sky", "environment=map,sets=16", 0.01 }, { "sky", "environment=sh,sets=16", 0.02 } };
+    /* three bands are as good as they are: their error is of the brightest normal's */
+    static const struct { const char *env, *set; double off;
+    } row[] = { { "white", "environment=map", 1e-5 },       { "white", "environment=sh", 1e-5 },
+                { "sky", "environment=map", 0.01 },         { "sky", "environment=sh", 0.02 },
+                { "sky", "environment=map,sets=16", 0.01 }, { "sky", "environment=sh,sets=16", 0.02 } };
     static const double tilts[] = { 0, 30, 60, 75 };
-    static const float targets[4][3] = { { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f }, { -0.2f, 0.7f, 0.6f } };
+    static const float targets[4][3] = {
+        { 0, 0, -1 }, { 0.3f, -0.8f, -0.5f }, { 0.9f, 0.2f, 0.4f }, { -0.2f, 0.7f, 0.6f }
+    };
     kit_gbuffer g[PLANES];
     kit_image frame[PLANES], out;
     double world[PLANES][3], truth[PLANES][3];
     float view[PLANES][16], projection[16];
     for (int k = 0; k < PLANES; ++k) {
-        const double a = tilts[k % 4] * pi / 180, b = 1 + 0.4 * k, n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
+        const double a = tilts[k % 4] * pi / 180, b = 1 + 0.4 * k,
+                     n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
         kit_camera c = looking_along_z(W, H, 0);
         memcpy(c.target, targets[k / 4], sizeof c.target);
         kit_camera_matrices(&c, view[k], projection);
-        for (int j = 0; j < 3; ++j) world[k][j] = (double)view[k][4 * j] * n[0][0] + (double)view[k][4 * j + 1] * n[0][1] + (double)view[k][4 * j + 2] * n[0][2];
+        for (int j = 0; j < 3; ++j)
+            world[k][j] = (double)view[k][4 * j] * n[0][0] + (double)view[k][4 * j + 1] * n[0][1]
+                          + (double)view[k][4 * j + 2] * n[0][2];
         if (!planes_seen(&frame[k], &c, n, 1, "") || !TRY(kit_gbuffer_from_frame(&g[k], &frame[k], &c, &err))) return;
     }
     for (int i = 0; i < (int)(sizeof row / sizeof row[0]); ++i) {
@@ -199,7 +244,8 @@ static void open_planes(void)
                 if (white) truth[k][c] = 1;
                 brightest[c] = fmax(brightest[c], truth[k][c]);
             }
-        for (int k = 0; k < PLANES; ++k) {                         /* a program a row, turned to every plane and camera */
+        /* a program a row, turned to every plane and camera */
+        for (int k = 0; k < PLANES; ++k) {
             turn(&run, &g[k]);
             for (int j = 0; j < 9; ++j) run.frame.rotation[j / 3 * 4 + j % 3] = view[k][j / 3 * 4 + j % 3];
             ssgi_gl_harmonics_set(&run.frame, run.harmonics, 3, view[k], NULL);
@@ -213,23 +259,32 @@ static void open_planes(void)
                     least = fmin(least, v);
                     most = fmax(most, v);
                 }
-                worst = fmax(worst, fmax(most - truth[k][c], truth[k][c] - least) / (bands ? brightest[c] : truth[k][c]));
+                worst =
+                    fmax(worst, fmax(most - truth[k][c], truth[k][c] - least) / (bands ? brightest[c] : truth[k][c]));
                 noise = fmax(noise, (most - least) / truth[k][c]);
             }
             kit_image_free(&out);
         }
         kit_run_close(&run);
         kit_image_free(&l.env);
-        CHECK(worst <= row[i].off && noise <= 1e-3, "%s %s: off by %.2e, %.1e from pixel to pixel", row[i].env, row[i].set, worst, noise);
+        CHECK(worst <= row[i].off && noise <= 1e-3, "%s %s: off by %.2e, %.1e from pixel to pixel", row[i].env,
+              row[i].set, worst, noise);
         t_note("%s %s: off by %.2e, noise %.1e", row[i].env, row[i].set, worst, noise);
     }
     for (int k = 0; k < PLANES; ++k) { kit_gbuffer_free(&g[k]); kit_image_free(&frame[k]); }
 }
 
-/* ---- the corner ------------------------------------------------------------------------------------------------------ */
+/* ---- the corner -------------------------------------------------------------------------------------------------- */
 
-static double square_corner(double c) { const double s = sqrt(1 - c * c); return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi; }
-static double several_corner(double c, int k) { return k * linear_corner(c) - (k - 1) * (k > 1 ? linear_corner(fmin(1, k * c / (k - 1))) : 0); }
+static double square_corner(double c)
+{
+    const double s = sqrt(1 - c * c);
+    return (acos(c) - 3 * c * s + 2 * c * c * acos(c)) / pi;
+}
+static double several_corner(double c, int k)
+{
+    return k * linear_corner(c) - (k - 1) * (k > 1 ? linear_corner(fmin(1, k * c / (k - 1))) : 0);
+}
 
 static const double at[3] = { 0.1, 0.25, 0.5 };
 
@@ -241,7 +296,8 @@ static int corner(kit_gbuffer *g, double c, float wall)
     const size_t pixels = (size_t)WIDE * HIGH;
     kit_image frame;
     int ok = planes_seen(&frame, &camera, (const double (*)[4])plane, 2, ",direct.R,direct.G,direct.B");
-    for (size_t i = 0; ok && i < 3 * pixels; ++i) frame.data[4 * pixels + i] = frame.data[2 * pixels + i % pixels] < 0 ? wall : 0;
+    for (size_t i = 0; ok && i < 3 * pixels; ++i)
+        frame.data[4 * pixels + i] = frame.data[2 * pixels + i % pixels] < 0 ? wall : 0;
     ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
     kit_image_free(&frame);
     return ok;
@@ -249,8 +305,15 @@ static int corner(kit_gbuffer *g, double c, float wall)
 
 static void corner_darkens(void)
 {
-    static const struct { const char *set; double (*truth)(double); int steps; } row[] = { { "falloff=linear", linear_corner, 1 }, { "falloff=square", square_corner, 1 },
-        { "steps=2", NULL, 2 }, { "steps=4", NULL, 4 }, { "falloff=linear,environment=sh", linear_corner, 1 } };
+    static const struct {
+        const char *set;
+        double (*truth)(double);
+        int steps;
+    } row[] = { { "falloff=linear", linear_corner, 1 },
+                { "falloff=square", square_corner, 1 },
+                { "steps=2", NULL, 2 },
+                { "steps=4", NULL, 4 },
+                { "falloff=linear,environment=sh", linear_corner, 1 } };
     double worst = 0;
     kit_gbuffer g[3];
     kit_lighting l;
@@ -262,7 +325,8 @@ static void corner_darkens(void)
         snprintf(set, sizeof set, "bounce=none,samples=64,thin=0,%s", row[m].set);
         if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &l)) return;
         for (int i = 0; i < 3; ++i) {
-            const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8), truth = row[m].truth ? row[m].truth(at[i]) : several_corner(at[i], row[m].steps);
+            const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8),
+                         truth = row[m].truth ? row[m].truth(at[i]) : several_corner(at[i], row[m].steps);
             worst = fmax(worst, fabs(o - truth));
             CHECK(fabs(o - truth) <= 0.003, "%s, c %g: %.4f is dark, truth %.4f", row[m].set, at[i], o, truth);
         }
@@ -275,11 +339,15 @@ static void corner_darkens(void)
 
 static void corner_bounces(void)
 {
-    static const struct { const char *set; double truth[3], off; } row[] = {
-        /* Of a wall that sends 1; patches as the paper has them, but never clamped. off: of the value, for areas are meant for uniform directions, of
-           which ours, at midpoints of strata, miss some near the horizon: 1/sqrt(N) a third. */
-        { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 }, { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
-        { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 } };
+    static const struct { const char *set; double truth[3], off;
+    } row[] = {
+        /* Of a wall that sends 1; patches as the paper has them, but never clamped. off: of the value, for areas are
+           meant for uniform directions, of which ours, at midpoints of strata, miss some near the horizon: 1/sqrt(N) a
+           third. */
+        { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 },
+        { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
+        { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 }
+    };
     kit_gbuffer g[3];
     const kit_lighting dark = { .lights = 0 };
     for (int i = 0; i < 3; ++i) if (!corner(&g[i], at[i], 1)) return;
@@ -291,7 +359,8 @@ static void corner_bounces(void)
         if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &dark)) return;
         for (int i = 0; i < 3; ++i) {
             found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
-            CHECK(fabs(found[i] - row[m].truth[i]) <= row[m].off * row[m].truth[i], "%s, c %g: %.4f, expected %.4f", row[m].set, at[i], found[i], row[m].truth[i]);
+            CHECK(fabs(found[i] - row[m].truth[i]) <= row[m].off * row[m].truth[i], "%s, c %g: %.4f, expected %.4f",
+                  row[m].set, at[i], found[i], row[m].truth[i]);
         }
         t_note("%s: %.4f %.4f %.4f", row[m].set, found[0], found[1], found[2]);
         kit_run_close(&run);
@@ -299,11 +368,14 @@ static void corner_bounces(void)
     for (int i = 0; i < 3; ++i) kit_gbuffer_free(&g[i]);
 }
 
-/* ---- layers ------------------------------------------------------------------------------------------------------------ */
+/* ---- layers ------------------------------------------------------------------------------------------------------ */
 
 int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
 {
-    static const char *const more[3] = { "", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,layer2.N.Z" };
+    static const char *const more[3] = {
+        "", ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z",
+        ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z,layer2.Z,layer2.N.X,layer2.N.Y,layer2.N.Z"
+    };
     double plane[2][4];
     const kit_camera camera = corner_planes(plane, c, 0);
     const size_t pixels = (size_t)WIDE * HIGH;
@@ -313,7 +385,8 @@ int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
         corner_planes(plane, c, j == 1 ? thickness : thickness + gap);
         ok = planes_seen(&behind, &camera, (const double (*)[4])plane + 1, 1, "");
         for (size_t i = 0; ok && i < 4 * pixels; ++i)
-            if (frame.data[2 * pixels + i % pixels] < 0) frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
+            if (frame.data[2 * pixels + i % pixels] < 0)
+                frame.data[4 * pixels * (size_t)j + i] = i < pixels || j == 2 ? behind.data[i] : -behind.data[i];
         kit_image_free(&behind);
     }
     ok = ok && TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
@@ -323,24 +396,33 @@ int slab(kit_gbuffer *g, double c, double thickness, double gap, int layers)
 
 static void layers_count(void)
 {
-    static const struct { double c, thickness; int layers, thin; } row[] = { { 0.1, 0.05, 2, 0 }, { 0.1, 0.25, 2, 0 }, { 0.25, 0.1, 2, 0 }, { 0.5, 0.25, 2, 0 }, { 0.1, 0.05, 1, 0 },
-        { 0.25, 0.1, 3, 0 }, { 0.25, 0.1, 3, 1 }, { 0.25, 0.1, 1, 1 } };
+    static const struct {
+        double c, thickness;
+        int layers, thin;
+    } row[] = { { 0.1, 0.05, 2, 0 }, { 0.1, 0.25, 2, 0 }, { 0.25, 0.1, 2, 0 }, { 0.5, 0.25, 2, 0 },
+                { 0.1, 0.05, 1, 0 }, { 0.25, 0.1, 3, 0 }, { 0.25, 0.1, 3, 1 }, { 0.25, 0.1, 1, 1 } };
     const double gap = 0.15, reach = 0.2;                          /* of what is thin, across */
     kit_lighting l;
     double worst = 0;
     if (!lighten(&l, "white", NULL)) return;
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         const double c = row[m].c, back = c + row[m].thickness, next = back + gap;
-        const double truth = linear_corner(c) - (row[m].layers > 1 ? linear_corner(back) : row[m].thin ? linear_corner(c + reach) : 0) +
-                             (row[m].layers > 2 ? linear_corner(next) - (row[m].thin ? linear_corner(next + reach) : 0) : 0);
+        const double truth =
+            linear_corner(c)
+            - (row[m].layers > 1 ? linear_corner(back)
+               : row[m].thin     ? linear_corner(c + reach)
+                                 : 0)
+            + (row[m].layers > 2 ? linear_corner(next) - (row[m].thin ? linear_corner(next + reach) : 0) : 0);
         kit_gbuffer g;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,thin=%d,thickness=%.6f", row[m].layers, row[m].thin, reach * sqrt(2));
+        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,thin=%d,thickness=%.6f", row[m].layers, row[m].thin,
+                 reach * sqrt(2));
         if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo", set, 1, NULL, &l)) return;
         const double o = 1 - row_of(&run, &g, row_at(c), 8), noise = 5 * sqrt(truth * (1 - truth) / (64 * 8 * COLUMNS));
         worst = fmax(worst, fabs(o - truth));
-        CHECK(fabs(o - truth) <= fmin(noise, 0.003), "thin %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f", row[m].thin, row[m].layers, row[m].thickness, c, o, truth);
+        CHECK(fabs(o - truth) <= fmin(noise, 0.003), "thin %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f",
+              row[m].thin, row[m].layers, row[m].thickness, c, o, truth);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
     }
@@ -348,13 +430,19 @@ static void layers_count(void)
     kit_image_free(&l.env);
 }
 
-/* ---- extra cameras ------------------------------------------------------------------------------------------------------- */
+/* ---- extra cameras ----------------------------------------------------------------------------------------------- */
 
-/* A wall beside the picture, and a plate afloat whose underside the picture does not see, by which points below it seem to be blocked. */
+/* A wall beside the picture, and a plate afloat whose underside the picture does not see, by which points below it seem
+   to be blocked. */
 static void cameras_know_more(void)
 {
-    static const box beside = { { -3, 0, -1.2f }, { 3, 0.8f, -0.56f } }, plate = { { -0.25f, 0.2f, -0.15f }, { 0.25f, 0.55f, 0.15f } };
-    static const struct { const char *what; const box *added; float radius; } row[] = { { "wall beside", &beside, 0.4f }, { "plate afloat", &plate, 0.3f } };
+    static const box beside = { { -3, 0, -1.2f }, { 3, 0.8f, -0.56f } },
+                     plate = { { -0.25f, 0.2f, -0.15f }, { 0.25f, 0.55f, 0.15f } };
+    static const struct {
+        const char *what;
+        const box *added;
+        float radius;
+    } row[] = { { "wall beside", &beside, 0.4f }, { "plate afloat", &plate, 0.3f } };
     const kit_camera above = from_above(1);
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
@@ -365,8 +453,10 @@ static void cameras_know_more(void)
         double error[2] = { 0 }, bias[2] = { 0 };
         int n = 0;
         if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
-        if (!lit(&blind, &g, "ssdo", "bounce=none,thin=0", row[m].radius, &scene, &l) || !lit(&knowing, &g, "ssdo", "bounce=none,thin=0,views=3,view_layers=2", row[m].radius, &scene, &l) ||
-            !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err))) return;
+        if (!lit(&blind, &g, "ssdo", "bounce=none,thin=0", row[m].radius, &scene, &l)
+            || !lit(&knowing, &g, "ssdo", "bounce=none,thin=0,views=3,view_layers=2", row[m].radius, &scene, &l)
+            || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)))
+            return;
         const float *a = kit_image_channel(&blind, "irradiance.G"), *b = kit_image_channel(&knowing, "irradiance.G");
         for (int i = 0; i < W * H; ++i) {
             if (fabsf(a[i] - truth.data[i]) < 0.1f) continue;             /* where the picture alone is wrong */
@@ -377,23 +467,32 @@ static void cameras_know_more(void)
             }
             ++n;
         }
-        CHECK(n > 500 && fabs(bias[1]) < 0.2 * fabs(bias[0]) && error[1] < 0.35 * error[0], "%s: wrong by %.3f with extra cameras, %.3f without, at %d pixels", row[m].what, bias[1] / n, bias[0] / n, n);
-        t_note("%s: off by %+.3f with extra cameras, %+.3f without, at %d pixels; |error| %.3f, %.3f", row[m].what, bias[1] / n, bias[0] / n, n, error[1] / n, error[0] / n);
-        kit_image_free(&blind); kit_image_free(&knowing); kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
+        CHECK(n > 500 && fabs(bias[1]) < 0.2 * fabs(bias[0]) && error[1] < 0.35 * error[0],
+              "%s: wrong by %.3f with extra cameras, %.3f without, at %d pixels", row[m].what, bias[1] / n, bias[0] / n,
+              n);
+        t_note("%s: off by %+.3f with extra cameras, %+.3f without, at %d pixels; |error| %.3f, %.3f", row[m].what,
+               bias[1] / n, bias[0] / n, n, error[1] / n, error[0] / n);
+        kit_image_free(&blind);
+        kit_image_free(&knowing);
+        kit_image_free(&truth);
+        kit_gbuffer_free(&g);
+        kit_scene_free(&scene);
     }
     kit_image_free(&l.env);
 }
 
-/* ---- lights ---------------------------------------------------------------------------------------------------------------- */
+/* ---- lights ------------------------------------------------------------------------------------------------------ */
 
-/* The floor y = 0, a wall from z = -1 to -1.1; a light before it and one behind, both nearer than the radius; the floor before the wall is looked at. */
+/* The floor y = 0, a wall from z = -1 to -1.1; a light before it and one behind, both nearer than the radius; the floor
+   before the wall is looked at. */
 static void segments_end_at_lights(void)
 {
     static const box wall = { { -3, 0, -1.1f }, { 3, 1.5f, -1 } };
     static const struct { const char *light, *set; double z; int shadowed; } row[] = {
         { "point:0,0.3,-0.6,2,2,2", "solid=1", -0.6, 0 }, { "point:0,0.3,-0.6,2,2,2", "solid=0", -0.6, 0 },
         { "point:0,0.3,-1.6,2,2,2", "solid=1", -1.6, 1 }, { "point:0,0.3,-1.6,2,2,2", "solid=0", -1.6, 1 } };
-    const kit_camera camera = { { 0, 3, 2 }, { 0, 0.2f, -0.6f }, { 0, 1, 0 }, 40, 0, 0.1f, 20, W, H, { 0, 0 }, KIT_DEPTH_NORMAL };
+    const kit_camera camera = { { 0, 3, 2 }, { 0, 0.2f, -0.6f }, { 0, 1, 0 },     40, 0, 0.1f, 20, W,
+                                H,           { 0, 0 },           KIT_DEPTH_NORMAL };
     kit_scene scene;
     kit_gbuffer g;
     if (!see(&scene, &g, "plane", &wall, 1, &camera, W, H)) return;
@@ -408,14 +507,17 @@ static void segments_end_at_lights(void)
         for (int i = 0; i < W * H; ++i) {
             float o[3], d[3];
             kit_camera_ray(&scene.camera, i % W, i / W, o, d);
-            const double t = -(double)o[1] / (double)d[1], x = (double)o[0] + t * (double)d[0], z = (double)o[2] + t * (double)d[2];
+            const double t = -(double)o[1] / (double)d[1], x = (double)o[0] + t * (double)d[0],
+                         z = (double)o[2] + t * (double)d[2];
             if (fabs(x) > 0.5 || z < -0.5 || z > 0.3) continue;
-            const double dd = x * x + 0.3 * 0.3 + (z - row[m].z) * (z - row[m].z), open = 2 * 0.3 / (dd * sqrt(dd)) / pi, v = (double)out.data[3 * W * H + i];
+            const double dd = x * x + 0.3 * 0.3 + (z - row[m].z) * (z - row[m].z),
+                         open = 2 * 0.3 / (dd * sqrt(dd)) / pi, v = (double)out.data[3 * W * H + i];
             worst = fmax(worst, fabs(v / open - 1));
             dark += v <= 0;
             ++n;
         }
-        CHECK(n > 300 && (row[m].shadowed ? dark == n : worst < 1e-3), "%s, %s: %d of %d pixels are dark, off by %.2e", row[m].light, row[m].set, dark, n, worst);
+        CHECK(n > 300 && (row[m].shadowed ? dark == n : worst < 1e-3), "%s, %s: %d of %d pixels are dark, off by %.2e",
+              row[m].light, row[m].set, dark, n, worst);
         kit_image_free(&out);
     }
     kit_gbuffer_free(&g); kit_scene_free(&scene);
@@ -431,8 +533,10 @@ static void backs_are_dark(void)
     kit_gbuffer g, shining;
     kit_image frame, full, out;
     double sum[2] = { 0 };
-    if (!see(&scene, &g, "plane", &plate, 1, &above, W, H) || !TRY(kit_gbuffer_read(&frame, &g, &err)) ||
-        !TRY(kit_image_new(&full, W, H, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,direct.R,direct.G,direct.B", &err))) return;
+    if (!see(&scene, &g, "plane", &plate, 1, &above, W, H) || !TRY(kit_gbuffer_read(&frame, &g, &err))
+        || !TRY(
+            kit_image_new(&full, W, H, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,direct.R,direct.G,direct.B", &err)))
+        return;
     memcpy(full.data, frame.data, 7 * W * H * sizeof(float));
     for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
@@ -441,20 +545,32 @@ static void backs_are_dark(void)
         sum[both] = mean(&out, "bounce.G");
         kit_image_free(&out);
     }
-    CHECK(sum[0] == 0 && sum[1] > 0.03, "a back sends %.5f when senders are one-sided, %.5f when they are two-sided", sum[0], sum[1]);
+    CHECK(sum[0] == 0 && sum[1] > 0.03, "a back sends %.5f when senders are one-sided, %.5f when they are two-sided",
+          sum[0], sum[1]);
     t_note("one-sided %.5f, two-sided %.5f", sum[0], sum[1]);
-    kit_image_free(&frame); kit_image_free(&full); kit_gbuffer_free(&g); kit_gbuffer_free(&shining); kit_scene_free(&scene);
+    kit_image_free(&frame);
+    kit_image_free(&full);
+    kit_gbuffer_free(&g);
+    kit_gbuffer_free(&shining);
+    kit_scene_free(&scene);
 }
 
-/* ---- units ------------------------------------------------------------------------------------------------------------------- */
+/* ---- units ------------------------------------------------------------------------------------------------------- */
 
 static void units_do_not_matter(void)
 {
     enum { SMALL_W = 96, SMALL_H = 54 };
-    static const struct { const char *method, *set; } row[] = { { "ssdo", "bounce=solid-angle,layers=2" }, { "ssdo", "bounce=patch,layers=2" },
-        { "ssdo", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" }, { "ssdo", "bounce=none,environment=none" },
-        { "s3ho", "layers=2,views=2,fade=lambda,range=1" }, { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" }, { "ssbn", "lights=shadowed,fade=lambda" } };
-    static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };    /* powers of two change no digit; the others round samples at edges to either side */
+    static const struct {
+        const char *method, *set;
+    } row[] = { { "ssdo", "bounce=solid-angle,layers=2" },
+                { "ssdo", "bounce=patch,layers=2" },
+                { "ssdo", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
+                { "ssdo", "bounce=none,environment=none" },
+                { "s3ho", "layers=2,views=2,fade=lambda,range=1" },
+                { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" },
+                { "ssbn", "lights=shadowed,fade=lambda" } };
+    /* powers of two change no digit; the others round samples at edges to either side */
+    static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };
     double worst[2] = { 0 };
     kit_lighting l;
     if (!lighten(&l, "sky", NULL)) return;
@@ -468,19 +584,29 @@ static void units_do_not_matter(void)
             const float f = scales[s];
             if (!TRY(kit_scene_load(&scene, "cornell", 0, &err))) return;
             for (size_t i = 0; i < 9 * scene.mesh.triangles; ++i) scene.mesh.position[i] *= f;
-            for (int i = 0; i < 3; ++i) { scene.mesh.lower[i] *= f; scene.mesh.upper[i] *= f; scene.camera.eye[i] *= f; scene.camera.target[i] *= f; }
+            for (int i = 0; i < 3; ++i) {
+                scene.mesh.lower[i] *= f;
+                scene.mesh.upper[i] *= f;
+                scene.camera.eye[i] *= f;
+                scene.camera.target[i] *= f;
+            }
             scene.camera.znear *= f; scene.camera.zfar *= f;
             scene.camera.width = SMALL_W; scene.camera.height = SMALL_H;
-            snprintf(light, sizeof light, "point:0,%.9g,%.9g,%.9g,%.9g,%.9g", (double)(5 * f), (double)(-2.8f * f), (double)(15 * f * f), (double)(12 * f * f), (double)(9 * f * f));
+            snprintf(light, sizeof light, "point:0,%.9g,%.9g,%.9g,%.9g,%.9g", (double)(5 * f), (double)(-2.8f * f),
+                     (double)(15 * f * f), (double)(12 * f * f), (double)(9 * f * f));
             l.lights = 0;
-            if (!TRY(kit_light_parse(&l.light[l.lights++], light, &err)) || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) ||
-                !lit(&out[s], &g, row[m].method, row[m].set, f * scene.radius, &scene, &l)) return;
-            for (int i = 0; i < 3 * SMALL_W * SMALL_H; ++i) off[s] += pow((double)out[s].data[i] - (double)out[0].data[i], 2);
+            if (!TRY(kit_light_parse(&l.light[l.lights++], light, &err))
+                || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
+                || !lit(&out[s], &g, row[m].method, row[m].set, f * scene.radius, &scene, &l))
+                return;
+            for (int i = 0; i < 3 * SMALL_W * SMALL_H; ++i)
+                off[s] += pow((double)out[s].data[i] - (double)out[0].data[i], 2);
             off[s] = sqrt(off[s] / (3 * SMALL_W * SMALL_H)) / mean(&out[0], "G");
             kit_gbuffer_free(&g); kit_scene_free(&scene);
         }
-        CHECK(off[1] <= 1e-4 && off[2] <= 1e-4 && off[3] <= 5e-3 && off[4] <= 5e-3, "%s %s: RMSE %.1e of the mean at 1/8, %.1e at 8, %.1e at 0.1, %.1e at 10",
-              row[m].method, row[m].set, off[1], off[2], off[3], off[4]);
+        CHECK(off[1] <= 1e-4 && off[2] <= 1e-4 && off[3] <= 5e-3 && off[4] <= 5e-3,
+              "%s %s: RMSE %.1e of the mean at 1/8, %.1e at 8, %.1e at 0.1, %.1e at 10", row[m].method, row[m].set,
+              off[1], off[2], off[3], off[4]);
         for (int s = 1; s < 5; ++s) worst[s > 2] = fmax(worst[s > 2], off[s]);
         for (int s = 0; s < 5; ++s) kit_image_free(&out[s]);
     }
@@ -488,9 +614,10 @@ static void units_do_not_matter(void)
     kit_image_free(&l.env);
 }
 
-/* ---- shadow maps ------------------------------------------------------------------------------------------------------------- */
+/* ---- shadow maps ------------------------------------------------------------------------------------------------- */
 
-/* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope runs along the map's texels' diagonal. */
+/* A sun that shines down -z on a plane whose normal stands this far from it, half to the right and half up: its slope
+   runs along the map's texels' diagonal. */
 static void planes_do_not_shadow_themselves(void)
 {
     static const double tilts[] = { 60, 70, 80 };
@@ -499,7 +626,8 @@ static void planes_do_not_shadow_themselves(void)
     if (!lighten(&l, NULL, "sun:0,0,1,3,3,3")) return;
     for (int k = 0; k < 6; ++k) {
         const double tilt = tilts[k % 3] * pi / 180, r = sqrt(0.5);
-        const double n[3] = { r * sin(tilt), r * sin(tilt), cos(tilt) }, u[3] = { r, -r, 0 }, v[3] = { r * cos(tilt), r * cos(tilt), -sin(tilt) };
+        const double n[3] = { r * sin(tilt), r * sin(tilt), cos(tilt) }, u[3] = { r, -r, 0 },
+                     v[3] = { r * cos(tilt), r * cos(tilt), -sin(tilt) };
         kit_scene scene;
         kit_gbuffer g;
         kit_image out;
@@ -515,8 +643,11 @@ static void planes_do_not_shadow_themselves(void)
             scene.camera.target[j] = 0;
         }
         scene.camera.width = W; scene.camera.height = H;
-        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) ||
-            !lit(&out, &g, "ssdo", k < 3 ? "bounce=none,shadows=map,shadow_size=256" : "bounce=none,shadows=fill,shadow_size=256", 0.2f, &scene, &l)) return;
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
+            || !lit(&out, &g, "ssdo",
+                    k < 3 ? "bounce=none,shadows=map,shadow_size=256" : "bounce=none,shadows=fill,shadow_size=256",
+                    0.2f, &scene, &l))
+            return;
         for (int i = 0; i < W * H; ++i) {
             const double light = (double)out.data[3 * W * H + i];
             seen += light > 0;
@@ -524,7 +655,8 @@ static void planes_do_not_shadow_themselves(void)
         }
         kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
         /* how much farther the plane is half a texel's diagonal down its slope */
-        const double patch = 0.01, deeper = patch * r * tan(tilt), safe = (double)ssgi_shadow_bias((float)patch, (float)cos(tilt), 1);
+        const double patch = 0.01, deeper = patch * r * tan(tilt),
+                     safe = (double)ssgi_shadow_bias((float)patch, (float)cos(tilt), 1);
         CHECK(fabs(safe / deeper - 1) < 1e-5, "tilt %g: %g deeper, the bias is %g", tilts[k % 3], deeper, safe);
     }
     CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
@@ -538,7 +670,12 @@ static float *blockers_new(const kit_scene *scene, const kit_light *sun)
     float *distance = calloc((size_t)width * (size_t)height, sizeof *distance);
     void *memory = malloc(size);
     ssgi_trace trace;
-    if (!CHECK(distance && memory && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles, NULL) == SSGI_OK, "no trace")) return NULL;
+    if (!CHECK(distance && memory
+                   && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 12, NULL, scene->mesh.triangles,
+                                       NULL)
+                          == SSGI_OK,
+               "no trace"))
+        return NULL;
     for (int i = 0; i < width * height; ++i) {
         float o[3], d[3];
         ssgi_hit hit, blocker;
@@ -554,7 +691,8 @@ static float *blockers_new(const kit_scene *scene, const kit_light *sun)
 static void fill_brings_contacts_back(void)
 {
     enum { WIDTH = 640, HEIGHT = 360 };
-    static const char *const sets[2] = { "bounce=none,shadow_size=512,shadows=map", "bounce=none,shadow_size=512,shadows=fill" };
+    static const char *const sets[2] = { "bounce=none,shadow_size=512,shadows=map",
+                                         "bounce=none,shadow_size=512,shadows=fill" };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
@@ -571,9 +709,11 @@ static void fill_brings_contacts_back(void)
             }
         kit_image_free(&out);
     }
-    CHECK(lost[1] * 5 <= lost[0] && lost[0] > 100 && lit_rightly[1] > 0.98 * lit_rightly[0], "%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d",
-          lost[0], lost[1], lit_rightly[0], lit_rightly[1]);
-    t_note("%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d", lost[0], lost[1], lit_rightly[0], lit_rightly[1]);
+    CHECK(lost[1] * 5 <= lost[0] && lost[0] > 100 && lit_rightly[1] > 0.98 * lit_rightly[0],
+          "%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d", lost[0], lost[1], lit_rightly[0],
+          lit_rightly[1]);
+    t_note("%d pixels lit in contact shadows with maps, %d filled; lit rightly %d, %d", lost[0], lost[1],
+           lit_rightly[0], lit_rightly[1]);
     free(distance);
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
@@ -581,7 +721,8 @@ static void fill_brings_contacts_back(void)
 static void point_light_in_a_box(void)
 {
     static const char *const direct[2] = { "bounce=none,shadows=map", "bounce=none,shadows=fill" };
-    static const char *const indirect[3] = { "bounce=none,vpls=64,shadow_size=256", "bounce=solid-angle,vpls=64,shadow_size=256", "bounce=solid-angle" };
+    static const char *const indirect[3] = { "bounce=none,vpls=64,shadow_size=256",
+                                             "bounce=solid-angle,vpls=64,shadow_size=256", "bounce=solid-angle" };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
@@ -598,20 +739,26 @@ static void point_light_in_a_box(void)
             bright += a[i] - b[i] > 0.1f * a[i];
             dark += b[i] - a[i] > 0.1f * b[i];
         }
-        CHECK(bright + dark < W * H / 100, "%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H, dark);
+        CHECK(bright + dark < W * H / 100, "%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H,
+              dark);
         t_note("%s: %d of %d pixels too bright, %d too dark", direct[m], bright, W * H, dark);
         kit_image_free(&out);
     }
     for (int m = 0; m < 3; ++m) {
         if (!lit(&out, &g, "ssdo", indirect[m], scene.radius, &scene, &l)) return;
         share[m] = mean(&out, "bounce.G") / mean(&truth, "bounce.G");
-        if (!m) for (int i = 0; i < W * H; ++i) splash = fmax(splash, (double)(kit_image_channel(&out, "bounce.G")[i] - kit_image_channel(&truth, "bounce.G")[i]));
+        if (!m)
+            for (int i = 0; i < W * H; ++i)
+                splash = fmax(splash, (double)(kit_image_channel(&out, "bounce.G")[i]
+                                               - kit_image_channel(&truth, "bounce.G")[i]));
         kit_image_free(&out);
     }
     splash /= mean(&truth, "bounce.G");
     CHECK(splash < 4, "near a virtual light it is %.2f times the mean too bright", splash);
-    CHECK(fabs(share[0] - 1) < 0.25 && share[1] <= 1.1 && share[1] > share[0], "virtual lights bring %.3f of the bounce, with what is near %.3f", share[0], share[1]);
-    t_note("virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; brightest splash %.2f of the mean",
+    CHECK(fabs(share[0] - 1) < 0.25 && share[1] <= 1.1 && share[1] > share[0],
+          "virtual lights bring %.3f of the bounce, with what is near %.3f", share[0], share[1]);
+    t_note("virtual lights bring %.3f of the bounce, with what is near %.3f, a bounce within the radius alone %.3f; "
+           "brightest splash %.2f of the mean",
            share[0], share[1], share[2], splash);
     kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }

@@ -1,4 +1,5 @@
-/* test_math.c - ssgi.h's rooms of view, kernel, sh, environment, vpl and bias against double precision and closed forms. */
+/* test_math.c - ssgi.h's rooms of view, kernel, sh, environment, vpl and bias against double precision and closed
+   forms. */
 #include "t.h"
 #include "../ssgi.h"
 
@@ -23,12 +24,15 @@ enum { LAYOUTS = 9 };
 
 static layout layout_at(int i, double n, double f)
 {
-    const layout all[LAYOUTS] = {
-        { "GL", SSGI_CLIP_GL, 0, 0, -(f + n) / (f - n), -2 * f * n / (f - n) }, { "GL, infinite", SSGI_CLIP_GL, 0, 0, -1, -2 * n },
-        { "GL, reversed", SSGI_CLIP_GL, 0, 1, (f + n) / (f - n), 2 * f * n / (f - n) }, { "zero", SSGI_CLIP_ZERO, 0, 0, -f / (f - n), -f * n / (f - n) },
-        { "zero, reversed", SSGI_CLIP_ZERO, 0, 1, n / (f - n), f * n / (f - n) }, { "zero, reversed, infinite", SSGI_CLIP_ZERO, 0, 1, 0, n },
-        { "orthographic GL", SSGI_CLIP_GL, 1, 0, -2 / (f - n), -(f + n) / (f - n) }, { "orthographic zero", SSGI_CLIP_ZERO, 1, 0, -1 / (f - n), -n / (f - n) },
-        { "orthographic zero, reversed", SSGI_CLIP_ZERO, 1, 1, 1 / (f - n), f / (f - n) } };
+    const layout all[LAYOUTS] = { { "GL", SSGI_CLIP_GL, 0, 0, -(f + n) / (f - n), -2 * f * n / (f - n) },
+                                  { "GL, infinite", SSGI_CLIP_GL, 0, 0, -1, -2 * n },
+                                  { "GL, reversed", SSGI_CLIP_GL, 0, 1, (f + n) / (f - n), 2 * f * n / (f - n) },
+                                  { "zero", SSGI_CLIP_ZERO, 0, 0, -f / (f - n), -f * n / (f - n) },
+                                  { "zero, reversed", SSGI_CLIP_ZERO, 0, 1, n / (f - n), f * n / (f - n) },
+                                  { "zero, reversed, infinite", SSGI_CLIP_ZERO, 0, 1, 0, n },
+                                  { "orthographic GL", SSGI_CLIP_GL, 1, 0, -2 / (f - n), -(f + n) / (f - n) },
+                                  { "orthographic zero", SSGI_CLIP_ZERO, 1, 0, -1 / (f - n), -n / (f - n) },
+                                  { "orthographic zero, reversed", SSGI_CLIP_ZERO, 1, 1, 1 / (f - n), f / (f - n) } };
     return all[i];
 }
 
@@ -36,7 +40,22 @@ static layout layout_at(int i, double n, double f)
 static void matrix(float m[16], const layout *l, int i)
 {
     const float c = i % 3 ? 1.0f : 2.0f;
-    const float perspective[16] = { 1.3f * c, 0, 0, 0, 0, (i & 1 ? -2.1f : 2.1f) * c, 0, 0, 0.07f * c, -0.03f * c, (float)l->m10 * c, -c, 0, 0, (float)l->m14 * c, 0 };
+    const float perspective[16] = { 1.3f * c,
+                                    0,
+                                    0,
+                                    0,
+                                    0,
+                                    (i & 1 ? -2.1f : 2.1f) * c,
+                                    0,
+                                    0,
+                                    0.07f * c,
+                                    -0.03f * c,
+                                    (float)l->m10 * c,
+                                    -c,
+                                    0,
+                                    0,
+                                    (float)l->m14 * c,
+                                    0 };
     memcpy(m, perspective, sizeof perspective);
     if (l->ortho) { m[12] = m[8]; m[13] = m[9]; m[15] = c; m[8] = m[9] = m[11] = 0; }
 }
@@ -52,27 +71,37 @@ static void views(void)
         float m[16];
         ssgi_view view;
         matrix(m, &l, i);
-        if (!CHECK(ssgi_view_from_projection(&view, m, l.clip, 1920, 1080, &why) == SSGI_OK, "%s: %s", l.name, why)) continue;
-        CHECK(view.orthographic == l.ortho && view.clear == nothing[0] && view.width == 1920 && view.height == 1080, "%s: orthographic %d, clear %g", l.name, view.orthographic, (double)view.clear);
+        if (!CHECK(ssgi_view_from_projection(&view, m, l.clip, 1920, 1080, &why) == SSGI_OK, "%s: %s", l.name, why))
+            continue;
+        CHECK(view.orthographic == l.ortho && view.clear == nothing[0] && view.width == 1920 && view.height == 1080,
+              "%s: orthographic %d, clear %g", l.name, view.orthographic, (double)view.clear);
         for (size_t k = 0; k < 3; ++k) {                 /* the matrix as given, in double; window depth as a float */
-            const double z = depths[k], w = (double)m[11] * -z + (double)m[15], ndc = ((double)m[10] * -z + (double)m[14]) / w;
+            const double z = depths[k], w = (double)m[11] * -z + (double)m[15],
+                         ndc = ((double)m[10] * -z + (double)m[14]) / w;
             const float window = (float)fmin(fmax(l.clip == SSGI_CLIP_GL ? 0.5 * ndc + 0.5 : ndc, 0), 1);
             const double a = fabs((double)view.depth[0]), b = fabs((double)view.depth[1] * (double)window);
-            const double lost = 1.2e-7 * fmax(a, b), within = l.ortho ? lost : z * z * lost;     /* roundings of window depth and of the sum's terms: the layout's own cost */
-            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * z + within, "%s: depth %.9g of %g", l.name, (double)ssgi_view_depth(&view, window), z);
-            if (l.reversed && !l.ortho && l.clip == SSGI_CLIP_ZERO) CHECK(within <= 1e-6 * z, "%s: reversed depth loses %g", l.name, within);
+            /* roundings of window depth and of the sum's terms: the layout's own cost */
+            const double lost = 1.2e-7 * fmax(a, b), within = l.ortho ? lost : z * z * lost;
+            CHECK(fabs((double)ssgi_view_depth(&view, window) - z) <= 1e-6 * z + within, "%s: depth %.9g of %g", l.name,
+                  (double)ssgi_view_depth(&view, window), z);
+            if (l.reversed && !l.ortho && l.clip == SSGI_CLIP_ZERO)
+                CHECK(within <= 1e-6 * z, "%s: reversed depth loses %g", l.name, within);
         }
         for (size_t k = 0; k < sizeof nothing / sizeof nothing[0]; ++k)
-            CHECK(ssgi_view_depth(&view, nothing[k]) == SSGI_FAR, "%s: window depth %g gives %g", l.name, (double)nothing[k], (double)ssgi_view_depth(&view, nothing[k]));
+            CHECK(ssgi_view_depth(&view, nothing[k]) == SSGI_FAR, "%s: window depth %g gives %g", l.name,
+                  (double)nothing[k], (double)ssgi_view_depth(&view, nothing[k]));
         for (int k = 0; k < 2000; ++k) {
             const float pixel[2] = { uniform(-100, 2020), uniform(-100, 1180) }, z = expf(uniform(-3, 8));
             float p[3], back[3];
             ssgi_view_position(&view, pixel[0], pixel[1], z, p);
             ssgi_view_project(&view, p, back);
             for (int c = 0; c < 2; ++c) {
-                const double w = (double)m[11] * (double)p[2] + (double)m[15], clip = (double)m[c * 5] * (double)p[c] + (double)m[8 + c] * (double)p[2] + (double)m[12 + c];
+                const double w = (double)m[11] * (double)p[2] + (double)m[15],
+                             clip =
+                                 (double)m[c * 5] * (double)p[c] + (double)m[8 + c] * (double)p[2] + (double)m[12 + c];
                 const double by_matrix = (0.5 * clip / w + 0.5) * (c ? 1080 : 1920), was = (double)pixel[c];
-                CHECK(fabs(by_matrix - was) < 1e-3 && fabs((double)back[c] - was) < 1e-3, "%s: pixel %.6g, by the matrix %.9g, back %.9g", l.name, was, by_matrix, (double)back[c]);
+                CHECK(fabs(by_matrix - was) < 1e-3 && fabs((double)back[c] - was) < 1e-3,
+                      "%s: pixel %.6g, by the matrix %.9g, back %.9g", l.name, was, by_matrix, (double)back[c]);
             }
             CHECK(p[2] == -z && back[2] == z, "%s: depth %g became %g", l.name, (double)z, (double)back[2]);
         }
@@ -81,9 +110,13 @@ static void views(void)
 
 static void bad_views(void)
 {
-    static const struct { int at; float value; const char *what; } wrong[] = {
-        { 0, NAN, "not finite" }, { 14, INFINITY, "not finite" }, { 11, 1, "along +z" }, { 11, 0, "no w" }, { 3, 0.1f, "w of x" }, { 7, 0.1f, "w of y" }, { 15, 1, "w of both" },
-        { 1, 0.1f, "skewed" }, { 4, 0.1f, "skewed" }, { 2, 0.1f, "skewed" }, { 6, 0.1f, "skewed" }, { 0, 0, "flat" }, { 5, 0, "flat" }, { 14, 0, "no depth" }, { 14, 1e-42f, "too small" }, { 0, 1e-42f, "too small" } };
+    static const struct { int at; float value; const char *what;
+    } wrong[] = { { 0, NAN, "not finite" },  { 14, INFINITY, "not finite" }, { 11, 1, "along +z" },
+                  { 11, 0, "no w" },         { 3, 0.1f, "w of x" },          { 7, 0.1f, "w of y" },
+                  { 15, 1, "w of both" },    { 1, 0.1f, "skewed" },          { 4, 0.1f, "skewed" },
+                  { 2, 0.1f, "skewed" },     { 6, 0.1f, "skewed" },          { 0, 0, "flat" },
+                  { 5, 0, "flat" },          { 14, 0, "no depth" },          { 14, 1e-42f, "too small" },
+                  { 0, 1e-42f, "too small" } };
     float good[16], m[16];
     const layout l = layout_at(0, 1, 100);
     ssgi_view view, was;
@@ -95,10 +128,14 @@ static void bad_views(void)
         memcpy(m, good, sizeof m);
         m[wrong[i].at] = wrong[i].value;
         why = "";
-        CHECK(ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "projection:"), "%s, element %d: \"%s\"", wrong[i].what, wrong[i].at, why);
+        CHECK(ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, 64, 64, &why) == SSGI_BAD_ARGUMENT
+                  && NAMES(why, "projection:"),
+              "%s, element %d: \"%s\"", wrong[i].what, wrong[i].at, why);
     }
-#define REFUSED(start, ...) CHECK(ssgi_view_from_projection(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT && ssgi_view_from_projection(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT \
-                                  && NAMES(why, start), "%s \"%s\"", start, why)
+#define REFUSED(start, ...) \
+    CHECK(ssgi_view_from_projection(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT \
+              && ssgi_view_from_projection(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), \
+          "%s \"%s\"", start, why)
     REFUSED("view:", NULL, good, 0, 64, 64);
     REFUSED("projection:", &view, NULL, 0, 64, 64);
     for (int k = 0; k < 2; ++k) {
@@ -115,7 +152,10 @@ static void direction(float d[3])
     d[0] = r * cosf(a); d[1] = r * sinf(a); d[2] = z;
 }
 
-static double dot(const float *a, const float *b) { return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2]; }
+static double dot(const float *a, const float *b)
+{
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
 
 /* Camera axes as a rigid matrix: z any direction, turned about it by chance. */
 static void rigid(float m[16], const float z[3])
@@ -127,7 +167,13 @@ static void rigid(float m[16], const float z[3])
     length = sqrt(dot(x, x));
     for (int k = 0; k < 3; ++k) x[k] = (float)((double)x[k] / length);
     for (int k = 0; k < 3; ++k) y[k] = z[(k + 1) % 3] * x[(k + 2) % 3] - z[(k + 2) % 3] * x[(k + 1) % 3];
-    for (int k = 0; k < 3; ++k) { m[4 * k] = x[k]; m[4 * k + 1] = y[k]; m[4 * k + 2] = z[k]; m[4 * k + 3] = 0; m[12 + k] = uniform(-5, 5); }
+    for (int k = 0; k < 3; ++k) {
+        m[4 * k] = x[k];
+        m[4 * k + 1] = y[k];
+        m[4 * k + 2] = z[k];
+        m[4 * k + 3] = 0;
+        m[12 + k] = uniform(-5, 5);
+    }
     m[15] = 1;
 }
 
@@ -140,63 +186,90 @@ static void extra_cameras(void)
 {
     for (int t = 0; t < 300; ++t) {
         float z[3], main_view[16], view[16], clip[16], centre[3], offset[3], p[3], q[3], up[3], pixel[3];
-        const float radius = expf(uniform(-3, 3)), far_away = t % 3 ? uniform(1.35f, 6) : uniform(0.05f, 1.3f);     /* 1/sin 50 = 1.305 radii: nearer, the angle is held */
+        /* 1/sin 50 = 1.305 radii: nearer, the angle is held */
+        const float radius = expf(uniform(-3, 3)), far_away = t % 3 ? uniform(1.35f, 6) : uniform(0.05f, 1.3f);
         const char *why = "";
         ssgi_view v;
         direction(z);
         rigid(main_view, z);
         direction(z);                                    /* from the centre to the new eye */
-        if (t % 10 == 0) for (int k = 0; k < 3; ++k) z[k] = main_view[4 * k + 1];        /* along the main camera's up */
+        /* along the main camera's up */
+        if (t % 10 == 0) for (int k = 0; k < 3; ++k) z[k] = main_view[4 * k + 1];
         for (int k = 0; k < 3; ++k) offset[k] = uniform(-3, 3);
-        for (int k = 0; k < 3; ++k) {                    /* the eye as main eye + radius * displacement; the centre so that z and the distance come out */
+        /* the eye as main eye + radius * displacement; the centre so that z and the distance come out */
+        for (int k = 0; k < 3; ++k) {
             float eye = 0;
             for (int i = 0; i < 3; ++i) eye += main_view[4 * k + i] * (radius * offset[i] - main_view[12 + i]);
             centre[k] = eye - far_away * radius * z[k];
         }
-        if (!CHECK(ssgi_extra_camera(view, clip, main_view, centre, radius, offset, &why) == SSGI_OK && ssgi_view_from_projection(&v, clip, SSGI_CLIP_GL, 1000, 1000, &why) == SSGI_OK, "%s", why)) continue;
+        if (!CHECK(ssgi_extra_camera(view, clip, main_view, centre, radius, offset, &why) == SSGI_OK
+                       && ssgi_view_from_projection(&v, clip, SSGI_CLIP_GL, 1000, 1000, &why) == SSGI_OK,
+                   "%s", why))
+            continue;
         const float reach = far_away * radius, within = 1e-4f * (reach + radius + 10), held = t % 3 == 0 ? 1 : 0;
         through(view, centre, 1, p);
-        CHECK(fabsf(p[0]) < within && fabsf(p[1]) < within && fabsf(p[2] + reach) < within, "the centre at %g %g %g, %g away", (double)p[0], (double)p[1], (double)p[2], (double)reach);
+        CHECK(fabsf(p[0]) < within && fabsf(p[1]) < within && fabsf(p[2] + reach) < within,
+              "the centre at %g %g %g, %g away", (double)p[0], (double)p[1], (double)p[2], (double)reach);
         for (int k = 0; k < 3; ++k) up[k] = main_view[4 * k + 1];
         through(view, up, 0, q);
-        CHECK(t % 10 == 0 || (fabsf(q[0]) < 1e-3f && q[1] > 0), "the main camera's up at %g %g %g", (double)q[0], (double)q[1], (double)q[2]);
+        CHECK(t % 10 == 0 || (fabsf(q[0]) < 1e-3f && q[1] > 0), "the main camera's up at %g %g %g", (double)q[0],
+              (double)q[1], (double)q[2]);
         for (int a = 0; a < 3; ++a) for (int b = 0; b < 3; ++b) {
-            const float row[3] = { view[a], view[4 + a], view[8 + a] }, other[3] = { view[b], view[4 + b], view[8 + b] };
-            CHECK(fabs(dot(row, other) - (a == b)) < 1e-5, "axes %d and %d: %g", a, b, dot(row, other));
+                const float row[3] = { view[a], view[4 + a], view[8 + a] },
+                            other[3] = { view[b], view[4 + b], view[8 + b] };
+                CHECK(fabs(dot(row, other) - (a == b)) < 1e-5, "axes %d and %d: %g", a, b, dot(row, other));
         }
-        const double near_plane = (double)clip[14] / ((double)clip[10] - 1), far_plane = (double)clip[14] / ((double)clip[10] + 1), want = (double)radius / 50;
-        CHECK(fabs(near_plane / want - 1) < 1e-3 && fabs(far_plane / (double)(reach + radius) - 1) < 1e-3, "planes %g %g of a sphere of %g at %g", near_plane, far_plane, (double)radius, (double)reach);
-        if (held > 0) { CHECK(fabsf(clip[0] - 0.8390996f) < 1e-5f, "near the sphere: %g, not the cotangent of 50 degrees", (double)clip[0]); continue; }
+        const double near_plane = (double)clip[14] / ((double)clip[10] - 1),
+                     far_plane = (double)clip[14] / ((double)clip[10] + 1), want = (double)radius / 50;
+        CHECK(fabs(near_plane / want - 1) < 1e-3 && fabs(far_plane / (double)(reach + radius) - 1) < 1e-3,
+              "planes %g %g of a sphere of %g at %g", near_plane, far_plane, (double)radius, (double)reach);
+        if (held > 0) {
+            CHECK(fabsf(clip[0] - 0.8390996f) < 1e-5f, "near the sphere: %g, not the cotangent of 50 degrees",
+                  (double)clip[0]);
+            continue;
+        }
         for (int i = 0; i < 6; ++i) {
             float extreme[3] = { centre[0], centre[1], centre[2] };
             extreme[i / 2] += i & 1 ? -radius : radius;
             through(view, extreme, 1, p);
             ssgi_view_project(&v, p, pixel);
-            CHECK(pixel[0] > -0.1f && pixel[0] < 1000.1f && pixel[1] > -0.1f && pixel[1] < 1000.1f && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
+            CHECK(pixel[0] > -0.1f && pixel[0] < 1000.1f && pixel[1] > -0.1f && pixel[1] < 1000.1f
+                      && (double)pixel[2] > near_plane * 0.999 && (double)pixel[2] < far_plane * 1.001,
                   "extreme point %d at %g %g, depth %g", i, (double)pixel[0], (double)pixel[1], (double)pixel[2]);
         }
-        const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0, -(far_away - 1 / far_away) * radius };     /* where the view's right edge touches the sphere */
+        /* where the view's right edge touches the sphere */
+        const float touch[3] = { radius * sqrtf(1 - 1 / (far_away * far_away)), 0,
+                                 -(far_away - 1 / far_away) * radius };
         ssgi_view_project(&v, touch, pixel);
         CHECK(fabsf(pixel[0] - 1000) < 0.1f, "the sphere's outline at %g, not at the edge", (double)pixel[0]);
     }
-    const float main_view[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, origin[3] = { 0, 0, 0 }, onto[3] = { 0, 0, -2 }, above[3] = { 0, 2, -2 };     /* eye (0,0,2), two radii away */
+    /* eye (0,0,2), two radii away */
+    const float main_view[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 }, origin[3] = { 0, 0, 0 },
+                onto[3] = { 0, 0, -2 }, above[3] = { 0, 2, -2 };
     static const double angles[4][2] = { { -60, 20 }, { 60, 20 }, { 0, 75 }, { 180, 50 } };      /* to the side, up */
     float view[16], clip[16], d[3];
     for (int i = 0; i < 4; ++i) {
         ssgi_extra_displacement(i, d);
         ssgi_extra_camera(view, clip, main_view, origin, 1, d, NULL);
-        const double side = angles[i][0] * PI / 180, up = angles[i][1] * PI / 180, turned[3] = { 2 * sin(side) * cos(up), 2 * sin(up), 2 * cos(side) * cos(up) };
+        const double side = angles[i][0] * PI / 180, up = angles[i][1] * PI / 180,
+                     turned[3] = { 2 * sin(side) * cos(up), 2 * sin(up), 2 * cos(side) * cos(up) };
         for (int k = 0; k < 3; ++k) {                    /* minus translation along the axes: the eye */
             const float column[3] = { view[4 * k], view[4 * k + 1], view[4 * k + 2] };
-            CHECK(fabs(-dot(column, view + 12) - turned[k]) < 2e-5, "default %d: eye's %d is %g", i, k, -dot(column, view + 12));
+            CHECK(fabs(-dot(column, view + 12) - turned[k]) < 2e-5, "default %d: eye's %d is %g", i, k,
+                  -dot(column, view + 12));
         }
     }
     ssgi_extra_camera(view, clip, main_view, origin, 1, above, NULL);
-    CHECK(fabsf(view[1]) < 1e-6f && fabsf(view[5]) < 1e-6f && fabsf(view[9] + 1) < 1e-6f, "straight above, up is %g %g %g, not forward", (double)view[1], (double)view[5], (double)view[9]);
+    CHECK(fabsf(view[1]) < 1e-6f && fabsf(view[5]) < 1e-6f && fabsf(view[9] + 1) < 1e-6f,
+          "straight above, up is %g %g %g, not forward", (double)view[1], (double)view[5], (double)view[9]);
     const char *why = "";
     memcpy(view, main_view, sizeof view);
-    CHECK(ssgi_extra_camera(view, clip, main_view, origin, 1e-37f, onto, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:") && !memcmp(view, main_view, sizeof view), "radius 1e-37: \"%s\"", why);
-    CHECK(ssgi_extra_camera(view, clip, view, origin, 1, onto, NULL) == SSGI_OK && fabsf(view[10] - 1) < 1e-6f && fabsf(view[14]) < 1e-6f, "at the centre, output over input: %g %g", (double)view[10], (double)view[14]);
+    CHECK(ssgi_extra_camera(view, clip, main_view, origin, 1e-37f, onto, &why) == SSGI_BAD_ARGUMENT
+              && NAMES(why, "radius:") && !memcmp(view, main_view, sizeof view),
+          "radius 1e-37: \"%s\"", why);
+    CHECK(ssgi_extra_camera(view, clip, view, origin, 1, onto, NULL) == SSGI_OK && fabsf(view[10] - 1) < 1e-6f
+              && fabsf(view[14]) < 1e-6f,
+          "at the centre, output over input: %g %g", (double)view[10], (double)view[14]);
 }
 
 /* ---- >>kernel ---------------------------------------------------------------------------------------------------- */
@@ -213,32 +286,48 @@ static void kernels(void)
             double z = 0, z2 = 0;
             int stratum[SAMPLES] = { 0 }, right = 1;
             for (int i = 0; i < n; ++i, s += 4) {
-                const double l2 = (double)s[0] * (double)s[0] + (double)s[1] * (double)s[1] + (double)s[2] * (double)s[2];
+                const double l2 =
+                    (double)s[0] * (double)s[0] + (double)s[1] * (double)s[1] + (double)s[2] * (double)s[2];
                 const int cell = (int)ceil((double)s[3] * n - 1e-5) - 1;
                 right &= s[3] > 0 && s[3] <= 1 && cell >= 0 && cell < n && !stratum[cell < 0 || cell >= n ? 0 : cell]++;
                 right &= fabs(l2 - 1) < 1e-6 && s[2] > 0;
                 z += (double)s[2] / n; z2 += (double)s[2] * (double)s[2] / n;
             }
             CHECK(right, "set %d of %d: not unit, or lengths not one a stratum in (0,1]", set, n);
-            CHECK(fabs(z2 - 0.5) < 1e-6 && fabs(z - 2.0 / 3) < 0.05 / n, "set %d of %d: mean z^2 %.9g, z %.9g", set, n, z2, z);
+            CHECK(fabs(z2 - 0.5) < 1e-6 && fabs(z - 2.0 / 3) < 0.05 / n, "set %d of %d: mean z^2 %.9g, z %.9g", set, n,
+                  z2, z);
         }
     }
     float out[1] = { 7 };
-    const struct { float *out; int sets, samples; const char *start; } bad[] = { { NULL, 1, 1, "out:" }, { out, 0, 1, "sets:" }, { out, 4097, 1, "sets:" }, { out, 1, 0, "samples:" }, { out, 1, 4097, "samples:" } };
+    const struct {
+        float *out;
+        int sets, samples;
+        const char *start;
+    } bad[] = { { NULL, 1, 1, "out:" },
+                { out, 0, 1, "sets:" },
+                { out, 4097, 1, "sets:" },
+                { out, 1, 0, "samples:" },
+                { out, 1, 4097, "samples:" } };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         const char *why = "";
-        CHECK(ssgi_kernel(bad[i].out, bad[i].sets, bad[i].samples, &why) == SSGI_BAD_ARGUMENT && NAMES(why, bad[i].start) && out[0] == 7.0f, "%s \"%s\"", bad[i].start, why);
+        CHECK(ssgi_kernel(bad[i].out, bad[i].sets, bad[i].samples, &why) == SSGI_BAD_ARGUMENT
+                  && NAMES(why, bad[i].start) && out[0] == 7.0f,
+              "%s \"%s\"", bad[i].start, why);
     }
 }
 
-/* Greatest difference between the share of points in a box at the origin and its area, over the boxes that the points span. */
+/* Greatest difference between the share of points in a box at the origin and its area, over the boxes that the points
+   span. */
 static double discrepancy(double (*p)[2], int n)
 {
     double worst = 0;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
             int open = 0, closed = 0;
-            for (int k = 0; k < n; ++k) { open += p[k][0] < p[i][0] && p[k][1] < p[j][1]; closed += p[k][0] <= p[i][0] && p[k][1] <= p[j][1]; }
+            for (int k = 0; k < n; ++k) {
+                open += p[k][0] < p[i][0] && p[k][1] < p[j][1];
+                closed += p[k][0] <= p[i][0] && p[k][1] <= p[j][1];
+            }
             worst = fmax(worst, fmax(p[i][0] * p[j][1] - (double)open / n, (double)closed / n - p[i][0] * p[j][1]));
         }
     return worst;
@@ -264,12 +353,20 @@ static void evenness(void)
             for (int i = 0; i < n; ++i) { p[i][0] = (double)uniform(0, 1); p[i][1] = (double)uniform(0, 1); }
             random += discrepancy(p, n) / SETS;
         }
-        for (int i = 0; i < n; ++i) { float q[2]; ssgi_r2((uint32_t)i, q); p[i][0] = (double)q[0]; p[i][1] = (double)q[1]; }
+        for (int i = 0; i < n; ++i) {
+            float q[2];
+            ssgi_r2((uint32_t)i, q);
+            p[i][0] = (double)q[0];
+            p[i][1] = (double)q[1];
+        }
         r2 = discrepancy(p, n);
-        CHECK(worst < log(n) / n && mean < 0.5 * random && r2 < 2 * log(n) / n, "%d points: sets %.3f, at worst %.3f, R2 %.3f, random %.3f", n, mean, worst, r2, random);
+        CHECK(worst < log(n) / n && mean < 0.5 * random && r2 < 2 * log(n) / n,
+              "%d points: sets %.3f, at worst %.3f, R2 %.3f, random %.3f", n, mean, worst, r2, random);
         t_note("star discrepancy of %d points: sets %.3f, R2 %.3f, random %.3f", n, mean, r2, random);
     }
-    CHECK(ssgi_radical_inverse(2, 6) == 0.375f && fabsf(ssgi_radical_inverse(3, 5) - 7.0f / 9) < 1e-7f && ssgi_radical_inverse(2, 0xffffffffu) < 1.0f && ssgi_radical_inverse(1, 5) == 0.0f, "radical inverse");
+    CHECK(ssgi_radical_inverse(2, 6) == 0.375f && fabsf(ssgi_radical_inverse(3, 5) - 7.0f / 9) < 1e-7f
+              && ssgi_radical_inverse(2, 0xffffffffu) < 1.0f && ssgi_radical_inverse(1, 5) == 0.0f,
+          "radical inverse");
 }
 
 static void jitter(void)
@@ -283,21 +380,33 @@ static void jitter(void)
             CHECK(ssgi_jitter_tile(tile, size, directions, NULL) == SSGI_OK, "refused");
             for (int i = 0; i < n; ++i) {
                 const float *o = tile + 4 * i;
-                const double turn = atan2((double)o[1], (double)o[0]) / (2 * PI), a = (turn < 0 ? turn + 1 : turn) * directions * n, b = ((double)o[2] + 0.5) * n;   /* strata 0 .. n */
-                if (CHECK(a > 0 && a < n && b > 0 && b < n && o[3] >= 0 && o[3] < 1, "%d x %d, %d directions, texel %d: %g, %g, %g", size, size, directions, i, a, b, (double)o[3])) seen[0][(int)a] = seen[1][(int)b] = 1;
+                /* strata 0 .. n */
+                const double turn = atan2((double)o[1], (double)o[0]) / (2 * PI),
+                             a = (turn < 0 ? turn + 1 : turn) * directions * n, b = ((double)o[2] + 0.5) * n;
+                if (CHECK(a > 0 && a < n && b > 0 && b < n && o[3] >= 0 && o[3] < 1,
+                          "%d x %d, %d directions, texel %d: %g, %g, %g", size, size, directions, i, a, b,
+                          (double)o[3]))
+                    seen[0][(int)a] = seen[1][(int)b] = 1;
                 mean += (double)o[2] / n;
             }
-            for (int i = 0; i < n; ++i)                        /* beyond 100000 a float's cos and sin no longer tell strata apart */
-                CHECK((seen[0][i] || n * directions >= 100000) && seen[1][i], "%d x %d, %d directions: stratum %d is empty", size, size, directions, i);
+            /* beyond 100000 a float's cos and sin no longer tell strata apart */
+            for (int i = 0; i < n; ++i)
+                CHECK((seen[0][i] || n * directions >= 100000) && seen[1][i],
+                      "%d x %d, %d directions: stratum %d is empty", size, size, directions, i);
             CHECK(fabs(mean) < 1e-6, "%d x %d: mean offset %g", size, size, mean);
         }
     const char *why = "";
     CHECK(ssgi_jitter_tile(NULL, 4, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "%s", why);
-    CHECK(ssgi_jitter_tile(tile, 65, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:") && ssgi_jitter_tile(tile, 0, 6, NULL) == SSGI_BAD_ARGUMENT && ssgi_jitter_tile(tile, 0x7fffffff, 6, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
-    CHECK(ssgi_jitter_tile(tile, 4, 0, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "directions:") && ssgi_jitter_tile(tile, 4, 1025, NULL) == SSGI_BAD_ARGUMENT, "%s", why);
+    CHECK(ssgi_jitter_tile(tile, 65, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:")
+              && ssgi_jitter_tile(tile, 0, 6, NULL) == SSGI_BAD_ARGUMENT
+              && ssgi_jitter_tile(tile, 0x7fffffff, 6, NULL) == SSGI_BAD_ARGUMENT,
+          "%s", why);
+    CHECK(ssgi_jitter_tile(tile, 4, 0, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "directions:")
+              && ssgi_jitter_tile(tile, 4, 1025, NULL) == SSGI_BAD_ARGUMENT,
+          "%s", why);
 }
 
-/* ---- >>sh ---------------------------------------------------------------------------------------------------------- */
+/* ---- >>sh -------------------------------------------------------------------------------------------------------- */
 
 enum { WIDE = 128, HIGH = 64, CUBE = 24 };
 
@@ -307,7 +416,8 @@ static double sh_sum(const float *coefficients, int channel, const double d[3], 
     float basis[9];
     double sum = 0;
     ssgi_sh_basis(basis, 3, f);
-    for (int l = 0, i = 0; l < 3; ++l) for (; i < (l + 1) * (l + 1); ++i) sum += (double)basis[i] * (double)coefficients[3 * i + channel] * factor[l];
+    for (int l = 0, i = 0; l < 3; ++l)
+        for (; i < (l + 1) * (l + 1); ++i) sum += (double)basis[i] * (double)coefficients[3 * i + channel] * factor[l];
     return sum;
 }
 
@@ -327,33 +437,64 @@ static void smooth(float *rgb, float coefficients[27], int width, int height)
     double d[3];
     for (int i = 0; i < 27; ++i) coefficients[i] = i < 3 ? uniform(9, 12) : uniform(-1, 1);
     for (int i = 0; i < width * height; ++i)
-        for (int c = 0; c < 3; ++c) { equirect(d, i % width, i / width, width, height); rgb[3 * i + c] = (float)sh_sum(coefficients, c, d, ones); }
+        for (int c = 0; c < 3; ++c) {
+            equirect(d, i % width, i / width, width, height);
+            rgb[3 * i + c] = (float)sh_sum(coefficients, c, d, ones);
+        }
 }
 
 static void harmonics(void)
 {
-    static const double constant[16] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.48860251190291992, 1.0925484305920792, 1.0925484305920792, 0.31539156525252005,
-        1.0925484305920792, 0.54627421529603959, 0.59004358992664352, 2.8906114426405538, 0.45704579946446577, 0.3731763325901154, 0.45704579946446577, 1.4453057213202769, 0.59004358992664352 };
+    static const double constant[16] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992,
+                                         0.48860251190291992, 1.0925484305920792,  1.0925484305920792,
+                                         0.31539156525252005, 1.0925484305920792,  0.54627421529603959,
+                                         0.59004358992664352, 2.8906114426405538,  0.45704579946446577,
+                                         0.3731763325901154,  0.45704579946446577, 1.4453057213202769,
+                                         0.59004358992664352 };
     for (int t = 0; t < 200; ++t) {
         float a[3], b[3], ya[37], yb[36];
         direction(a); direction(b);
         const double x = (double)a[0], y = (double)a[1], z = (double)a[2], c = dot(a, b);
-        const double polynomial[16] = { 1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y, y * (3 * x * x - y * y), x * y * z, y * (5 * z * z - 1), z * (5 * z * z - 3), x * (5 * z * z - 1),
-            z * (x * x - y * y), x * (x * x - 3 * y * y) };
-        const double legendre[6] = { 1, c, (3 * c * c - 1) / 2, (5 * c * c * c - 3 * c) / 2, (35 * c * c * c * c - 30 * c * c + 3) / 8, (63 * c * c * c * c * c - 70 * c * c * c + 15 * c) / 8 };
+        const double polynomial[16] = { 1,
+                                        y,
+                                        z,
+                                        x,
+                                        x * y,
+                                        y * z,
+                                        3 * z * z - 1,
+                                        x * z,
+                                        x * x - y * y,
+                                        y * (3 * x * x - y * y),
+                                        x * y * z,
+                                        y * (5 * z * z - 1),
+                                        z * (5 * z * z - 3),
+                                        x * (5 * z * z - 1),
+                                        z * (x * x - y * y),
+                                        x * (x * x - 3 * y * y) };
+        const double legendre[6] = { 1,
+                                     c,
+                                     (3 * c * c - 1) / 2,
+                                     (5 * c * c * c - 3 * c) / 2,
+                                     (35 * c * c * c * c - 30 * c * c + 3) / 8,
+                                     (63 * c * c * c * c * c - 70 * c * c * c + 15 * c) / 8 };
         ya[36] = 7;
         ssgi_sh_basis(ya, t & 1 ? 6 : 99, a); ssgi_sh_basis(yb, 6, b);
         CHECK(ya[36] == 7.0f, "more bands than there are were written");
-        for (int i = 0; i < 16; ++i) CHECK(fabs((double)ya[i] - constant[i] * polynomial[i]) < 1e-6, "function %d: %.9g, the table has %.9g", i, (double)ya[i], constant[i] * polynomial[i]);
-        for (int l = 0; l < 6; ++l) {                    /* the addition theorem, for the bands that the table leaves out */
+        for (int i = 0; i < 16; ++i)
+            CHECK(fabs((double)ya[i] - constant[i] * polynomial[i]) < 1e-6, "function %d: %.9g, the table has %.9g", i,
+                  (double)ya[i], constant[i] * polynomial[i]);
+        /* the addition theorem, for the bands that the table leaves out */
+        for (int l = 0; l < 6; ++l) {
             double sum = 0;
             for (int i = l * l; i < (l + 1) * (l + 1); ++i) sum += (double)ya[i] * (double)yb[i];
-            CHECK(fabs(sum * 4 * PI / (2 * l + 1) - legendre[l]) < 1e-5, "band %d at cosine %g: %.9g, Legendre %.9g", l, c, sum * 4 * PI / (2 * l + 1), legendre[l]);
+            CHECK(fabs(sum * 4 * PI / (2 * l + 1) - legendre[l]) < 1e-5, "band %d at cosine %g: %.9g, Legendre %.9g", l,
+                  c, sum * 4 * PI / (2 * l + 1), legendre[l]);
         }
     }
     for (int l = 0; l < 6; ++l) {                        /* 2 pi times the integral of z P_l(z) over [0,1] */
         static const double want[6] = { 1, 2.0 / 3, 0.25, 0, -1.0 / 24, 0 };
-        CHECK(fabs((double)ssgi_sh_cosine(l) / PI - want[l]) < 1e-7, "cosine, band %d: %.9g", l, (double)ssgi_sh_cosine(l));
+        CHECK(fabs((double)ssgi_sh_cosine(l) / PI - want[l]) < 1e-7, "cosine, band %d: %.9g", l,
+              (double)ssgi_sh_cosine(l));
     }
     CHECK(ssgi_sh_cosine(-1) == 0.0f && ssgi_sh_cosine(99) == 0.0f, "cosine beyond the bands");
 }
@@ -366,30 +507,40 @@ static void projections(void)
     const char *why = "";
     smooth(rgb, given, WIDE, HIGH);
     CHECK(ssgi_sh_project_equirect(got, 4, rgb, WIDE, HIGH, &why) == SSGI_OK, "%s", why);
-    for (int i = 0; i < 48; ++i) CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3], "latitude-longitude, coefficient %d: %g, given %g", i, (double)got[i], i < 27 ? (double)given[i] : 0);
+    for (int i = 0; i < 48; ++i)
+        CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3],
+              "latitude-longitude, coefficient %d: %g, given %g", i, (double)got[i], i < 27 ? (double)given[i] : 0);
     for (int i = 0; i < 6 * CUBE * CUBE; ++i) {
         const int face = i / (CUBE * CUBE), at = i % (CUBE * CUBE);
-        const double s = (at % CUBE * 2 + 1.0) / CUBE - 1, t = (at / CUBE * 2 + 1.0) / CUBE - 1, length = sqrt(1 + s * s + t * t);
-        const double table[6][3] = { { 1, -t, -s }, { -1, -t, s }, { s, 1, t }, { s, -1, -t }, { s, -t, 1 }, { -s, -t, -1 } };     /* OpenGL 4.6 table 8.19, solved for the direction */
+        const double s = (at % CUBE * 2 + 1.0) / CUBE - 1, t = (at / CUBE * 2 + 1.0) / CUBE - 1,
+                     length = sqrt(1 + s * s + t * t);
+        /* OpenGL 4.6 table 8.19, solved for the direction */
+        const double table[6][3] = { { 1, -t, -s }, { -1, -t, s }, { s, 1, t },
+                                     { s, -1, -t }, { s, -t, 1 },  { -s, -t, -1 } };
         const double p[3] = { table[face][0] / length, table[face][1] / length, table[face][2] / length };
         for (int c = 0; c < 3; ++c) cube[face][3 * at + c] = (float)sh_sum(given, c, p, ones);
     }
     CHECK(ssgi_sh_project_cube(got, 4, faces, CUBE, &why) == SSGI_OK, "%s", why);
-    for (int i = 0; i < 48; ++i) CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3], "cube, coefficient %d: %g, given %g", i, (double)got[i], i < 27 ? (double)given[i] : 0);
+    for (int i = 0; i < 48; ++i)
+        CHECK(fabsf(got[i] - (i < 27 ? given[i] : 0)) < 1e-3f * given[i % 3], "cube, coefficient %d: %g, given %g", i,
+              (double)got[i], i < 27 ? (double)given[i] : 0);
     for (int f = 0; f < 6; ++f) for (int i = 0; i < 3 * CUBE * CUBE; ++i) cube[f][i] = 1;
     ssgi_sh_project_cube(got, 1, faces, CUBE, NULL);
-    CHECK(fabs((double)got[0] - 2 * sqrt(PI)) < 1e-6, "a cube of ones: %.9g, not 2 sqrt(pi): solid angles do not sum to 4 pi", (double)got[0]);
+    CHECK(fabs((double)got[0] - 2 * sqrt(PI)) < 1e-6,
+          "a cube of ones: %.9g, not 2 sqrt(pi): solid angles do not sum to 4 pi", (double)got[0]);
 }
 
-/* ---- >>sh: windows, lights, rotation, products --------------------------------------------------------------------- */
+/* ---- >>sh: windows, lights, rotation, products ------------------------------------------------------------------- */
 
 enum { MOST = SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS, PANELS = 64, COLUMNS = 180, NODES = 2 * PANELS * COLUMNS };
 
-/* Direction i of NODES between two heights: two-point Gauss in panels of z, midpoints in azimuth; returns its solid angle. */
+/* Direction i of NODES between two heights: two-point Gauss in panels of z, midpoints in azimuth; returns its solid
+   angle. */
 static double zone(float d[3], int i, double from, double to)
 {
     const int row = i / COLUMNS;
-    const double z = from + (to - from) * (row / 2 + 0.5 + (row % 2 - 0.5) / sqrt(3)) / PANELS, a = 2 * PI * (i % COLUMNS + 0.5) / COLUMNS, r = sqrt(1 - z * z);
+    const double z = from + (to - from) * (row / 2 + 0.5 + (row % 2 - 0.5) / sqrt(3)) / PANELS,
+                 a = 2 * PI * (i % COLUMNS + 0.5) / COLUMNS, r = sqrt(1 - z * z);
     d[0] = (float)(r * cos(a)); d[1] = (float)(r * sin(a)); d[2] = (float)z;
     return (to - from) * 2 * PI / NODES;
 }
@@ -400,7 +551,9 @@ static double value(const float *coefficients, int channels, int bands, const fl
     float basis[MOST];
     double sum = 0;
     ssgi_sh_basis(basis, bands, d);
-    for (int l = 0, i = 0; l < bands; ++l) for (; i < (l + 1) * (l + 1); ++i) sum += (double)basis[i] * (double)coefficients[channels * i] * (cosine ? (double)ssgi_sh_cosine(l) : 1);
+    for (int l = 0, i = 0; l < bands; ++l)
+        for (; i < (l + 1) * (l + 1); ++i)
+            sum += (double)basis[i] * (double)coefficients[channels * i] * (cosine ? (double)ssgi_sh_cosine(l) : 1);
     return sum;
 }
 
@@ -408,11 +561,43 @@ static const float axis_z[3] = { 0, 0, 1 };
 
 static void windows(void)
 {
-    static const struct { int window, bands; double k, zonal[4], peak, least_over_peak, back, least, worst; } row[] = {
-        { SSGI_SH_WINDOW_NONE, 4, 0.941176471, { 0.26550098, 0.459861188, 0.59367824, 0.702449567 }, 1.1983431, -0.25, 0.0588235294, -0.0372549015, -0.200493339 },
-        { SSGI_SH_WINDOW_HANN, 3, 1.42222222, { 0.401201482, 0.521176013, 0.224278446, 0 }, 0.509295818, -0.0666666667, -0.0666666667, -0.0666666667, -0.0682681998 },
-        { SSGI_SH_WINDOW_HANN, 4, 1.20044172, { 0.338638357, 0.500642216, 0.378609193, 0.131209261 }, 0.676891835, -0.0463197199, -0.0246411014, -0.0268969816, -0.0345885498 },
-        { SSGI_SH_WINDOW_POSITIVE, 4, 1.63265306, { 0.460562925, 0.478631032, 0.205970002, 0.0348152847 }, 0.51968961, 0, 0.0204081633, 0.0204081633, 0 } };
+    static const struct { int window, bands; double k, zonal[4], peak, least_over_peak, back, least, worst;
+    } row[] = { { SSGI_SH_WINDOW_NONE,
+                  4,
+                  0.941176471,
+                  { 0.26550098, 0.459861188, 0.59367824, 0.702449567 },
+                  1.1983431,
+                  -0.25,
+                  0.0588235294,
+                  -0.0372549015,
+                  -0.200493339 },
+                { SSGI_SH_WINDOW_HANN,
+                  3,
+                  1.42222222,
+                  { 0.401201482, 0.521176013, 0.224278446, 0 },
+                  0.509295818,
+                  -0.0666666667,
+                  -0.0666666667,
+                  -0.0666666667,
+                  -0.0682681998 },
+                { SSGI_SH_WINDOW_HANN,
+                  4,
+                  1.20044172,
+                  { 0.338638357, 0.500642216, 0.378609193, 0.131209261 },
+                  0.676891835,
+                  -0.0463197199,
+                  -0.0246411014,
+                  -0.0268969816,
+                  -0.0345885498 },
+                { SSGI_SH_WINDOW_POSITIVE,
+                  4,
+                  1.63265306,
+                  { 0.460562925, 0.478631032, 0.205970002, 0.0348152847 },
+                  0.51968961,
+                  0,
+                  0.0204081633,
+                  0.0204081633,
+                  0 } };
     static const float one[3] = { 1, 1, 1 }, nowhere[3] = { 0, 0, -1 };
     float d[3], w[MOST];
     for (size_t t = 0; t < sizeof row / sizeof row[0]; ++t) {
@@ -420,28 +605,40 @@ static void windows(void)
         const int bands = row[t].bands;
         double least = 1e30, worst = 0, lowest = 1e30;
         ssgi_sh_light(c, bands, axis_z, 0, one, row[t].window, NULL);
-        for (int l = 0; l < bands; ++l) CHECK(fabs((double)c[3 * (l * l + l)] - row[t].zonal[l]) < 1e-6, "window %d, zonal %d: %.9g", row[t].window, l, (double)c[3 * (l * l + l)]);
-        CHECK(fabs((double)c[0] / 0.28209479177 - row[t].k) < 1e-6 && fabs(value(c, 3, bands, axis_z, 0) / row[t].peak - 1) < 1e-6, "k %.9g, peak %.9g", (double)c[0] / 0.28209479177, value(c, 3, bands, axis_z, 0));
-        CHECK(fabs(value(c, 3, bands, axis_z, 1) - 1) < 1e-5 && fabs(value(c, 3, bands, nowhere, 1) - row[t].back) < 1e-5, "facing %.9g, behind %.9g", value(c, 3, bands, axis_z, 1), value(c, 3, bands, nowhere, 1));
+        for (int l = 0; l < bands; ++l)
+            CHECK(fabs((double)c[3 * (l * l + l)] - row[t].zonal[l]) < 1e-6, "window %d, zonal %d: %.9g", row[t].window,
+                  l, (double)c[3 * (l * l + l)]);
+        CHECK(fabs((double)c[0] / 0.28209479177 - row[t].k) < 1e-6
+                  && fabs(value(c, 3, bands, axis_z, 0) / row[t].peak - 1) < 1e-6,
+              "k %.9g, peak %.9g", (double)c[0] / 0.28209479177, value(c, 3, bands, axis_z, 0));
+        CHECK(fabs(value(c, 3, bands, axis_z, 1) - 1) < 1e-5
+                  && fabs(value(c, 3, bands, nowhere, 1) - row[t].back) < 1e-5,
+              "facing %.9g, behind %.9g", value(c, 3, bands, axis_z, 1), value(c, 3, bands, nowhere, 1));
         for (int i = 0; i <= 10000; ++i) {
             d[0] = (float)sin(i * PI / 10000); d[1] = 0; d[2] = (float)cos(i * PI / 10000);
             least = fmin(least, value(c, 3, bands, d, 1));
             lowest = fmin(lowest, value(c, 3, bands, d, 0));
         }
-        for (int degrees = 0; degrees <= 180; degrees += 2) {        /* a mask that lets through what is below 0, and nothing else */
+        /* a mask that lets through what is below 0, and nothing else */
+        for (int degrees = 0; degrees <= 180; degrees += 2) {
             double taken = 0;
             for (int k = 0; k < NODES; ++k) {
-                const double area = zone(d, k, -1, 1), cosine = fmax((double)d[0] * sin(degrees * PI / 180) + (double)d[2] * cos(degrees * PI / 180), 0);
+                const double area = zone(d, k, -1, 1), cosine = fmax((double)d[0] * sin(degrees * PI / 180)
+                                                                         + (double)d[2] * cos(degrees * PI / 180),
+                                                                     0);
                 static double negative;                  /* of the row of nodes: it varies with z only */
                 if (k % COLUMNS == 0) negative = fmin(value(c, 3, bands, d, 0), 0);
                 taken += area * negative * cosine;
             }
             worst = fmin(worst, taken);
         }
-        CHECK(least >= row[t].least - 1e-4 && least <= row[t].least + 1e-4 && fabs(lowest / row[t].peak - row[t].least_over_peak) < 1e-4 && fabs(worst - row[t].worst) < 2e-4,
-              "window %d, %d bands: least irradiance %.6g, of the light %.6g, by any mask %.6g", row[t].window, bands, least, lowest / row[t].peak, worst);
+        CHECK(least >= row[t].least - 1e-4 && least <= row[t].least + 1e-4
+                  && fabs(lowest / row[t].peak - row[t].least_over_peak) < 1e-4 && fabs(worst - row[t].worst) < 2e-4,
+              "window %d, %d bands: least irradiance %.6g, of the light %.6g, by any mask %.6g", row[t].window, bands,
+              least, lowest / row[t].peak, worst);
     }
-    for (int bands = 1; bands <= 6; ++bands) {           /* POSITIVE's: the Legendre coefficients of ((1 + z)/2)^p over the first */
+    /* POSITIVE's: the Legendre coefficients of ((1 + z)/2)^p over the first */
+    for (int bands = 1; bands <= 6; ++bands) {
         float y[MOST];
         double projected[6] = { 0 };
         w[bands] = 7;
@@ -449,11 +646,18 @@ static void windows(void)
         for (int k = 0; k < NODES; ++k) {
             const double area = zone(d, k, -1, 1);
             ssgi_sh_basis(y, bands, d);
-            for (int l = 0; l < bands; ++l) projected[l] += area * (double)y[l * l + l] / sqrt(2 * l + 1) * pow(0.5 + 0.5 * (double)d[2], bands - 1);
+            for (int l = 0; l < bands; ++l)
+                projected[l] +=
+                    area * (double)y[l * l + l] / sqrt(2 * l + 1) * pow(0.5 + 0.5 * (double)d[2], bands - 1);
         }
-        for (int l = 0; l < bands; ++l) CHECK(fabs((double)w[l] - projected[l] / projected[0]) < 1e-5, "positive window, band %d of %d: %.9g, not %.9g", l, bands, (double)w[l], projected[l] / projected[0]);
+        for (int l = 0; l < bands; ++l)
+            CHECK(fabs((double)w[l] - projected[l] / projected[0]) < 1e-5,
+                  "positive window, band %d of %d: %.9g, not %.9g", l, bands, (double)w[l],
+                  projected[l] / projected[0]);
         ssgi_sh_window(w, bands, SSGI_SH_WINDOW_HANN);
-        for (int l = 0; l < bands; ++l) CHECK(fabs((double)w[l] - pow(cos(PI * l / (2 * bands)), 2)) < 1e-6, "Hann, band %d of %d: %.9g", l, bands, (double)w[l]);
+        for (int l = 0; l < bands; ++l)
+            CHECK(fabs((double)w[l] - pow(cos(PI * l / (2 * bands)), 2)) < 1e-6, "Hann, band %d of %d: %.9g", l, bands,
+                  (double)w[l]);
         CHECK(w[bands] == 7.0f, "a window of %d bands wrote more", bands);
     }
     ssgi_sh_window(w, 99, 99);
@@ -473,22 +677,34 @@ static void lights(void)
         for (int i = 0; i < 3; ++i) far_away[i] = 40 * d[i];
         for (int i = 0; i < 3 * MOST; ++i) c[i] = point[i] = 0;
         CHECK(ssgi_sh_light(c, bands, far_away, sine, red, window, &why) == SSGI_OK, "%s", why);
-        for (int i = 0; i < 3; ++i) CHECK(fabs(value(c + i, 3, bands, d, 1) / (double)red[i] - 1) < 1e-5, "%d bands, window %d, sine %g: facing %.9g of %g", bands, window, (double)sine, value(c + i, 3, bands, d, 1), (double)red[i]);
+        for (int i = 0; i < 3; ++i)
+            CHECK(fabs(value(c + i, 3, bands, d, 1) / (double)red[i] - 1) < 1e-5,
+                  "%d bands, window %d, sine %g: facing %.9g of %g", bands, window, (double)sine,
+                  value(c + i, 3, bands, d, 1), (double)red[i]);
         ssgi_sh_light(point, bands, d, 0, red, window, NULL);
-        if (sine < 1e-3f) for (int i = 0; i < 3 * bands * bands; ++i) CHECK(fabsf(c[i] - point[i]) < 1e-5f, "sine %g, coefficient %d: %g, of a point %g", (double)sine, i, (double)c[i], (double)point[i]);
+        if (sine < 1e-3f)
+            for (int i = 0; i < 3 * bands * bands; ++i)
+                CHECK(fabsf(c[i] - point[i]) < 1e-5f, "sine %g, coefficient %d: %g, of a point %g", (double)sine, i,
+                      (double)c[i], (double)point[i]);
         for (int k = 0; k < NODES; ++k) {                /* means of the zonal functions over the cap */
             float e[3], y[MOST];
-            const double from = sqrt(1 - (double)sine * (double)sine), area = zone(e, k, from, 1) / (2 * PI * (1 - from));
+            const double from = sqrt(1 - (double)sine * (double)sine),
+                         area = zone(e, k, from, 1) / (2 * PI * (1 - from));
             ssgi_sh_basis(y, 6, e);
             for (int l = 0; l < 6 && from < 1; ++l) cap[l] += area * (double)y[l * l + l];
         }
         ssgi_sh_window(w, bands, window);
         for (int l = 0; l < bands; ++l) zonal[l] = (float)((double)c[0] * sqrt(4 * PI) * (double)w[l] * cap[l]);
         ssgi_sh_zonal(turned, bands, zonal, d);
-        if (sine > 1e-3f) for (int i = 0; i < bands * bands; ++i) CHECK(fabsf(c[3 * i] - turned[i]) < 1e-4f, "sine %g, coefficient %d: %g, of the cap %g", (double)sine, i, (double)c[3 * i], (double)turned[i]);
+        if (sine > 1e-3f)
+            for (int i = 0; i < bands * bands; ++i)
+                CHECK(fabsf(c[3 * i] - turned[i]) < 1e-4f, "sine %g, coefficient %d: %g, of the cap %g", (double)sine,
+                      i, (double)c[3 * i], (double)turned[i]);
         memcpy(again, c, sizeof c);
         ssgi_sh_light(again, bands, d, sine, red, window, NULL);
-        for (int i = 0; i < 3 * MOST; ++i) CHECK(fabsf(again[i] - 2 * c[i]) < 1e-5f && (i < 3 * bands * bands || c[i] == 0.0f), "twice, coefficient %d: %g and %g", i, (double)c[i], (double)again[i]);
+        for (int i = 0; i < 3 * MOST; ++i)
+            CHECK(fabsf(again[i] - 2 * c[i]) < 1e-5f && (i < 3 * bands * bands || c[i] == 0.0f),
+                  "twice, coefficient %d: %g and %g", i, (double)c[i], (double)again[i]);
     }
 }
 
@@ -501,45 +717,78 @@ static void skies(void)
         const char *why = "";
         double want[MOST] = { 0 };
         direction(up); direction(n);
-        CHECK(ssgi_sh_sky(c, bands, up, above, below, &why) == SSGI_OK && ssgi_sh_sky(sky, bands, axis_z, above, below, NULL) == SSGI_OK, "%s", why);
+        CHECK(ssgi_sh_sky(c, bands, up, above, below, &why) == SSGI_OK
+                  && ssgi_sh_sky(sky, bands, axis_z, above, below, NULL) == SSGI_OK,
+              "%s", why);
         for (int i = 0; i < 3 && bands > 1; ++i) {       /* the hemisphere light */
-            const double light = PI * ((double)below[i] + ((double)above[i] - (double)below[i]) * (0.5 + 0.5 * dot(n, up)));
-            CHECK(fabs(value(c + i, 3, bands, n, 1) - light) < 1e-5, "%d bands, irradiance %.9g, not %.9g", bands, value(c + i, 3, bands, n, 1), light);
+            const double light =
+                PI * ((double)below[i] + ((double)above[i] - (double)below[i]) * (0.5 + 0.5 * dot(n, up)));
+            CHECK(fabs(value(c + i, 3, bands, n, 1) - light) < 1e-5, "%d bands, irradiance %.9g, not %.9g", bands,
+                  value(c + i, 3, bands, n, 1), light);
         }
         for (int half = 0; half < 2 && t < 6; ++half)
             for (int k = 0; k < NODES; ++k) {
                 const double area = zone(n, k, half - 1, half);
                 ssgi_sh_basis(y, bands, n);
-                for (int i = 0; i < bands * bands; ++i) want[i] += area * (double)(half ? above : below)[0] * (double)y[i];
+                for (int i = 0; i < bands * bands; ++i)
+                    want[i] += area * (double)(half ? above : below)[0] * (double)y[i];
             }
-        for (int i = 0; i < bands * bands && t < 6; ++i) CHECK(fabs((double)sky[3 * i] - want[i]) < 1e-5, "%d bands, coefficient %d: %.9g, not %.9g", bands, i, (double)sky[3 * i], want[i]);
-        for (int i = 0; i < bands * bands; ++i) CHECK(fabsf(c[3 * i + 1] - (i ? 0 : 4 * sqrtf((float)PI))) < 1e-5f, "a constant of 2, coefficient %d: %g", i, (double)c[3 * i + 1]);
+        for (int i = 0; i < bands * bands && t < 6; ++i)
+            CHECK(fabs((double)sky[3 * i] - want[i]) < 1e-5, "%d bands, coefficient %d: %.9g, not %.9g", bands, i,
+                  (double)sky[3 * i], want[i]);
+        for (int i = 0; i < bands * bands; ++i)
+            CHECK(fabsf(c[3 * i + 1] - (i ? 0 : 4 * sqrtf((float)PI))) < 1e-5f, "a constant of 2, coefficient %d: %g",
+                  i, (double)c[3 * i + 1]);
     }
 }
 
-/* What S3HO's pass sums: visibility times cosine. Columns of closed forms, about +z: open, open where x < 0, open beyond 45 degrees. */
+/* What S3HO's pass sums: visibility times cosine. Columns of closed forms, about +z: open, open where x < 0, open
+   beyond 45 degrees. */
 static void transfer(void)
 {
-    static const double table[16][3] = { { 0.886226925453, 0.443113462726, 0.443113462726 }, { 0 }, { 1.02332670795, 0.511663353973, 0.361800627279 }, { 0, -0.325735025589, 0 }, { 0 }, { 0 },
-        { 0.4954159122, 0.2477079561, -0.12385397805 }, { 0, -0.42904280488, 0 }, { 0 }, { 0 }, { 0 }, { 0 }, { 0, 0, -0.414494690247 }, { 0, -0.304697265699, 0 }, { 0 }, { 0, 0.0786724786566, 0 } };
+    static const double table[16][3] = { { 0.886226925453, 0.443113462726, 0.443113462726 },
+                                         { 0 },
+                                         { 1.02332670795, 0.511663353973, 0.361800627279 },
+                                         { 0, -0.325735025589, 0 },
+                                         { 0 },
+                                         { 0 },
+                                         { 0.4954159122, 0.2477079561, -0.12385397805 },
+                                         { 0, -0.42904280488, 0 },
+                                         { 0 },
+                                         { 0 },
+                                         { 0 },
+                                         { 0 },
+                                         { 0, 0, -0.414494690247 },
+                                         { 0, -0.304697265699, 0 },
+                                         { 0 },
+                                         { 0, 0.0786724786566, 0 } };
     float zonal[4], c[16], d[3], y[16];
     double sum[16][3] = { { 0 } };
     for (int l = 0; l < 4; ++l) zonal[l] = ssgi_sh_cosine(l) * sqrtf((float)((2 * l + 1) / (4 * PI)));
     ssgi_sh_zonal(c, 4, zonal, axis_z);
-    for (int i = 0; i < 16; ++i) CHECK(fabs((double)c[i] - table[i][0]) < 1e-6, "the clamped cosine, coefficient %d: %.9g", i, (double)c[i]);
+    for (int i = 0; i < 16; ++i)
+        CHECK(fabs((double)c[i] - table[i][0]) < 1e-6, "the clamped cosine, coefficient %d: %.9g", i, (double)c[i]);
     for (int part = 0; part < 2; ++part)
         for (int k = 0; k < NODES; ++k) {
             const double weight = zone(d, k, part ? sqrt(0.5) : 0, part ? 1 : sqrt(0.5)) * (double)d[2];
             ssgi_sh_basis(y, 4, d);
-            for (int i = 0; i < 16; ++i) { sum[i][0] += weight * (double)y[i]; sum[i][1] += d[0] < 0 ? weight * (double)y[i] : 0; sum[i][2] += part ? 0 : weight * (double)y[i]; }
+            for (int i = 0; i < 16; ++i) {
+                sum[i][0] += weight * (double)y[i];
+                sum[i][1] += d[0] < 0 ? weight * (double)y[i] : 0;
+                sum[i][2] += part ? 0 : weight * (double)y[i];
+            }
         }
     for (int i = 0; i < 16; ++i)
-        for (int k = 0; k < 3; ++k) CHECK(fabs(sum[i][k] - table[i][k]) < 1e-4, "coefficient %d, column %d: %.9g, not %.9g", i, k, sum[i][k], table[i][k]);
+        for (int k = 0; k < 3; ++k)
+            CHECK(fabs(sum[i][k] - table[i][k]) < 1e-4, "coefficient %d, column %d: %.9g, not %.9g", i, k, sum[i][k],
+                  table[i][k]);
     for (int t = 0; t < 100; ++t) {                      /* about any normal */
         direction(d);
         ssgi_sh_zonal(c, 4, zonal, d);
         ssgi_sh_basis(y, 4, d);
-        for (int l = 0, i = 0; l < 4; ++l) for (; i < (l + 1) * (l + 1); ++i) CHECK(fabsf(c[i] - ssgi_sh_cosine(l) * y[i]) < 1e-6f, "coefficient %d: %g", i, (double)c[i]);
+        for (int l = 0, i = 0; l < 4; ++l)
+            for (; i < (l + 1) * (l + 1); ++i)
+                CHECK(fabsf(c[i] - ssgi_sh_cosine(l) * y[i]) < 1e-6f, "coefficient %d: %g", i, (double)c[i]);
     }
 }
 
@@ -547,7 +796,8 @@ static void rotations(void)
 {
     for (int t = 0; t < 120; ++t) {
         const int bands = 1 + t % 6, channels = t % 4 * 2 - 1;      /* -1 is none */
-        float f[5 * MOST], turned[5 * MOST], twice[5 * MOST], at_once[5 * MOST], z[3], d[3], e[3], m[16], m2[16], both[16];
+        float f[5 * MOST], turned[5 * MOST], twice[5 * MOST], at_once[5 * MOST], z[3], d[3], e[3], m[16], m2[16],
+            both[16];
         for (int i = 0; i < 5 * MOST; ++i) { f[i] = uniform(-1, 1); turned[i] = twice[i] = at_once[i] = 7; }
         direction(z); rigid(m, z);
         direction(z); rigid(m2, z);
@@ -556,36 +806,51 @@ static void rotations(void)
         memcpy(twice, turned, sizeof twice);
         ssgi_sh_rotate(twice, bands, twice, channels, m2);
         ssgi_sh_rotate(at_once, bands, f, channels, both);
-        for (int i = 0; i < 5 * MOST; ++i) CHECK(i < channels * bands * bands ? fabsf(twice[i] - at_once[i]) < 5e-6f : turned[i] == 7.0f, "%d bands, %d channels, %d: %g in two, %g at once", bands, channels, i, (double)twice[i], (double)at_once[i]);
+        for (int i = 0; i < 5 * MOST; ++i)
+            CHECK(i < channels * bands * bands ? fabsf(twice[i] - at_once[i]) < 5e-6f : turned[i] == 7.0f,
+                  "%d bands, %d channels, %d: %g in two, %g at once", bands, channels, i, (double)twice[i],
+                  (double)at_once[i]);
         for (int c = 0; c < channels; ++c) {
             for (int k = 0; k < 5; ++k) {
                 direction(d);
                 through(m, d, 0, e);
-                CHECK(fabs(value(turned + c, channels, bands, e, 0) - value(f + c, channels, bands, d, 0)) < 2e-5, "%d bands, channel %d: %.9g, before %.9g", bands, c, value(turned + c, channels, bands, e, 0), value(f + c, channels, bands, d, 0));
+                CHECK(fabs(value(turned + c, channels, bands, e, 0) - value(f + c, channels, bands, d, 0)) < 2e-5,
+                      "%d bands, channel %d: %.9g, before %.9g", bands, c, value(turned + c, channels, bands, e, 0),
+                      value(f + c, channels, bands, d, 0));
             }
             for (int l = 0; l < bands; ++l) {
                 double was = 0, is = 0;
-                for (int i = l * l; i < (l + 1) * (l + 1); ++i) { was += pow((double)f[channels * i + c], 2); is += pow((double)turned[channels * i + c], 2); }
+                for (int i = l * l; i < (l + 1) * (l + 1); ++i) {
+                    was += pow((double)f[channels * i + c], 2);
+                    is += pow((double)turned[channels * i + c], 2);
+                }
                 CHECK(fabs(is / was - 1) < 1e-5, "band %d: norm %.9g, before %.9g", l, is, was);
             }
         }
         ssgi_sh_rotate(turned, bands, f, channels, NULL);
-        for (int i = 0; i < channels * bands * bands; ++i) CHECK(fabsf(turned[i] - f[i]) < 1e-6f, "no rotation, %d: %g, was %g", i, (double)turned[i], (double)f[i]);
+        for (int i = 0; i < channels * bands * bands; ++i)
+            CHECK(fabsf(turned[i] - f[i]) < 1e-6f, "no rotation, %d: %g, was %g", i, (double)turned[i], (double)f[i]);
     }
 }
 
 static void products(void)
 {
     for (int t = 0; t < 36; ++t) {
-        const int bands = 1 + t % 6, first = 1 + t / 6 % bands;      /* of a's bands; b has so many that the product fits, or all */
+        /* of a's bands; b has so many that the product fits, or all */
+        const int bands = 1 + t % 6, first = 1 + t / 6 % bands;
         float a[MOST], b[MOST], c[MOST], fits[MOST], d[3], y[MOST];
         double want[MOST] = { 0 };
-        for (int i = 0; i < MOST; ++i) { a[i] = i < first * first ? uniform(-1, 1) : 0; b[i] = uniform(-1, 1); fits[i] = i < (bands + 1 - first) * (bands + 1 - first) ? b[i] : 0; }
+        for (int i = 0; i < MOST; ++i) {
+            a[i] = i < first * first ? uniform(-1, 1) : 0;
+            b[i] = uniform(-1, 1);
+            fits[i] = i < (bands + 1 - first) * (bands + 1 - first) ? b[i] : 0;
+        }
         ssgi_sh_product(c, bands, a, fits);
         for (int k = 0; k < 10; ++k) {
             direction(d);
             const double product = value(a, 1, bands, d, 0) * value(fits, 1, bands, d, 0);
-            CHECK(fabs(value(c, 1, bands, d, 0) - product) < 2e-5, "%d bands, %d of them: %.9g, not %.9g", bands, first, value(c, 1, bands, d, 0), product);
+            CHECK(fabs(value(c, 1, bands, d, 0) - product) < 2e-5, "%d bands, %d of them: %.9g, not %.9g", bands, first,
+                  value(c, 1, bands, d, 0), product);
         }
         for (int k = 0; k < NODES; ++k) {
             const double weight = zone(d, k, -1, 1) * value(a, 1, bands, d, 0) * value(b, 1, bands, d, 0);
@@ -594,7 +859,10 @@ static void products(void)
         }
         memcpy(c, b, sizeof c);
         ssgi_sh_product(t & 1 ? c : a, bands, a, c);
-        for (int i = 0; i < bands * bands; ++i) CHECK(fabs((double)(t & 1 ? c : a)[i] - want[i]) < 5e-5, "%d bands, %d of them, coefficient %d: %.9g, not %.9g", bands, first, i, (double)(t & 1 ? c : a)[i], want[i]);
+        for (int i = 0; i < bands * bands; ++i)
+            CHECK(fabs((double)(t & 1 ? c : a)[i] - want[i]) < 5e-5,
+                  "%d bands, %d of them, coefficient %d: %.9g, not %.9g", bands, first, i, (double)(t & 1 ? c : a)[i],
+                  want[i]);
     }
 }
 
@@ -618,23 +886,35 @@ static void deringing(void)
         for (int i = 0; i < 3 * MOST && kind < 3; ++i) c[i] = i < 3 ? uniform(0.5f, 2) : uniform(-1, 1);
         direction(d);
         if (kind == 2) c[1] = uniform(-1, 0);            /* a channel without mean */
-        if (kind > 2) ssgi_sh_light(c, bands, d, 0, light, kind == 3 ? SSGI_SH_WINDOW_NONE : SSGI_SH_WINDOW_POSITIVE, NULL);
+        if (kind > 2)
+            ssgi_sh_light(c, bands, d, 0, light, kind == 3 ? SSGI_SH_WINDOW_NONE : SSGI_SH_WINDOW_POSITIVE, NULL);
         memcpy(was, c, sizeof c);
         CHECK(ssgi_sh_dering(c, bands, &s, &why) == SSGI_OK, "%s", why);
-        if (kind == 4) CHECK(s == 0.0f && !memcmp(c, was, sizeof c), "nowhere below 0, %d bands: weakened by %g", bands, (double)s);
+        if (kind == 4)
+            CHECK(s == 0.0f && !memcmp(c, was, sizeof c), "nowhere below 0, %d bands: weakened by %g", bands,
+                  (double)s);
         for (int l = 0, i = 0; l < bands; ++l)
             for (; i < 3 * (l + 1) * (l + 1); ++i) {
                 const double q = l * l * (l + 1) * (l + 1);
-                CHECK(l ? fabs((double)c[i] - (double)was[i] / (1 + (double)s * q)) < 1e-6 : c[i] == was[i], "%d bands, s %g, coefficient %d: %g, was %g", bands, (double)s, i, (double)c[i], (double)was[i]);
+                CHECK(l ? fabs((double)c[i] - (double)was[i] / (1 + (double)s * q)) < 1e-6 : c[i] == was[i],
+                      "%d bands, s %g, coefficient %d: %g, was %g", bands, (double)s, i, (double)c[i], (double)was[i]);
                 weak[i] = (float)((double)was[i] / (1 + 0.95 * (double)s * q));
             }
-        CHECK(!memcmp(c + 3 * bands * bands, was + 3 * bands * bands, sizeof(float) * (size_t)(3 * (MOST - bands * bands))), "%d bands: wrote more", bands);
+        CHECK(!memcmp(c + 3 * bands * bands, was + 3 * bands * bands,
+                      sizeof(float) * (size_t)(3 * (MOST - bands * bands))),
+              "%d bands: wrote more", bands);
         for (int i = 0; i < 3; ++i)
-            if (c[i] > 0) { lowest = fmin(lowest, lowest_value(c + i, bands)); below = fmin(below, lowest_value(weak + i, bands)); }
+            if (c[i] > 0) {
+                lowest = fmin(lowest, lowest_value(c + i, bands));
+                below = fmin(below, lowest_value(weak + i, bands));
+            }
         worst = fmin(worst, lowest);
         if (s > 0) least = fmax(least, below);
-        CHECK(lowest > -1e-3 && (kind == 4 || (s > 0 && below < -2e-3)), "%d bands: lowest %g of the mean; weakened by 0.95 of %g %g", bands, lowest, (double)s, below);
-        if (bands == 2 && kind == 3) CHECK(fabsf(s - 0.5f) < 1e-3f, "1 + 3 z, which a third of band 1 leaves at 0: s %g", (double)s);       /* 1 / (1 + 4 s) = 1/3 */
+        CHECK(lowest > -1e-3 && (kind == 4 || (s > 0 && below < -2e-3)),
+              "%d bands: lowest %g of the mean; weakened by 0.95 of %g %g", bands, lowest, (double)s, below);
+        /* 1 / (1 + 4 s) = 1/3 */
+        if (bands == 2 && kind == 3)
+            CHECK(fabsf(s - 0.5f) < 1e-3f, "1 + 3 z, which a third of band 1 leaves at 0: s %g", (double)s);
         memcpy(c, was, sizeof c);
         for (int i = 1; i < 3 * MOST; i += 3) if (kind == 2) c[i] = 0;
         const float before = s;
@@ -644,19 +924,22 @@ static void deringing(void)
         if (kind != 2) CHECK(!memcmp(c, was, sizeof c), "without strength: another result");
         ssgi_sh_light(c, bands, d, 0, none, SSGI_SH_WINDOW_NONE, NULL);
     }
-    static const float pit[6] = { 1, 0.742307f, 0.479157f, -0.188982f, -0.357143f, -0.538413f };       /* of all that are nowhere below 0 the one that rises most steeply from it */
+    /* of all that are nowhere below 0 the one that rises most steeply from it */
+    static const float pit[6] = { 1, 0.742307f, 0.479157f, -0.188982f, -0.357143f, -0.538413f };
     for (int t = 0; t < 100; ++t) {
         float d[3], turned[MOST], c[3 * MOST] = { 0 }, s = 0;
         direction(d);
         ssgi_sh_zonal(turned, 6, pit, d);
         for (int i = 0; i < MOST; ++i) c[3 * i] = turned[i] * (i ? 1.005f : 1.0f);     /* so 0.005 of the mean below */
         ssgi_sh_dering(c, 6, &s, NULL);
-        CHECK(s > 0 && value(c, 3, 6, d, 0) > -1e-3 * (double)turned[0] * 0.28209479, "a narrow pit: s %g leaves %g of the mean", (double)s, value(c, 3, 6, d, 0) / (double)turned[0] / 0.28209479);
+        CHECK(s > 0 && value(c, 3, 6, d, 0) > -1e-3 * (double)turned[0] * 0.28209479,
+              "a narrow pit: s %g leaves %g of the mean", (double)s,
+              value(c, 3, 6, d, 0) / (double)turned[0] / 0.28209479);
     }
     t_note("lowest left: %.2g of the mean; with 5 %% less strength at least %.2g", worst, least);
 }
 
-/* ---- >>environment, >>vpl --------------------------------------------------------------------------------------------- */
+/* ---- >>environment, >>vpl ---------------------------------------------------------------------------------------- */
 
 static void octahedral(void)
 {
@@ -664,18 +947,26 @@ static void octahedral(void)
         float d[3], e[2], back[3];
         double n[3], fold, length;
         direction(d);
-        if (t < 26) { const int k = t < 13 ? t : t + 1; for (int i = 0; i < 3; ++i) d[i] = (float)(k / (i == 0 ? 1 : i == 1 ? 3 : 9) % 3 - 1); }     /* axes, edges, corners */
+        /* axes, edges, corners */
+        if (t < 26) {
+            const int k = t < 13 ? t : t + 1;
+            for (int i = 0; i < 3; ++i) d[i] = (float)(k / (i == 0 ? 1 : i == 1 ? 3 : 9) % 3 - 1);
+        }
         length = sqrt(dot(d, d));
         for (int i = 0; i < 3; ++i) d[i] = (float)((double)d[i] / length);
         ssgi_octahedral_encode(d, e);
         ssgi_octahedral_decode(e, back);
-        CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6, "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1], (double)back[0], (double)back[1], (double)back[2]);
+        CHECK(fabsf(e[0]) <= 1 && fabsf(e[1]) <= 1 && dot(d, back) > 1 - 1e-6 && fabs(dot(back, back) - 1) < 1e-6,
+              "%g %g %g to %g %g to %g %g %g", (double)d[0], (double)d[1], (double)d[2], (double)e[0], (double)e[1],
+              (double)back[0], (double)back[1], (double)back[2]);
         e[0] = uniform(-1, 1); e[1] = uniform(-1, 1);
         ssgi_octahedral_decode(e, back);                 /* the GLSL twin, word for word */
         n[0] = (double)e[0]; n[1] = (double)e[1]; n[2] = 1 - fabs(n[0]) - fabs(n[1]);
         fold = fmax(-n[2], 0);
         for (int i = 0; i < 2; ++i) n[i] += n[i] >= 0 ? -fold : fold;
-        for (int i = 0; i < 3; ++i) CHECK(fabs((double)back[i] - n[i] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])) < 1e-6, "decode, %d: %g", i, (double)back[i]);
+        for (int i = 0; i < 3; ++i)
+            CHECK(fabs((double)back[i] - n[i] / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])) < 1e-6, "decode, %d: %g",
+                  i, (double)back[i]);
     }
     const float zero[3] = { 0, 0, 0 };
     float e[2] = { 7, 7 };
@@ -685,8 +976,10 @@ static void octahedral(void)
 
 static double map_texel(float d[3], int size, int at)    /* its solid angle, up to a factor */
 {
-    const float e[2] = { ((float)(at % size) + 0.5f) / (float)size * 2 - 1, ((float)(at / size) + 0.5f) / (float)size * 2 - 1 };
-    const double x = fabs((double)e[0]), y = fabs((double)e[1]), z = 1 - x - y, xx = z < 0 ? 1 - y : x, yy = z < 0 ? 1 - x : y;
+    const float e[2] = { ((float)(at % size) + 0.5f) / (float)size * 2 - 1,
+                         ((float)(at / size) + 0.5f) / (float)size * 2 - 1 };
+    const double x = fabs((double)e[0]), y = fabs((double)e[1]), z = 1 - x - y, xx = z < 0 ? 1 - y : x,
+                 yy = z < 0 ? 1 - x : y;
     ssgi_octahedral_decode(e, d);
     return pow(xx * xx + yy * yy + z * z, -1.5);
 }
@@ -700,23 +993,36 @@ static void environment_maps(void)
     float d[3], given[27];
     for (size_t k = 0; k < sizeof angles / sizeof angles[0]; ++k) {
         const double kappa = angles[k] > 0 ? 4 * PI / fmax((double)angles[k], 0.05) : 0;
-        const double lobe[3] = { 1, k ? 1 / tanh(kappa) - 1 / kappa : 2.0 / 3, k ? 1 - 3 * (1 / tanh(kappa) - 1 / kappa) / kappa : 0.25 };     /* what it leaves of a band */
+        /* what it leaves of a band */
+        const double lobe[3] = { 1, k ? 1 / tanh(kappa) - 1 / kappa : 2.0 / 3,
+                                 k ? 1 - 3 * (1 / tanh(kappa) - 1 / kappa) / kappa : 0.25 };
         for (int s = 0; s < 4; ++s) {
-            for (int i = 0; i < sizes[s][0] * sizes[s][1]; ++i) { rgb[3 * i] = 0.7f; rgb[3 * i + 1] = 1e4f; rgb[3 * i + 2] = 0; }
+            for (int i = 0; i < sizes[s][0] * sizes[s][1]; ++i) {
+                rgb[3 * i] = 0.7f;
+                rgb[3 * i + 1] = 1e4f;
+                rgb[3 * i + 2] = 0;
+            }
             CHECK(ssgi_environment_map(map, 8, rgb, sizes[s][0], sizes[s][1], angles[k], &why) == SSGI_OK, "%s", why);
             for (int i = 0; i < 64; ++i)
-                CHECK(fabsf(map[3 * i] / 0.7f - 1) < 1e-6f && fabsf(map[3 * i + 1] / 1e4f - 1) < 1e-6f && map[3 * i + 2] == 0.0f, "constant, %d x %d, lobe %g: %.9g", sizes[s][0], sizes[s][1], (double)angles[k], (double)map[3 * i]);
+                CHECK(fabsf(map[3 * i] / 0.7f - 1) < 1e-6f && fabsf(map[3 * i + 1] / 1e4f - 1) < 1e-6f
+                          && map[3 * i + 2] == 0.0f,
+                      "constant, %d x %d, lobe %g: %.9g", sizes[s][0], sizes[s][1], (double)angles[k],
+                      (double)map[3 * i]);
         }
         smooth(rgb, given, 300, 150);
         ssgi_environment_map(map, 32, rgb, 300, 150, angles[k], NULL);
         double worst = 0, mean = 0, all = 0;
         for (int i = 0; i < 32 * 32; ++i) {
             const double weight = map_texel(d, 32, i), at[3] = { (double)d[0], (double)d[1], (double)d[2] };
-            for (int c = 0; c < 3; ++c) worst = fmax(worst, fabs((double)map[3 * i + c] - sh_sum(given, c, at, lobe)) * sqrt(4 * PI) / (double)given[c]);
+            for (int c = 0; c < 3; ++c)
+                worst = fmax(worst, fabs((double)map[3 * i + c] - sh_sum(given, c, at, lobe)) * sqrt(4 * PI)
+                                        / (double)given[c]);
             mean += weight * (double)map[3 * i];
             all += weight;
         }
-        CHECK(worst < 3e-3 && fabs(mean / all * sqrt(4 * PI) / (double)given[0] - 1) < 1e-3, "lobe %g: off by %g of the mean; mean %.9g of %.9g", (double)angles[k], worst, mean / all, (double)given[0] / sqrt(4 * PI));
+        CHECK(worst < 3e-3 && fabs(mean / all * sqrt(4 * PI) / (double)given[0] - 1) < 1e-3,
+              "lobe %g: off by %g of the mean; mean %.9g of %.9g", (double)angles[k], worst, mean / all,
+              (double)given[0] / sqrt(4 * PI));
         t_note("lobe of %g sr: worst error %.2g of the mean", (double)angles[k], worst);
     }
     /* what is no light counts as 0, everywhere */
@@ -731,16 +1037,20 @@ static void environment_maps(void)
         ssgi_environment_suns(suns[pass], 5, rgb, 300, 150, NULL);
         rgb[30000] = kept;
     }
-    CHECK(!memcmp(sh[0], sh[1], sizeof sh[0]) && !memcmp(map, other, sizeof map) && !memcmp(suns[0], suns[1], sizeof suns[0]), "what is not finite or negative does not count as 0");
+    CHECK(!memcmp(sh[0], sh[1], sizeof sh[0]) && !memcmp(map, other, sizeof map)
+              && !memcmp(suns[0], suns[1], sizeof suns[0]),
+          "what is not finite or negative does not count as 0");
 }
 
-/* A sky of 1 with a disc of 101, 6 degrees in radius, 40 degrees up: within the cones, across their rims and outside. */
+/* A sky of 1 with a disc of 101, 6 degrees in radius, 40 degrees up: within the cones, across their rims and
+   outside. */
 static void environment_cones(void)
 {
     enum { W = 480, H = 240, SIDE = 32 };
     static const float cosines[] = { 0, 0.02f, 0.25f, 0.5f, 0.75f, 0.95f };
     static float rgb[3 * W * H], map[3 * SIDE * SIDE], open[3 * SIDE * SIDE];
-    const double sun[3] = { 0.3, sin(40 * PI / 180), sqrt(1 - 0.09 - pow(sin(40 * PI / 180), 2)) }, radius = 6 * PI / 180;
+    const double sun[3] = { 0.3, sin(40 * PI / 180), sqrt(1 - 0.09 - pow(sin(40 * PI / 180), 2)) },
+                 radius = 6 * PI / 180;
     const char *why = "";
     double p[3];
     float d[3];
@@ -749,33 +1059,43 @@ static void environment_cones(void)
         const float L = p[0] * sun[0] + p[1] * sun[1] + p[2] * sun[2] > cos(radius) ? 101 : 1;
         rgb[3 * i] = L; rgb[3 * i + 1] = 0.7f; rgb[3 * i + 2] = 0;
     }
-    CHECK(ssgi_environment_map(open, SIDE, rgb, W, H, 0, NULL) == SSGI_OK && ssgi_environment_cone(map, SIDE, rgb, W, H, 0, &why) == SSGI_OK && !memcmp(map, open, sizeof map), "cosine 0 is not irradiance %s", why);
+    CHECK(ssgi_environment_map(open, SIDE, rgb, W, H, 0, NULL) == SSGI_OK
+              && ssgi_environment_cone(map, SIDE, rgb, W, H, 0, &why) == SSGI_OK && !memcmp(map, open, sizeof map),
+          "cosine 0 is not irradiance %s", why);
     for (size_t k = 0; k < sizeof cosines / sizeof cosines[0]; ++k) {
-        const double C = (double)cosines[k], half = fmin(C, 3.75 * PI / 180 * sqrt(1 - C * C)), inside = 1e2 * pow(sin(radius), 2) / (1 - C * C), rim = acos(C);
+        const double C = (double)cosines[k], half = fmin(C, 3.75 * PI / 180 * sqrt(1 - C * C)),
+                     inside = 1e2 * pow(sin(radius), 2) / (1 - C * C), rim = acos(C);
         double worst = 0, across = 0;
         ssgi_environment_cone(map, SIDE, rgb, W, H, cosines[k], NULL);
         for (int i = 0; i < SIDE * SIDE; ++i) {
             map_texel(d, SIDE, i);
-            const double towards = (double)d[0] * sun[0] + (double)d[1] * sun[1] + (double)d[2] * sun[2], angle = acos(fmin(fmax(towards, -1), 1)), most = 1 + inside, is = (double)map[3 * i];
+            const double towards = (double)d[0] * sun[0] + (double)d[1] * sun[1] + (double)d[2] * sun[2],
+                         angle = acos(fmin(fmax(towards, -1), 1)), most = 1 + inside, is = (double)map[3 * i];
             /* the disc through the ramp as documented: its rings, by how much of each lies at which cosine */
             double seen = 0, through_all = 0;
             for (int ring = 0; ring < 12; ++ring)
                 for (int turn = 0; turn < 24; ++turn) {
-                    const double r = radius * sqrt((ring + 0.5) / 12), cosine = cos(r) * cos(angle) + sin(r) * sin(angle) * cos(2 * PI * (turn + 0.5) / 24);
+                    const double r = radius * sqrt((ring + 0.5) / 12),
+                                 cosine = cos(r) * cos(angle) + sin(r) * sin(angle) * cos(2 * PI * (turn + 0.5) / 24);
                     const double ramp = half > 0 ? fmin(fmax((cosine - C + half) / (2 * half), 0), 1) : cosine > 0;
                     seen += 2 * PI * (1 - cos(radius)) / 288 * cosine * ramp;
                 }
             for (int s = 0; s < 400; ++s) {
                 const double cosine = C - half + (1 - C + half) * (s + 0.5) / 400;
-                through_all += 2 * PI * (1 - C + half) / 400 * cosine * (half > 0 ? fmin((cosine - C + half) / (2 * half), 1) : 1);
+                through_all +=
+                    2 * PI * (1 - C + half) / 400 * cosine * (half > 0 ? fmin((cosine - C + half) / (2 * half), 1) : 1);
             }
             across = fmax(across, fabs(is - 1 - 1e2 * seen / through_all) / most);
-            CHECK(fabsf(map[3 * i + 1] / 0.7f - 1) < 1e-6f && map[3 * i + 2] == 0.0f, "constant, cosine %g: %.9g", C, (double)map[3 * i + 1]);
-            if (angle > rim + radius + 0.14) CHECK(fabs(is - 1) < 1e-5, "cosine %g, outside: %.9g", C, is);     /* ramp and cell */
+            CHECK(fabsf(map[3 * i + 1] / 0.7f - 1) < 1e-6f && map[3 * i + 2] == 0.0f, "constant, cosine %g: %.9g", C,
+                  (double)map[3 * i + 1]);
+            /* ramp and cell */
+            if (angle > rim + radius + 0.14) CHECK(fabs(is - 1) < 1e-5, "cosine %g, outside: %.9g", C, is);
             else if (angle < rim - radius - 0.14) worst = fmax(worst, fabs(is / (1 + inside * towards) - 1));
         }
-        CHECK(worst < 5e-3 && across < 0.02, "cosine %g: within the cone off by %g of the exact average, across the rim by %g", C, worst, across);
-        t_note("cone of cosine %g: disc inside off by %.2g of its exact average, across the rim by %.2g", C, worst, across);
+        CHECK(worst < 5e-3 && across < 0.02,
+              "cosine %g: within the cone off by %g of the exact average, across the rim by %g", C, worst, across);
+        t_note("cone of cosine %g: disc inside off by %.2g of its exact average, across the rim by %.2g", C, worst,
+               across);
     }
 }
 
@@ -790,24 +1110,33 @@ static void sunlight(void)
         const int width = wide ? 600 : 64, height = wide ? 150 : 32;
         double total[3] = { 0, 0, 0 };
         for (int i = 0; i < width * height; ++i)
-            for (int c = 0; c < 3; ++c) { rgb[3 * i + c] = uniform(0, 1) * (i % 97 ? 1 : 20); total[c] += (double)rgb[3 * i + c] * equirect(d, i % width, i / width, width, height); }
+            for (int c = 0; c < 3; ++c) {
+                rgb[3 * i + c] = uniform(0, 1) * (i % 97 ? 1 : 20);
+                total[c] += (double)rgb[3 * i + c] * equirect(d, i % width, i / width, width, height);
+            }
         for (size_t k = 0; k < sizeof counts / sizeof counts[0]; ++k) {
             double sum[3] = { 0, 0, 0 }, least = 1e30, most = 0;
             int unit = 1;
             CHECK(ssgi_environment_suns(suns, counts[k], rgb, width, height, &why) == SSGI_OK, "%s", why);
             for (int i = 0; i < counts[k]; ++i) {
-                const double light = 0.2126 * (double)suns[i].irradiance[0] + 0.7152 * (double)suns[i].irradiance[1] + 0.0722 * (double)suns[i].irradiance[2];
+                const double light = 0.2126 * (double)suns[i].irradiance[0] + 0.7152 * (double)suns[i].irradiance[1]
+                                     + 0.0722 * (double)suns[i].irradiance[2];
                 for (int c = 0; c < 3; ++c) sum[c] += (double)suns[i].irradiance[c];
                 least = fmin(least, light); most = fmax(most, light);
                 unit &= fabs(dot(suns[i].direction, suns[i].direction) - 1) < 1e-6;
             }
-            for (int c = 0; c < 3; ++c) CHECK(fabs(sum[c] / total[c] - 1) < 1e-5, "%d suns of %d x %d: irradiances sum to %.9g, not %.9g", counts[k], width, height, sum[c], total[c]);
+            for (int c = 0; c < 3; ++c)
+                CHECK(fabs(sum[c] / total[c] - 1) < 1e-5, "%d suns of %d x %d: irradiances sum to %.9g, not %.9g",
+                      counts[k], width, height, sum[c], total[c]);
             CHECK(unit, "%d suns: a direction is not unit", counts[k]);
-            if (wide && counts[k] <= 16 && (counts[k] & (counts[k] - 1)) == 0) CHECK(most < 1.3 * least, "%d suns of %d x %d are not about equal: %g to %g", counts[k], width, height, least, most);
+            if (wide && counts[k] <= 16 && (counts[k] & (counts[k] - 1)) == 0)
+                CHECK(most < 1.3 * least, "%d suns of %d x %d are not about equal: %g to %g", counts[k], width, height,
+                      least, most);
         }
     }
     for (int t = 0; t < 60; ++t) {                       /* one lit texel: one sun, exactly there */
-        const int width = t % 2 ? 500 : 32, height = 20, at = (int)uniform(0, (float)(width * height)), count = 1 + t % 20;
+        const int width = t % 2 ? 500 : 32, height = 20, at = (int)uniform(0, (float)(width * height)),
+                  count = 1 + t % 20;
         const double area = equirect(d, at % width, at / width, width, height);
         int lit = 0;
         for (int i = 0; i < 3 * width * height; ++i) rgb[i] = i / 3 == at ? 3.0f : 0.0f;
@@ -816,18 +1145,28 @@ static void sunlight(void)
             const float *s = suns[i].direction;
             if (suns[i].irradiance[1] == 0.0f) continue;
             ++lit;
-            CHECK(fabs((double)s[0] - d[0]) < 1e-6 && fabs((double)s[1] - d[1]) < 1e-6 && fabs((double)s[2] - d[2]) < 1e-6 && fabs((double)suns[i].irradiance[0] / (3 * area) - 1) < 1e-5, "texel %d of %d: sun at %g %g %g", at, width, (double)s[0], (double)s[1], (double)s[2]);
+            CHECK(fabs((double)s[0] - d[0]) < 1e-6 && fabs((double)s[1] - d[1]) < 1e-6
+                      && fabs((double)s[2] - d[2]) < 1e-6
+                      && fabs((double)suns[i].irradiance[0] / (3 * area) - 1) < 1e-5,
+                  "texel %d of %d: sun at %g %g %g", at, width, (double)s[0], (double)s[1], (double)s[2]);
         }
         CHECK(lit == 1, "%d suns of one texel are lit", lit);
     }
-    for (int i = 0; i < 24; ++i) rgb[i] = i < 21 ? 1 : 7;       /* the median by hand: seven texels of 1 beside one of 7 */
+    /* the median by hand: seven texels of 1 beside one of 7 */
+    for (int i = 0; i < 24; ++i) rgb[i] = i < 21 ? 1 : 7;
     ssgi_environment_suns(suns, 2, rgb, 8, 1, NULL);
-    CHECK(fabs((double)suns[0].irradiance[0] / (7 * PI / 2) - 1) < 1e-6 && fabs((double)suns[1].irradiance[0] / (7 * PI / 2) - 1) < 1e-6, "halves of 7 and 7: %g %g", (double)suns[0].irradiance[0], (double)suns[1].irradiance[0]);
+    CHECK(fabs((double)suns[0].irradiance[0] / (7 * PI / 2) - 1) < 1e-6
+              && fabs((double)suns[1].irradiance[0] / (7 * PI / 2) - 1) < 1e-6,
+          "halves of 7 and 7: %g %g", (double)suns[0].irradiance[0], (double)suns[1].irradiance[0]);
     for (int i = 0; i < 18; ++i) rgb[i] = 1;             /* more suns than texels */
     ssgi_environment_suns(suns, 40, rgb, 3, 2, NULL);
     double sum = 0;
     int lit = 0;
-    for (int i = 0; i < 40; ++i) { sum += (double)suns[i].irradiance[0]; lit += suns[i].irradiance[0] > 0; CHECK(fabs(dot(suns[i].direction, suns[i].direction) - 1) < 1e-6, "sun %d has no direction", i); }
+    for (int i = 0; i < 40; ++i) {
+        sum += (double)suns[i].irradiance[0];
+        lit += suns[i].irradiance[0] > 0;
+        CHECK(fabs(dot(suns[i].direction, suns[i].direction) - 1) < 1e-6, "sun %d has no direction", i);
+    }
     CHECK(lit == 6 && fabs(sum / (4 * PI) - 1) < 1e-6, "%d suns of six texels are lit, by %g", lit, sum);
 }
 
@@ -842,7 +1181,12 @@ static void vpls(void)
     for (int i = 0; i < PIXELS; ++i) {
         position[3 * i] = (float)i;
         direction(normal + 3 * i);
-        for (int c = 0; c < 3; ++c) flux[3 * i + c] = i % 3 == 1 ? uniform(0, 1) * (i % 5 ? 1 : 30) : i % 3 == 0 ? 0 : c == 0 ? NAN : c == 1 ? -1 : 0;
+        for (int c = 0; c < 3; ++c)
+            flux[3 * i + c] = i % 3 == 1   ? uniform(0, 1) * (i % 5 ? 1 : 30)
+                              : i % 3 == 0 ? 0
+                              : c == 0     ? NAN
+                              : c == 1     ? -1
+                                           : 0;
         if (i % 3 == 1) total += dot(flux + 3 * i, luminance);
     }
     for (int count = 1; count <= 4096; count = count * 2 + (count == 64)) {
@@ -855,22 +1199,27 @@ static void vpls(void)
         for (int i = 0; i < count; ++i) {
             const int k = (int)lights[i].position[0];
             const float *f = flux + 3 * k, *g = lights[i].intensity;
-            CHECK(k % 3 == 1 && !memcmp(lights[i].normal, normal + 3 * k, sizeof lights[i].normal), "%d lights: one at pixel %d, which is dark, or another's normal", count, k);
-            CHECK(fabsf(g[0] * f[1] - g[1] * f[0]) <= 1e-5f * g[0] * f[1] && fabsf(g[2] * f[1] - g[1] * f[2]) <= 1e-5f * g[2] * f[1], "%d lights: colour of pixel %d", count, k);
+            CHECK(k % 3 == 1 && !memcmp(lights[i].normal, normal + 3 * k, sizeof lights[i].normal),
+                  "%d lights: one at pixel %d, which is dark, or another's normal", count, k);
+            CHECK(fabsf(g[0] * f[1] - g[1] * f[0]) <= 1e-5f * g[0] * f[1]
+                      && fabsf(g[2] * f[1] - g[1] * f[2]) <= 1e-5f * g[2] * f[1],
+                  "%d lights: colour of pixel %d", count, k);
             sum += PI * dot(g, luminance);
             ++chosen[k];
         }
         CHECK(fabs(sum / total - 1) < 1e-5, "%d lights send %.9g, the map %.9g", count, sum, total);
         for (int k = 0; k < PIXELS; ++k) {               /* strata: no pixel has two more or less than its share */
             const double share = k % 3 == 1 ? dot(flux + 3 * k, luminance) / total * count : 0;
-            CHECK(fabs(chosen[k] - share) < 2, "%d lights: pixel %d is chosen %d times, its share is %g", count, k, chosen[k], share);
+            CHECK(fabs(chosen[k] - share) < 2, "%d lights: pixel %d is chosen %d times, its share is %g", count, k,
+                  chosen[k], share);
         }
     }
 }
 
-/* ---- bad arguments of those rooms --------------------------------------------------------------------------------- */
+/* ---- bad arguments of those rooms -------------------------------------------------------------------------------- */
 
-/* A sky of two colours and two suns, in any bands: harmonics and what they lack are together what an open surface gets. */
+/* A sky of two colours and two suns, in any bands: harmonics and what they lack are together what an open surface
+   gets. */
 static void lacking(void)
 {
     enum { SIDE = 16 };
@@ -880,30 +1229,44 @@ static void lacking(void)
         for (int count = 0; count <= 2; ++count) {
             float map[3 * SIDE * SIDE] = { 0 }, coefficients[3 * MOST] = { 0 }, basis[MOST], n[3];
             ssgi_sh_sky(coefficients, bands, up, above, below, NULL);
-            for (int k = 0; k < count; ++k) ssgi_sh_light(coefficients, bands, suns[k].direction, 0, suns[k].irradiance, k, NULL);
+            for (int k = 0; k < count; ++k)
+                ssgi_sh_light(coefficients, bands, suns[k].direction, 0, suns[k].irradiance, k, NULL);
             for (int pass = 0; pass < 2; ++pass)
                 for (int i = 0; i < SIDE * SIDE; ++i) {
-                    const float e[2] = { (2 * (float)(i % SIDE) + 1) / SIDE - 1, (2 * (float)(i / SIDE) + 1) / SIDE - 1 };
+                    const float e[2] = { (2 * (float)(i % SIDE) + 1) / SIDE - 1,
+                                         (2 * (float)(i / SIDE) + 1) / SIDE - 1 };
                     ssgi_octahedral_decode(e, n);
                     ssgi_sh_basis(basis, bands, n);
                     for (int c = 0; c < 3; ++c) {
-                        const double sky = (double)below[c] + ((double)above[c] - (double)below[c]) * (0.5 + 0.5 * (double)n[1]);
+                        const double sky =
+                            (double)below[c] + ((double)above[c] - (double)below[c]) * (0.5 + 0.5 * (double)n[1]);
                         double sum = (double)map[3 * i + c], want = sky;
                         if (!pass) { map[3 * i + c] = (float)sky; continue; }
-                        for (int j = 0; j < bands * bands; ++j) sum += (double)ssgi_sh_cosine((int)sqrt(j)) * (double)basis[j] * (double)coefficients[3 * j + c] / PI;
-                        for (int k = 0; k < count; ++k) want += fmax(0, dot(n, suns[k].direction)) * (double)suns[k].irradiance[c] / PI;
-                        CHECK(fabs(sum - want) < 2e-6, "%d bands, %d suns, texel %d: %.9g, open %.9g", bands, count, i, sum, want);
+                        for (int j = 0; j < bands * bands; ++j)
+                            sum += (double)ssgi_sh_cosine((int)sqrt(j)) * (double)basis[j]
+                                   * (double)coefficients[3 * j + c] / PI;
+                        for (int k = 0; k < count; ++k)
+                            want += fmax(0, dot(n, suns[k].direction)) * (double)suns[k].irradiance[c] / PI;
+                        CHECK(fabs(sum - want) < 2e-6, "%d bands, %d suns, texel %d: %.9g, open %.9g", bands, count, i,
+                              sum, want);
                     }
-                    if (!pass && i == SIDE * SIDE - 1) CHECK(ssgi_sh_residual(map, SIDE, coefficients, bands, suns, count, NULL) == SSGI_OK, "refused");
+                    if (!pass && i == SIDE * SIDE - 1)
+                        CHECK(ssgi_sh_residual(map, SIDE, coefficients, bands, suns, count, NULL) == SSGI_OK,
+                              "refused");
                 }
         }
 }
 
 static void bad_light(void)
 {
-    static const float grid[12] = { 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1 }, id[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, c[3] = { 0, 0, -3 }, dark[3] = { 0, -1, NAN }, nan[3] = { 0, NAN, 0 };
-    static const float scaled[16] = { 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, skewed[16] = { 1, 0.1f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, tilted[16] = { 1, 0, 0, 0.1f, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    static const float *const faces[6] = { grid, grid, grid, grid, grid, grid }, *const five[6] = { grid, grid, grid, NULL, grid, grid };
+    static const float grid[12] = { 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1 },
+                       id[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, c[3] = { 0, 0, -3 },
+                       dark[3] = { 0, -1, NAN }, nan[3] = { 0, NAN, 0 };
+    static const float scaled[16] = { 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
+                       skewed[16] = { 1, 0.1f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 },
+                       tilted[16] = { 1, 0, 0, 0.1f, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static const float *const faces[6] = { grid, grid, grid, grid, grid, grid }, *const five[6] = { grid, grid, grid,
+                                                                                                    NULL, grid, grid };
     static float out[3 * 64], was[3 * 64];
     static ssgi_sun suns[1024];
     static ssgi_vpl lights[4096];
@@ -914,7 +1277,10 @@ static void bad_light(void)
     for (int i = 0; i < 3 * 64; ++i) out[i] = was[i] = 7;
     memset(suns, 0x5a, sizeof suns);
     memset(lights, 0x5a, sizeof lights);
-#define NAMED(start, function, ...) (why = "", CHECK(function(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT && function(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), "%s %s \"%s\"", #function, start, why))
+#define NAMED(start, function, ...) \
+    (why = "", CHECK(function(__VA_ARGS__, NULL) == SSGI_BAD_ARGUMENT \
+                         && function(__VA_ARGS__, &why) == SSGI_BAD_ARGUMENT && NAMES(why, start), \
+                     "%s %s \"%s\"", #function, start, why))
     NAMED("world_to_view:", ssgi_extra_camera, NULL, p, id, c, 1, c);
     NAMED("projection:", ssgi_extra_camera, v, NULL, id, c, 1, c);
     NAMED("centre:", ssgi_extra_camera, v, p, id, NULL, 1, c);
@@ -942,7 +1308,12 @@ static void bad_light(void)
     NAMED("coefficients:", ssgi_sh_sky, NULL, 3, c, grid, grid);
     NAMED("coefficients:", ssgi_sh_dering, NULL, 3, strength);
     for (int k = 0; k < 3; ++k) {
-        const float *const axis = k == 0 ? NULL : k == 1 ? nan : zero, *const colour = k == 1 ? nan : k == 2 ? endless : NULL;
+        const float *const axis = k == 0   ? NULL
+                                  : k == 1 ? nan
+                                           : zero,
+                           *const colour = k == 1   ? nan
+                                           : k == 2 ? endless
+                                                    : NULL;
         NAMED("direction:", ssgi_sh_light, out, 3, axis, 0, grid, 0);
         NAMED("sine:", ssgi_sh_light, out, 3, c, k == 0 ? -0.1f : k == 1 ? 1.1f : NAN, grid, 0);
         NAMED("irradiance:", ssgi_sh_light, out, 3, c, 0, colour, 0);
@@ -994,45 +1365,75 @@ static void bad_light(void)
 
 static void bias(void)
 {
-    static const float m[2][16] = { { 1.5f, 0, 0, 0, 0, -2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, { 0.02f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
-    static const float small[] = { 0, 0, 0 }, box[] = { 0.3f, 0.4f, 0 }, huge[] = { 1e30f, 1e30f, 1e30f }, none[] = { NAN, 1, 1 }, below[] = { -1, 1, 1 }, tight[] = { 1e-3f, 1e-3f, 1e-3f };
+    static const float m[2][16] = { { 1.5f, 0, 0, 0, 0, -2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },
+                                    { 0.02f, 0, 0, 0, 0, 0.05f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 } };
+    static const float small[] = { 0, 0, 0 }, box[] = { 0.3f, 0.4f, 0 }, huge[] = { 1e30f, 1e30f, 1e30f },
+                       none[] = { NAN, 1, 1 }, below[] = { -1, 1, 1 }, tight[] = { 1e-3f, 1e-3f, 1e-3f };
     for (int ortho = 0; ortho < 2; ++ortho) {
         ssgi_view v;
         ssgi_view_from_projection(&v, m[ortho], SSGI_CLIP_GL, 1000, 500, NULL);
-        for (float z = 0.2f; z < 1e4f; z *= 3) {             /* [HSAO08 eq. 13] z / (f res), the axis whose pixels are wider; f: element 0 or 5 */
-            const double x = 1 / ((double)m[ortho][0] * 1000), y = 1 / (fabs((double)m[ortho][5]) * 500), want = fmax(x, y) * (ortho ? 1 : (double)z);
-            CHECK(fabs((double)ssgi_normal_offset(&v, z) / want - 1) < 1e-6 && fabs((double)ssgi_pixel_footprint(&v, z) / (2 * want) - 1) < 1e-6, "offset %g at %g, eq. 13 %g", (double)ssgi_normal_offset(&v, z), (double)z, want);
+        /* [HSAO08 eq. 13] z / (f res), the axis whose pixels are wider; f: element 0 or 5 */
+        for (float z = 0.2f; z < 1e4f; z *= 3) {
+            const double x = 1 / ((double)m[ortho][0] * 1000), y = 1 / (fabs((double)m[ortho][5]) * 500),
+                         want = fmax(x, y) * (ortho ? 1 : (double)z);
+            CHECK(fabs((double)ssgi_normal_offset(&v, z) / want - 1) < 1e-6
+                      && fabs((double)ssgi_pixel_footprint(&v, z) / (2 * want) - 1) < 1e-6,
+                  "offset %g at %g, eq. 13 %g", (double)ssgi_normal_offset(&v, z), (double)z, want);
             const double most = 0.25 * 500 * 2 * want;
-            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, tight) / 1.7320508e-4 - 1) < 1e-5, "a small box: %g", (double)ssgi_radius_guess(&v, z, small, tight));
-            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, box) / fmin(0.05, most) - 1) < 1e-5, "a box of diagonal 0.5 at %g: %g", (double)z, (double)ssgi_radius_guess(&v, z, small, box));
+            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, tight) / 1.7320508e-4 - 1) < 1e-5, "a small box: %g",
+                  (double)ssgi_radius_guess(&v, z, small, tight));
+            CHECK(fabs((double)ssgi_radius_guess(&v, z, small, box) / fmin(0.05, most) - 1) < 1e-5,
+                  "a box of diagonal 0.5 at %g: %g", (double)z, (double)ssgi_radius_guess(&v, z, small, box));
             const float *const odd[] = { small, huge, none, below };
-            for (int k = 0; k < 4; ++k) CHECK(fabs((double)ssgi_radius_guess(&v, z, small, odd[k]) / most - 1) < 1e-6, "box %d: %g, a quarter of the height is %g", k, (double)ssgi_radius_guess(&v, z, small, odd[k]), most);
+            for (int k = 0; k < 4; ++k)
+                CHECK(fabs((double)ssgi_radius_guess(&v, z, small, odd[k]) / most - 1) < 1e-6,
+                      "box %d: %g, a quarter of the height is %g", k, (double)ssgi_radius_guess(&v, z, small, odd[k]),
+                      most);
         }
     }
 }
 
 static void shadow_bias(void)
 {
-    static const double alpha[8] = { 0, 30, 45, 60, 80, 85, 89, 89.9 };     /* degrees; closed forms in double precision */
-    static const struct { double angle; int resolution; double depth, patch, bias[8]; } row[3] = {
-        { 60, 1024, 10, 0.0112763724, { 0, 0.00460355977, 0.00797359942, 0.0138106793, 0.0452205294, 0.0911386584, 0.456807205, 4.56853131 } },
-        { 90, 512, 5, 0.01953125, { 0, 0.00797359942, 0.0138106793, 0.0239207983, 0.0783242545, 0.157856787, 0.791213288, 7.91292834 } },
-        { 45, 2048, 20, 0.00809010864, { 0, 0.00330277302, 0.00572057068, 0.00990831907, 0.0324429685, 0.0653864221, 0.327731275, 3.27764224 } } };
+    /* degrees; closed forms in double precision */
+    static const double alpha[8] = { 0, 30, 45, 60, 80, 85, 89, 89.9 };
+    static const struct { double angle; int resolution; double depth, patch, bias[8];
+    } row[3] = {
+        { 60,
+          1024,
+          10,
+          0.0112763724,
+          { 0, 0.00460355977, 0.00797359942, 0.0138106793, 0.0452205294, 0.0911386584, 0.456807205, 4.56853131 } },
+        { 90,
+          512,
+          5,
+          0.01953125,
+          { 0, 0.00797359942, 0.0138106793, 0.0239207983, 0.0783242545, 0.157856787, 0.791213288, 7.91292834 } },
+        { 45,
+          2048,
+          20,
+          0.00809010864,
+          { 0, 0.00330277302, 0.00572057068, 0.00990831907, 0.0324429685, 0.0653864221, 0.327731275, 3.27764224 } }
+    };
     static const float odd[] = { 0, -0.0f, -1, -1e30f, 1e-45f, 1e-30f, 2, 1e30f };
     for (int i = 0; i < 3; ++i) {
         const float patch = ssgi_shadow_patch((float)row[i].depth, (float)(row[i].angle * PI / 180), row[i].resolution);
         CHECK(fabs((double)patch / row[i].patch - 1) < 1e-6, "patch %.9g, not %.9g", (double)patch, row[i].patch);
         for (int k = 0; k < 8; ++k) {
             const float c = (float)cos(alpha[k] * PI / 180), bias = ssgi_shadow_bias((float)row[i].patch, c, 100);
-            CHECK(fabs((double)bias - row[i].bias[k]) <= 2e-6 * row[i].bias[k], "bias at %g degrees: %.9g, not %.9g", alpha[k], (double)bias, row[i].bias[k]);
-            CHECK(ssgi_shadow_bias((float)row[i].patch, c, 0.05f) == fminf(bias, 0.05f), "at most 0.05 at %g degrees", alpha[k]);
+            CHECK(fabs((double)bias - row[i].bias[k]) <= 2e-6 * row[i].bias[k], "bias at %g degrees: %.9g, not %.9g",
+                  alpha[k], (double)bias, row[i].bias[k]);
+            CHECK(ssgi_shadow_bias((float)row[i].patch, c, 0.05f) == fminf(bias, 0.05f), "at most 0.05 at %g degrees",
+                  alpha[k]);
         }
     }
     for (size_t k = 0; k < sizeof odd / sizeof odd[0]; ++k) {
         const float want = odd[k] > 1 ? 0 : 3, got = ssgi_shadow_bias(k & 1 ? 3e38f : 1, odd[k], 3);
         CHECK(got == want, "cosine %g: bias %g, not %g", (double)odd[k], (double)got, (double)want);
     }
-    CHECK(ssgi_shadow_bias(-3e38f, 1e-45f, 3) == 0.0f && ssgi_shadow_patch(1, 1.5707964f, 0) == ssgi_shadow_patch(1, 1.5707964f, 1), "negative patch, no texels");
+    CHECK(ssgi_shadow_bias(-3e38f, 1e-45f, 3) == 0.0f
+              && ssgi_shadow_patch(1, 1.5707964f, 0) == ssgi_shadow_patch(1, 1.5707964f, 1),
+          "negative patch, no texels");
 }
 
 void test_math(void)
@@ -1046,7 +1447,9 @@ void test_math(void)
     RUN("the offset is half a pixel's footprint; a radius stays within the picture", bias);
     RUN("harmonics: the table's functions, the addition theorem, the cosine's factors", harmonics);
     RUN("harmonics: latitude-longitude and cube maps give back what made them", projections);
-    RUN("windows: the table's rows: zonal factors, irradiance facing, behind and least, the worst that any mask lets through", windows);
+    RUN("windows: the table's rows: zonal factors, irradiance facing, behind and least, the worst that any mask lets "
+        "through",
+        windows);
     RUN("lights: a surface that faces one receives what was given, spheres are caps of the sphere, lights add", lights);
     RUN("skies: their irradiance is the hemisphere light's, coefficients the integral's", skies);
     RUN("transfer: the cosine's series, behind a wall and below a cap", transfer);

@@ -1,4 +1,5 @@
-/* test_pipeline.c - the AO passes through the whole of GL: closed forms, invariances, sizes, garbage, truth, cost, the filter. */
+/* test_pipeline.c - the AO passes through the whole of GL: closed forms, invariances, sizes, garbage, truth, cost, the
+   filter. */
 #include "t.h"
 #include "frames.h"
 
@@ -11,8 +12,16 @@ static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 
 /* 33 samples, steps: loops of up to 32 Mesa unrolls, and is then long at compiling them. */
-static const struct { const char *method, *set; } methods[] = { { "ssao", "samples=33" }, { "hsao", "steps=33" }, { "hsao-fast", "steps=33" }, { "hsao-best", "steps=33" }, { "hsao-march", "steps=33" },
-    { "hsao-march", "steps=33,normal_rays=2,thin=0" }, { "ssao", "samples=33,normal=depth,thin=0" }, { "hsao", "steps=33,normal=depth,thin=1" } };
+static const struct {
+    const char *method, *set;
+} methods[] = { { "ssao", "samples=33" },
+                { "hsao", "steps=33" },
+                { "hsao-fast", "steps=33" },
+                { "hsao-best", "steps=33" },
+                { "hsao-march", "steps=33" },
+                { "hsao-march", "steps=33,normal_rays=2,thin=0" },
+                { "ssao", "samples=33,normal=depth,thin=0" },
+                { "hsao", "steps=33,normal=depth,thin=1" } };
 enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
 
 static uint32_t random_state;
@@ -26,7 +35,8 @@ static uint32_t below(uint32_t n)
 
 kit_camera looking_along_z(int width, int height, int orthographic)
 {
-    kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, orthographic ? 0 : 45, 2, 0.01f, 1000, width, height, { 0, 0 }, KIT_DEPTH_NORMAL };
+    kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, orthographic ? 0 : 45, 2, 0.01f, 1000,
+                     width,       height,       { 0, 0 },    KIT_DEPTH_NORMAL };
     return c;
 }
 
@@ -35,7 +45,11 @@ static int view_of(ssgi_view *view, const kit_camera *c)
     float world[16], projection[16];
     const char *why = "";
     kit_camera_matrices(c, world, projection);
-    return CHECK(ssgi_view_from_projection(view, projection, c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width, c->height, &why) == SSGI_OK, "%s", why);
+    return CHECK(ssgi_view_from_projection(view, projection,
+                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
+                                           c->height, &why)
+                     == SSGI_OK,
+                 "%s", why);
 }
 
 int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4], int planes, const char *more)
@@ -47,9 +61,11 @@ int planes_seen(kit_image *frame, const kit_camera *c, const double (*plane)[4],
     if (!view_of(&view, c) || !TRY(kit_image_new(frame, c->width, c->height, names, &err))) return 0;
     for (size_t at = 0; at < pixels; ++at) {
         const double x = (double)(at % width) + 0.5, y = (double)((pixels - 1 - at) / width) + 0.5;
-        const double p[2] = { x * (double)view.unproject[0] + (double)view.unproject[2], y * (double)view.unproject[1] + (double)view.unproject[3] };
+        const double p[2] = { x * (double)view.unproject[0] + (double)view.unproject[2],
+                              y * (double)view.unproject[1] + (double)view.unproject[3] };
         for (int k = 0; k < planes; ++k) {
-            const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1], z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
+            const double *n = plane[k], across = n[0] * p[0] + n[1] * p[1],
+                         z = c->fovy > 0 ? n[3] / (across - n[2]) : (n[3] - across) / -n[2];
             if (!(z > 0.01 && z < 500) || (frame->data[at] > 0 && z >= (double)frame->data[at])) continue;
             frame->data[at] = (float)z;
             for (size_t i = 0; i < 3; ++i) frame->data[(1 + i) * pixels + at] = (float)n[i];
@@ -74,7 +90,9 @@ static int load(kit_scene *scene, int width, int height)
 static int start(kit_run *run, kit_gbuffer *g, const char *name, const char *set, float radius)
 {
     kit_method m;
-    return CHECK(!kit_method_find(&m, name, &err) && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, NULL, &err), "%s %s: %s", name, set, err.text);
+    return CHECK(!kit_method_find(&m, name, &err) && !kit_method_set(&m, set, &err)
+                     && !kit_run_open(run, g, &m, radius, NULL, &err),
+                 "%s %s: %s", name, set, err.text);
 }
 
 void turn(kit_run *run, kit_gbuffer *g)
@@ -90,14 +108,19 @@ static int draw(kit_image *out, kit_run *run)
     return TRY(kit_run_read(out, run, &err));
 }
 
-/* Turns a run to another G-buffer, whatever its size, at the defaults: compiling is what takes time. beyond: the targets are so much larger, the picture
-   at (8, 6) in them. */
+/* Turns a run to another G-buffer, whatever its size, at the defaults: compiling is what takes time. beyond: the
+   targets are so much larger, the picture at (8, 6) in them. */
 static int fit(kit_run *run, kit_gbuffer *g, float radius, int beyond)
 {
     ssgi_view view;
     const char *why = "";
-    if (!CHECK(ssgi_view_from_projection(&view, g->projection, g->camera.depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, g->viewport[2], g->viewport[3], &why) == SSGI_OK
-               && ssgi_gl_frame_init(&run->frame, &view, radius, &why) == SSGI_OK, "%s", why)) return 0;
+    if (!CHECK(ssgi_view_from_projection(&view, g->projection,
+                                         g->camera.depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO,
+                                         g->viewport[2], g->viewport[3], &why)
+                       == SSGI_OK
+                   && ssgi_gl_frame_init(&run->frame, &view, radius, &why) == SSGI_OK,
+               "%s", why))
+        return 0;
     turn(run, g);
     for (int i = 0; i < 2; ++i) run->frame.origin[i] = g->viewport[i];
     if (beyond) { run->frame.target[0] = 8; run->frame.target[1] = 6; }
@@ -107,13 +130,15 @@ static int fit(kit_run *run, kit_gbuffer *g, float radius, int beyond)
         p->width = (g->viewport[2] + by - 1) / by + beyond;
         p->height = (g->viewport[3] + by - 1) / by + beyond;
         glBindTexture(GL_TEXTURE_2D, p->target[0]);
-        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_R32F : GL_RG32F, p->width, p->height, 0, i ? GL_RED : GL_RG, GL_FLOAT, NULL);
+        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_R32F : GL_RG32F, p->width, p->height, 0, i ? GL_RED : GL_RG, GL_FLOAT,
+                     NULL);
     }
     return 1;
 }
 
 /* run: opened with this method and set already, or all 0 */
-static int picture(kit_image *out, kit_run *run, kit_gbuffer *g, const char *name, const char *set, float radius, float phase, int beyond)
+static int picture(kit_image *out, kit_run *run, kit_gbuffer *g, const char *name, const char *set, float radius,
+                   float phase, int beyond)
 {
     kit_image all;
     if ((!run->passes && !start(run, g, name, set, radius)) || !fit(run, g, radius, beyond)) return 0;
@@ -122,7 +147,8 @@ static int picture(kit_image *out, kit_run *run, kit_gbuffer *g, const char *nam
     if (!beyond) { *out = all; return 1; }
     const int ok = TRY(kit_image_new(out, g->viewport[2], g->viewport[3], "Y", &err));
     for (int y = 0; ok && y < out->height; ++y)
-        memcpy(out->data + y * out->width, all.data + (all.height - 6 - out->height + y) * all.width + 8, (size_t)out->width * sizeof(float));
+        memcpy(out->data + y * out->width, all.data + (all.height - 6 - out->height + y) * all.width + 8,
+               (size_t)out->width * sizeof(float));
     kit_image_free(&all);
     return ok;
 }
@@ -141,23 +167,32 @@ static double difference(const kit_image *a, const kit_image *b, int dx, int dy,
     return sqrt(sum / n);
 }
 
-/* ---- closed forms -------------------------------------------------------------------------------------------------- */
+/* ---- closed forms ------------------------------------------------------------------------------------------------ */
 
 int flat(const kit_image *frame, int x, int y)
 {
     for (int k = 0; k < 49; ++k) {
         const int u = x + k % 7 - 3, v = y + k / 7 - 3;
-        if (u < 0 || v < 0 || u >= frame->width || v >= frame->height || !(frame->data[v * frame->width + u] > 0)) return 0;
+        if (u < 0 || v < 0 || u >= frame->width || v >= frame->height || !(frame->data[v * frame->width + u] > 0))
+            return 0;
     }
     return 1;
 }
 
 static void planes_stay_bright(void)
 {
-    static const struct { const char *method, *set; double most; } row[] = {
-        { "ssao", "", 1e-3 }, { "ssao", "thin=0,blur=0", 1e-3 }, { "hsao", "", 1e-5 }, { "hsao-fast", "", 1e-5 }, { "hsao-best", "blur=0", 1e-5 }, { "hsao-best", "thin=1,hard=1,blur=0", 1e-5 },
-        { "hsao-march", "normal_rays=0,blur=0", 1e-5 }, { "hsao-march", "normal_rays=2,thin=0,blur=0", 1e-3 },
-        { "ssao", "normal=depth", 1e-3 }, { "hsao-best", "normal=depth,blur=0", 1e-5 }, { "hsao-march", "normal=depth,normal_rays=2,thin=0,blur=0", 1e-3 } };
+    static const struct { const char *method, *set; double most;
+    } row[] = { { "ssao", "", 1e-3 },
+                { "ssao", "thin=0,blur=0", 1e-3 },
+                { "hsao", "", 1e-5 },
+                { "hsao-fast", "", 1e-5 },
+                { "hsao-best", "blur=0", 1e-5 },
+                { "hsao-best", "thin=1,hard=1,blur=0", 1e-5 },
+                { "hsao-march", "normal_rays=0,blur=0", 1e-5 },
+                { "hsao-march", "normal_rays=2,thin=0,blur=0", 1e-3 },
+                { "ssao", "normal=depth", 1e-3 },
+                { "hsao-best", "normal=depth,blur=0", 1e-5 },
+                { "hsao-march", "normal=depth,normal_rays=2,thin=0,blur=0", 1e-3 } };
     enum { ROWS = (int)(sizeof row / sizeof row[0]), TURNS = 3, PLANES = 15 };
     static const double tilts[] = { 0, 30, 60, 75, 85 }, turns[TURNS] = { 0, 90, 217 };
     kit_gbuffer g[PLANES];
@@ -167,7 +202,8 @@ static void planes_stay_bright(void)
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
         const kit_camera c = looking_along_z(160, 90, orthographic);
         for (int i = 0; i < PLANES; ++i) {
-            const double a = tilts[i / TURNS] * pi / 180, b = turns[i % TURNS] * pi / 180, n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
+            const double a = tilts[i / TURNS] * pi / 180, b = turns[i % TURNS] * pi / 180,
+                         n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
             if (!walls(&g[i], &frame[i], &c, n, 1)) return;
         }
         for (int m = 0; m < ROWS; ++m) {
@@ -183,8 +219,10 @@ static void planes_stay_bright(void)
                     if (!(1 - (double)out.data[k] <= worst)) worst = 1 - (double)out.data[k];
                     ++looked;
                 }
-                CHECK(worst <= row[m].most, "%s %s, %s: occlusion %.1e on a plane tilted by %g, turned by %g, radius %g", row[m].method, row[m].set,
-                      orthographic ? "orthographic" : "perspective", worst, tilts[i / TURNS], turns[i % TURNS], (double)run.frame.radius);
+                CHECK(worst <= row[m].most,
+                      "%s %s, %s: occlusion %.1e on a plane tilted by %g, turned by %g, radius %g", row[m].method,
+                      row[m].set, orthographic ? "orthographic" : "perspective", worst, tilts[i / TURNS],
+                      turns[i % TURNS], (double)run.frame.radius);
                 kit_image_free(&out);
             }
             kit_run_close(&run);
@@ -194,7 +232,11 @@ static void planes_stay_bright(void)
     CHECK(looked > 2000000, "only %d pixels were looked at", looked);
 }
 
-double linear_corner(double c) { const double s = sqrt(1 - c * c); return (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi; }
+double linear_corner(double c)
+{
+    const double s = sqrt(1 - c * c);
+    return (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi;
+}
 double hard_corner(double c)   { return (acos(c) - c * sqrt(1 - c * c)) / pi; }
 
 int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
@@ -202,7 +244,8 @@ int row_at(double c) { return SPAN + 16 - (int)(c * SPAN); }
 kit_camera corner_planes(double plane[2][4], double c, double behind)
 {
     kit_camera camera = looking_along_z(WIDE, HIGH, 1);
-    const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;       /* view y of the edge */
+    /* view y of the edge */
+    const double r = sqrt(0.5), pixel = r / SPAN, edge = (row_at(c) + 0.5 - 0.5 * HIGH) * pixel + c * r;
     const double n[2][4] = { { 0, r, r, r * (edge - 4) }, { 0, -r, r, r * (-edge - 4) - behind } };
     memcpy(plane, n, sizeof n);
     camera.ortho_height = (float)(HIGH * pixel);
@@ -243,12 +286,20 @@ double row_of(kit_run *run, kit_gbuffer *g, int row, int phases)
 
 static void corner_converges(void)
 {
-    static const double at[] = { 0.1, 0.25, 0.5, 0.75 }, march[2][4][4] = {      /* the exact march at 6, 12, 24, 48 steps, no jitter; the second without attenuation */
-        { { 0.193326, 0.236991, 0.267104, 0.285685 }, { 0.098437, 0.125290, 0.144022, 0.155257 }, { 0.024288, 0.034575, 0.042254, 0.046842 }, { 0.002961, 0.004317, 0.005621, 0.006773 } },
-        { { 0.354857, 0.390954, 0.411327, 0.422853 }, { 0.255313, 0.295565, 0.317516, 0.329434 }, { 0.106953, 0.151142, 0.172023, 0.183345 }, { 0.018299, 0.035325, 0.054697, 0.063784 } } };
-    static const struct { const char *method, *set; double (*truth)(double); double bound; } row[] = {
-        { "hsao-best", "directions=8,steps=48,blur=0", linear_corner, 0.002 }, { "hsao-best", "directions=8,steps=48,hard=1,blur=0", hard_corner, 0.01 },
-        { "ssao", "samples=64,thin=0,blur=0", linear_corner, 0.004 } };
+    /* the exact march at 6, 12, 24, 48 steps, no jitter; the second without attenuation */
+    static const double at[] = { 0.1, 0.25, 0.5, 0.75 },
+                        march[2][4][4] = { { { 0.193326, 0.236991, 0.267104, 0.285685 },
+                                             { 0.098437, 0.125290, 0.144022, 0.155257 },
+                                             { 0.024288, 0.034575, 0.042254, 0.046842 },
+                                             { 0.002961, 0.004317, 0.005621, 0.006773 } },
+                                           { { 0.354857, 0.390954, 0.411327, 0.422853 },
+                                             { 0.255313, 0.295565, 0.317516, 0.329434 },
+                                             { 0.106953, 0.151142, 0.172023, 0.183345 },
+                                             { 0.018299, 0.035325, 0.054697, 0.063784 } } };
+    static const struct { const char *method, *set; double (*truth)(double); double bound;
+    } row[] = { { "hsao-best", "directions=8,steps=48,blur=0", linear_corner, 0.002 },
+                { "hsao-best", "directions=8,steps=48,hard=1,blur=0", hard_corner, 0.01 },
+                { "ssao", "samples=64,thin=0,blur=0", linear_corner, 0.004 } };
     kit_gbuffer g[4];
     kit_run run;
     double worst = 0, scaled[2] = { 0 };
@@ -263,11 +314,14 @@ static void corner_converges(void)
         glBindTexture(GL_TEXTURE_2D, run.noise);           /* steps not jittered, 16 * 32 directions */
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 16, 1, 0, GL_RGBA, GL_FLOAT, tile);
         for (int i = 0; i < 4; ++i) {
-            const double exact = march[hard][i][s % 4], o = 1 - row_of(&run, &g[i], row_at(at[i]), 1), low = (hard ? hard_corner : linear_corner)(at[i]) - o;
+            const double exact = march[hard][i][s % 4], o = 1 - row_of(&run, &g[i], row_at(at[i]), 1),
+                         low = (hard ? hard_corner : linear_corner)(at[i]) - o;
             worst = fmax(worst, fabs(o - exact));
             scaled[hard] = fmax(scaled[hard], low * steps);
-            CHECK(fabs(o - exact) <= 0.004, "march, c %g, %d steps, hard %d: %g, the exact march has %g", at[i], steps, hard, o, exact);
-            CHECK(low <= (hard ? 1.7 : 2.5) / steps && low > -0.002, "march, c %g, %d steps, hard %d: %g below truth", at[i], steps, hard, low);
+            CHECK(fabs(o - exact) <= 0.004, "march, c %g, %d steps, hard %d: %g, the exact march has %g", at[i], steps,
+                  hard, o, exact);
+            CHECK(low <= (hard ? 1.7 : 2.5) / steps && low > -0.002, "march, c %g, %d steps, hard %d: %g below truth",
+                  at[i], steps, hard, low);
         }
         kit_run_close(&run);
     }
@@ -277,7 +331,8 @@ static void corner_converges(void)
         int n = 0;
         if (!start(&run, &g[0], row[m].method, row[m].set, 1)) return;
         for (int r = row_at(1) + 1; r <= row_at(0.1); r += 9, ++n) {
-            const double c = at[1] + (row_at(at[1]) - r) / (double)SPAN, truth = row[m].truth(c), o = 1 - row_of(&run, &g[1], r, 4) - truth;
+            const double c = at[1] + (row_at(at[1]) - r) / (double)SPAN, truth = row[m].truth(c),
+                         o = 1 - row_of(&run, &g[1], r, 4) - truth;
             worst = fmax(worst, fabs(o));
             bias += o;
             CHECK(fabs(o) <= row[m].bound, "%s %s, c %.3f: %+.4f off %.4f", row[m].method, row[m].set, c, o, truth);
@@ -288,15 +343,23 @@ static void corner_converges(void)
     for (int i = 0; i < 4; ++i) kit_gbuffer_free(&g[i]);
 }
 
-/* ---- the same picture, whatever the camera, the layout and the units --------------------------------------------------- */
+/* ---- the same picture, whatever the camera, the layout and the units --------------------------------------------- */
 
 enum { ROOM_W = 480, ROOM_H = 270 };
 
 static void same_picture(void)
 {
     enum { NORMAL, REVERSED, INFINITE, LINEAR, INSIDE, SHIFTED, ROLLED, SMALL, LARGE, WAYS };
-    static const char *const names[WAYS] = { "normal depth", "", "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled", "1/1000", "1000" };
-    static const struct { const char *method, *set; } alike[] = { { "ssao", "noise=texture,thin=0" }, { "hsao", "noise=texture" }, { "hsao-best", "noise=texture" }, { "hsao-march", "noise=texture" } };
+    static const char *const names[WAYS] = {
+        "normal depth", "",    "infinite far plane", "view depth", "inside larger textures", "shifted", "rolled",
+        "1/1000",       "1000"
+    };
+    static const struct {
+        const char *method, *set;
+    } alike[] = { { "ssao", "noise=texture,thin=0" },
+                  { "hsao", "noise=texture" },
+                  { "hsao-best", "noise=texture" },
+                  { "hsao-march", "noise=texture" } };
     static const int margin[4] = { 8, 4, 12, 16 };
     double worst[WAYS] = { 0 };
     for (int orthographic = 0; orthographic < 2; ++orthographic) {
@@ -304,64 +367,90 @@ static void same_picture(void)
         kit_image reference[4], other, frame, turned;
         kit_run run[2][4] = { 0 };
         kit_scene scene;
-        for (int way = REVERSED; way <= WAYS; ++way) {             /* reversed depth first: the reference, as the most precise; normal depth last */
-            const int w = way % WAYS, dx = w == SHIFTED ? 16 : 0, dy = w == SHIFTED ? 32 : 0;       /* multiples of the noise's tile */
+        /* reversed depth first: the reference, as the most precise; normal depth last */
+        for (int way = REVERSED; way <= WAYS; ++way) {
+            /* multiples of the noise's tile */
+            const int w = way % WAYS, dx = w == SHIFTED ? 16 : 0, dy = w == SHIFTED ? 32 : 0;
             const float scale = w == SMALL ? 1e-3f : w == LARGE ? 1e3f : 1;
             if (!load(&scene, ROOM_W, ROOM_H)) return;
             kit_camera *c = &scene.camera;
-            c->depth = w == NORMAL ? KIT_DEPTH_NORMAL : w == INFINITE && !orthographic ? KIT_DEPTH_INFINITE : KIT_DEPTH_REVERSED;
+            c->depth = w == NORMAL                      ? KIT_DEPTH_NORMAL
+                       : w == INFINITE && !orthographic ? KIT_DEPTH_INFINITE
+                                                        : KIT_DEPTH_REVERSED;
             if (orthographic) { c->fovy = 0; c->ortho_height = 3.6f; }
             c->shift[0] = (float)dx;
             c->shift[1] = (float)-dy;
             if (w == ROLLED) {
-                c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];       /* what was to the left is up */
+                /* what was to the left is up */
+                c->up[0] = c->target[2] - c->eye[2]; c->up[1] = 0; c->up[2] = c->eye[0] - c->target[0];
                 c->width = ROOM_H;
                 c->height = ROOM_W;
                 if (orthographic) c->ortho_height *= (float)ROOM_W / ROOM_H;
                 else c->fovy = (float)(360 / pi * atan(tan((double)c->fovy * pi / 360) * ROOM_W / ROOM_H));
             }
             for (size_t i = 0; i < 9 * scene.mesh.triangles; ++i) scene.mesh.position[i] *= scale;
-            for (int i = 0; i < 3; ++i) { c->eye[i] *= scale; c->target[i] *= scale; scene.mesh.lower[i] *= scale; scene.mesh.upper[i] *= scale; }
+            for (int i = 0; i < 3; ++i) {
+                c->eye[i] *= scale;
+                c->target[i] *= scale;
+                scene.mesh.lower[i] *= scale;
+                scene.mesh.upper[i] *= scale;
+            }
             c->znear *= scale; c->zfar *= scale; c->ortho_height *= scale;
             if (w == LINEAR) {
-                if (!TRY(kit_gbuffer_read(&frame, &g[REVERSED], &err)) || !TRY(kit_gbuffer_from_frame(&g[w], &frame, &g[REVERSED].camera, &err))) return;
+                if (!TRY(kit_gbuffer_read(&frame, &g[REVERSED], &err))
+                    || !TRY(kit_gbuffer_from_frame(&g[w], &frame, &g[REVERSED].camera, &err)))
+                    return;
                 kit_image_free(&frame);
             } else if (!TRY(kit_gbuffer_from_scene(&g[w], &scene, c, w == INSIDE ? margin : NULL, &err))) return;
-            if (w == INSIDE) {                                     /* what is beside the picture must not matter: something near */
+            /* what is beside the picture must not matter: something near */
+            if (w == INSIDE) {
                 float beside[ROOM_W + 20];
                 for (int i = 0; i < ROOM_W + 20; ++i) beside[i] = 0.9f;
                 glBindTexture(GL_TEXTURE_2D, g[w].depth);
-                for (int y = 0; y < g[w].height; ++y) if (y < 4 || y >= 4 + ROOM_H) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, y, ROOM_W + 20, 1, GL_DEPTH_COMPONENT, GL_FLOAT, beside);
+                for (int y = 0; y < g[w].height; ++y)
+                    if (y < 4 || y >= 4 + ROOM_H)
+                        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, y, ROOM_W + 20, 1, GL_DEPTH_COMPONENT, GL_FLOAT, beside);
             }
             for (int m = 0; m < 4; ++m) {
                 double d, most = 5e-4;
-                if (w == ROLLED && m == 1) continue;               /* at half size another pixel of each 2x2 is drawn: another picture */
-                if (!picture(&other, &run[w == LINEAR][m], &g[w], alike[m].method, alike[m].set, scale * scene.radius, 0, w == INSIDE ? 20 : 0)) return;
+                /* at half size another pixel of each 2x2 is drawn: another picture */
+                if (w == ROLLED && m == 1) continue;
+                if (!picture(&other, &run[w == LINEAR][m], &g[w], alike[m].method, alike[m].set, scale * scene.radius,
+                             0, w == INSIDE ? 20 : 0))
+                    return;
                 if (w == REVERSED) { reference[m] = other; continue; }
                 if (w == ROLLED) {                                 /* turned back; and no more than noise apart */
                     if (!TRY(kit_image_new(&turned, ROOM_W, ROOM_H, "Y", &err))) return;
-                    for (int i = 0; i < ROOM_W * ROOM_H; ++i) turned.data[i] = other.data[i % ROOM_W * ROOM_H + ROOM_H - 1 - i / ROOM_W];
+                    for (int i = 0; i < ROOM_W * ROOM_H; ++i)
+                        turned.data[i] = other.data[i % ROOM_W * ROOM_H + ROOM_H - 1 - i / ROOM_W];
                     kit_image_free(&other);
                     other = turned;
-                    if (!picture(&frame, &run[0][m], &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f, 0)) return;
+                    if (!picture(&frame, &run[0][m], &g[REVERSED], alike[m].method, alike[m].set, scene.radius, 0.39f,
+                                 0))
+                        return;
                     most = 1.4 * difference(&reference[m], &frame, 0, 0, 0);
                     kit_image_free(&frame);
                 }
                 d = difference(&reference[m], &other, dx, dy, w == SHIFTED ? 100 : 0);
                 worst[w] = fmax(worst[w], d);
-                CHECK(d <= most, "%s, %s, %s: RMSE %.5f of reversed depth", orthographic ? "orthographic" : "perspective", alike[m].method, names[w], d);
+                CHECK(d <= most, "%s, %s, %s: RMSE %.5f of reversed depth",
+                      orthographic ? "orthographic" : "perspective", alike[m].method, names[w], d);
                 kit_image_free(&other);
             }
             if (w != REVERSED) kit_gbuffer_free(&g[w]);
             kit_scene_free(&scene);
         }
-        for (int m = 0; m < 4; ++m) { kit_image_free(&reference[m]); kit_run_close(&run[0][m]); kit_run_close(&run[1][m]); }
+        for (int m = 0; m < 4; ++m) {
+            kit_image_free(&reference[m]);
+            kit_run_close(&run[0][m]);
+            kit_run_close(&run[1][m]);
+        }
         kit_gbuffer_free(&g[REVERSED]);
     }
     for (int w = 0; w < WAYS; ++w) if (w != REVERSED) t_note("%s: RMSE %.1e", names[w], worst[w]);
 }
 
-/* ---- sizes, radii, garbage ----------------------------------------------------------------------------------------------- */
+/* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
 /* How many pixels of any pass are not in [0,1], or not 1 where nothing holds no depth. */
 static int wrong(const kit_run *run, const float *nothing)
@@ -371,7 +460,8 @@ static int wrong(const kit_run *run, const float *nothing)
         const kit_pass *p = &run->pass[i];
         float v[160 * 90];
         if (p->width * p->height > 160 * 90 || kit_texture_read(p->target[0], p->width, p->height, 1, v)) return -1;
-        for (int k = 0; k < p->width * p->height; ++k) n += !(v[k] >= 0 && v[k] <= 1) || (nothing && (i || !p->desc.half) && !(nothing[k] > 0) && v[k] < 1);
+        for (int k = 0; k < p->width * p->height; ++k)
+            n += !(v[k] >= 0 && v[k] <= 1) || (nothing && (i || !p->desc.half) && !(nothing[k] > 0) && v[k] < 1);
     }
     return n;
 }
@@ -379,7 +469,12 @@ static int wrong(const kit_run *run, const float *nothing)
 /* Raw textures, as they are. */
 static kit_gbuffer raw(const kit_camera *c, int linear, GLenum format, const float *depth, const float *normal)
 {
-    kit_gbuffer g = { .width = c->width, .height = c->height, .viewport = { 0, 0, c->width, c->height }, .depth_is_linear = linear, .camera = *c, .layers = 1 };
+    kit_gbuffer g = { .width = c->width,
+                      .height = c->height,
+                      .viewport = { 0, 0, c->width, c->height },
+                      .depth_is_linear = linear,
+                      .camera = *c,
+                      .layers = 1 };
     float world[16];
     g.depth = kit_texture(c->width, c->height, format, depth);
     g.normal = kit_texture(c->width, c->height, GL_RGBA32F, normal);
@@ -408,7 +503,8 @@ static void sizes_do_not_matter(void)
             if (!fit(&run, &g, 0.5f, 0)) return;
             kit_run_update(&run);
             kit_run_draw(&run, 0);
-            CHECK(!wrong(&run, depth), "%s %s: %d pixels of %d x %d are wrong", methods[m].method, methods[m].set, wrong(&run, depth), c.width, c.height);
+            CHECK(!wrong(&run, depth), "%s %s: %d pixels of %d x %d are wrong", methods[m].method, methods[m].set,
+                  wrong(&run, depth), c.width, c.height);
             kit_gbuffer_free(&g);
         }
         kit_run_close(&run);
@@ -423,8 +519,8 @@ static void radii_do_not_matter(void)
     kit_image out;
     if (!load(&scene, 160, 90) || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))) return;
     for (int m = 0; m < METHODS; ++m) {
-        /* Points lifted by most of a pixel stand behind a silhouette beside them, and what is solid blocks them at any radius: a limit of ssao and of
-           normal rays without thin. All else sees nothing. */
+        /* Points lifted by most of a pixel stand behind a silhouette beside them, and what is solid blocks them at any
+           radius: a limit of ssao and of normal rays without thin. All else sees nothing. */
         const int allowed = strstr(methods[m].set, "thin=0") ? 160 * 90 / 10 : 0;
         int dark = 0;
         if (!start(&run, &g, methods[m].method, methods[m].set, 1e-6f) || !draw(&out, &run)) return;
@@ -434,7 +530,8 @@ static void radii_do_not_matter(void)
         run.frame.radius = run.frame.thickness = 1e6f;
         kit_run_update(&run);
         kit_run_draw(&run, 0);
-        CHECK(!wrong(&run, NULL), "%s %s, huge radius: %d pixels are wrong", methods[m].method, methods[m].set, wrong(&run, NULL));
+        CHECK(!wrong(&run, NULL), "%s %s, huge radius: %d pixels are wrong", methods[m].method, methods[m].set,
+              wrong(&run, NULL));
         kit_run_close(&run);
     }
     kit_gbuffer_free(&g);
@@ -443,12 +540,19 @@ static void radii_do_not_matter(void)
 
 static void garbage_is_survived(void)
 {
-    static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -0.0f, -1, 1e-45f, 1e-39f, 1e-30f, 1e-12f, 1e-6f, 0.25f, 0.5f, 0.999f, 1, 2, 1e6f, 1e12f, 9e17f, 1e18f, 1e30f, 1e38f, -1e38f };
+    static const float odd[] = { NAN,    INFINITY, -INFINITY, 0,     -0.0f, -1,     1e-45f, 1e-39f,
+                                 1e-30f, 1e-12f,   1e-6f,     0.25f, 0.5f,  0.999f, 1,      2,
+                                 1e6f,   1e12f,    9e17f,     1e18f, 1e30f, 1e38f,  -1e38f };
     enum { ODD = (int)(sizeof odd / sizeof odd[0]), W = 24, H = 13, SEEDS = 12 };
-    static const struct { const char *name; int linear, orthographic, layout; GLenum format; } kind[] = {      /* of one program: side by side */
-        { "view depth", 1, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "view depth, orthographic", 1, 1, KIT_DEPTH_NORMAL, GL_R32F }, { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F },
-        { "window depth", 0, 0, KIT_DEPTH_NORMAL, GL_R32F }, { "reversed", 0, 0, KIT_DEPTH_REVERSED, GL_R32F }, { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F },
-        { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F } };
+    /* of one program: side by side */
+    static const struct { const char *name; int linear, orthographic, layout; GLenum format;
+    } kind[] = { { "view depth", 1, 0, KIT_DEPTH_NORMAL, GL_R32F },
+                 { "view depth, orthographic", 1, 1, KIT_DEPTH_NORMAL, GL_R32F },
+                 { "orthographic", 0, 1, KIT_DEPTH_REVERSED, GL_R32F },
+                 { "window depth", 0, 0, KIT_DEPTH_NORMAL, GL_R32F },
+                 { "reversed", 0, 0, KIT_DEPTH_REVERSED, GL_R32F },
+                 { "infinite", 0, 0, KIT_DEPTH_INFINITE, GL_R32F },
+                 { "hardware depth", 0, 0, KIT_DEPTH_NORMAL, GL_DEPTH_COMPONENT32F } };
     float depth[SEEDS][W * H], normal[4 * W * H];
     kit_gbuffer g[SEEDS];
     kit_run runs[METHODS];
@@ -457,11 +561,14 @@ static void garbage_is_survived(void)
         c.depth = kind[k].layout;
         for (int s = 0; s < SEEDS; ++s) {                  /* more and more of it among sound texels */
             random_state = (uint32_t)s;
-            for (int i = 0; i < W * H; ++i) depth[s][i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.5f + 0.004f * (float)below(100);
-            for (int i = 0; i < 4 * W * H; ++i) normal[i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.01f * (float)below(200) - 1;
+            for (int i = 0; i < W * H; ++i)
+                depth[s][i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.5f + 0.004f * (float)below(100);
+            for (int i = 0; i < 4 * W * H; ++i)
+                normal[i] = (int)below(SEEDS) <= s ? odd[below(ODD)] : 0.01f * (float)below(200) - 1;
             g[s] = raw(&c, kind[k].linear, kind[k].format, depth[s], normal);
             if (!kind[k].linear)                           /* from here on only: where is something */
-                for (int i = 0; i < W * H; ++i) depth[s][i] = depth[s][i] == (kind[k].layout == KIT_DEPTH_NORMAL ? 1.0f : 0.0f) ? 0.0f : 1.0f;
+                for (int i = 0; i < W * H; ++i)
+                    depth[s][i] = depth[s][i] == (kind[k].layout == KIT_DEPTH_NORMAL ? 1.0f : 0.0f) ? 0.0f : 1.0f;
         }
         for (int m = 0; m < METHODS; ++m) {
             int n = 0;
@@ -473,35 +580,49 @@ static void garbage_is_survived(void)
                 kit_run_draw(run, 0);
                 n += wrong(run, depth[s]);
             }
-            CHECK(!n, "%s, %s %s: %d pixels are NaN, beyond [0,1] or dark where nothing is", kind[k].name, methods[m].method, methods[m].set, n);
+            CHECK(!n, "%s, %s %s: %d pixels are NaN, beyond [0,1] or dark where nothing is", kind[k].name,
+                  methods[m].method, methods[m].set, n);
             if (k < 3 || k == 6) kit_run_close(run);
         }
         for (int s = 0; s < SEEDS; ++s) kit_gbuffer_free(&g[s]);
     }
 }
 
-/* ---- truth, and what it costs --------------------------------------------------------------------------------------------- */
+/* ---- truth, and what it costs ------------------------------------------------------------------------------------ */
 
 static void near_the_truth(void)
 {
-    static const struct { const char *name; double share, bias; } row[] = { { "hsao", 0.47, 0.02 }, { "hsao-fast", 0.55, 0.04 }, { "hsao-best", 0.41, 0.02 }, { "ssao", 0.6, 0.04 }, { "hsao-march", 0.52, 0.02 } };
+    static const struct {
+        const char *name;
+        double share, bias;
+    } row[] = { { "hsao", 0.47, 0.02 },
+                { "hsao-fast", 0.55, 0.04 },
+                { "hsao-best", 0.41, 0.02 },
+                { "ssao", 0.6, 0.04 },
+                { "hsao-march", 0.52, 0.02 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image truth, out;
     kit_score none, score;
     double share[5] = { 0 };
-    if (!load(&scene, ROOM_W, ROOM_H) || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, scene.radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)) ||
-        !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) || !TRY(kit_image_new(&out, ROOM_W, ROOM_H, "Y", &err))) return;
+    if (!load(&scene, ROOM_W, ROOM_H)
+        || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, scene.radius, KIT_ATTENUATION_LINEAR, 64, 1, &err))
+        || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
+        || !TRY(kit_image_new(&out, ROOM_W, ROOM_H, "Y", &err)))
+        return;
     for (int i = 0; i < ROOM_W * ROOM_H; ++i) out.data[i] = 1;
     kit_score_channel(&none, &out, &truth, "Y", NULL, &err);
     for (int m = 0; m < 5; ++m) {
         kit_image_free(&out);
         kit_run run = { 0 };
-        if (!picture(&out, &run, &g, row[m].name, "", scene.radius, 0, 0) || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err))) return;
+        if (!picture(&out, &run, &g, row[m].name, "", scene.radius, 0, 0)
+            || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err)))
+            return;
         kit_run_close(&run);
         share[m] = score.rmse / none.rmse;
         t_note("%s: RMSE %.4f, %.3f of no AO's, bias %+.4f", row[m].name, score.rmse, share[m], score.bias);
-        CHECK(share[m] <= row[m].share && fabs(score.bias) <= row[m].bias, "%s: %.3f of no AO's RMSE, bias %+.4f", row[m].name, share[m], score.bias);
+        CHECK(share[m] <= row[m].share && fabs(score.bias) <= row[m].bias, "%s: %.3f of no AO's RMSE, bias %+.4f",
+              row[m].name, share[m], score.bias);
     }
     CHECK(share[2] < share[0] && share[0] < share[1], "best, balanced, fast are not in this order");
     kit_image_free(&out);
@@ -517,11 +638,19 @@ static void fetches_are_counted(void)
 {
     enum { W = 64, H = 48, INSIDE = 16 };
     static const char *const fetch[2] = {
-        COUNTING "vec3 ssgi_custom_normal(ivec2 p) { tick(); return vec3(0.0, 0.0, 1.0); }\nfloat ssgi_custom_depth(ivec2 p, int layer) { tick(); return 2.0; }\n",
-        COUNTING "vec3 ssgi_custom_normal(ivec2 p) { tick(); return vec3(0.3, 0.0, 1.0); }\n"
-                 "float ssgi_custom_depth(ivec2 p, int layer) { tick(); return ((p.x / 5 + p.y / 4) & 1) == 0 ? 2.0 : 1.8; }\n" };
-    static const struct { int pass, search, rays, thin, normal; } row[] = { { SSGI_GL_SSAO, 0, 0, 1, SSGI_GL_NORMAL_CUSTOM }, { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 0, SSGI_GL_NORMAL_CUSTOM },
-        { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 1, SSGI_GL_NORMAL_FROM_DEPTH }, { SSGI_GL_HSAO, SSGI_GL_MARCH, 0, 0, SSGI_GL_NORMAL_CUSTOM }, { SSGI_GL_HSAO, SSGI_GL_MARCH, 2, 0, SSGI_GL_NORMAL_CUSTOM } };
+        COUNTING "vec3 ssgi_custom_normal(ivec2 p) { tick(); return vec3(0.0, 0.0, 1.0); }\nfloat "
+                 "ssgi_custom_depth(ivec2 p, int layer) { tick(); return 2.0; }\n",
+        COUNTING
+        "vec3 ssgi_custom_normal(ivec2 p) { tick(); return vec3(0.3, 0.0, 1.0); }\n"
+        "float ssgi_custom_depth(ivec2 p, int layer) { tick(); return ((p.x / 5 + p.y / 4) & 1) == 0 ? 2.0 : 1.8; }\n"
+    };
+    static const struct {
+        int pass, search, rays, thin, normal;
+    } row[] = { { SSGI_GL_SSAO, 0, 0, 1, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 0, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 1, SSGI_GL_NORMAL_FROM_DEPTH },
+                { SSGI_GL_HSAO, SSGI_GL_MARCH, 0, 0, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_MARCH, 2, 0, SSGI_GL_NORMAL_CUSTOM } };
     const kit_camera c = looking_along_z(W, H, 0);
     uint32_t count[W * H];
     ssgi_view view;
@@ -545,7 +674,11 @@ static void fetches_are_counted(void)
         d.dialect = SSGI_GL_450;
         d.depth = SSGI_GL_DEPTH_CUSTOM;
         d.fetch = fetch[i & 1];
-        d.pass = row[i / 2].pass; d.search = row[i / 2].search; d.normal_rays = row[i / 2].rays; d.thin = row[i / 2].thin; d.normal = row[i / 2].normal;
+        d.pass = row[i / 2].pass;
+        d.search = row[i / 2].search;
+        d.normal_rays = row[i / 2].rays;
+        d.thin = row[i / 2].thin;
+        d.normal = row[i / 2].normal;
         d.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);
         const uint32_t told = (uint32_t)kit_fetches(&d);
@@ -562,8 +695,10 @@ static void fetches_are_counted(void)
             if (count[k] > most) most = count[k];
             if (x >= INSIDE && y >= INSIDE && x < W - INSIDE && y < H - INSIDE && count[k] < least) least = count[k];
         }
-        CHECK(most <= told && most > 0, "%s: up to %u fetches a pixel, %u foretold", ssgi_gl_pass_name(d.pass), most, told);
-        CHECK((i & 1) || least == told, "%s: %u fetches on a plane, %u foretold", ssgi_gl_pass_name(d.pass), least, told);
+        CHECK(most <= told && most > 0, "%s: up to %u fetches a pixel, %u foretold", ssgi_gl_pass_name(d.pass), most,
+              told);
+        CHECK((i & 1) || least == told, "%s: %u fetches on a plane, %u foretold", ssgi_gl_pass_name(d.pass), least,
+              told);
         glDeleteProgram(program);
     }
     glDeleteBuffers(2, buffer);
@@ -571,17 +706,28 @@ static void fetches_are_counted(void)
     glDeleteTextures(1, &texture);
 }
 
-/* ---- the filter -------------------------------------------------------------------------------------------------------------- */
+/* ---- the filter -------------------------------------------------------------------------------------------------- */
 
 static float constant_value(int x, int y) { (void)x; (void)y; return 0.37f; }
 static float side_value(int x, int y)     { (void)y; return x < 30 ? 0.2f : 0.9f; }
-static float tile_value(int x, int y)     { return (float)((5 * (x & 3) + 7 * (y & 3) * (y & 3) + (x & 3) * (y & 3)) % 16) / 15; }
-static float mean_value(int x, int y)     { float sum = 0; for (int i = 0; i < 16; ++i) sum += tile_value(i & 3, i / 4) / 16; (void)x; (void)y; return sum; }
+static float tile_value(int x, int y)
+{
+    return (float)((5 * (x & 3) + 7 * (y & 3) * (y & 3) + (x & 3) * (y & 3)) % 16) / 15;
+}
+static float mean_value(int x, int y)
+{
+    float sum = 0;
+    for (int i = 0; i < 16; ++i) sum += tile_value(i & 3, i / 4) / 16;
+    (void)x;
+    (void)y;
+    return sum;
+}
 static float ramp_value(int x, int y)     { return 0.1f + 0.001f * (float)x + 0.002f * (float)y; }
 
-/* The largest difference of expected to what the filter makes of value (x, y: full-size pixel from below), border pixels left out, on a plane or on two,
-   the second from column 30 on. run: opened with this set already, or all 0. */
-static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set, float (*value)(int x, int y), float (*expected)(int x, int y), int border)
+/* The largest difference of expected to what the filter makes of value (x, y: full-size pixel from below), border
+   pixels left out, on a plane or on two, the second from column 30 on. run: opened with this set already, or all 0. */
+static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[4], int planes, const char *set,
+                       float (*value)(int x, int y), float (*expected)(int x, int y), int border)
 {
     kit_gbuffer g;
     kit_image frame, right, out;
@@ -601,10 +747,12 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
     glBindTexture(GL_TEXTURE_2D, p->target[0]);
     for (int y = 0; y < p->height; ++y)
         for (int x = 0; x < p->width; ++x) {
-            const float ao[2] = { value(x * step, y * step), frame.data[(frame.height - 1 - y * step) * frame.width + x * step] };
+            const float ao[2] = { value(x * step, y * step),
+                                  frame.data[(frame.height - 1 - y * step) * frame.width + x * step] };
             glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, 1, 1, GL_RG, GL_FLOAT, ao);
         }
-    glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);             /* the first pass draws nowhere: the texture stays ours */
+    /* the first pass draws nowhere: the texture stays ours */
+    glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
     glDrawBuffers(1, &(GLenum){ GL_NONE });
     if (!draw(&out, run)) return 1;
     for (int y = border; y < out.height - border; ++y)
@@ -620,25 +768,46 @@ static double filtered(kit_run *run, const kit_camera *c, const double (*plane)[
 
 static void filter_keeps_its_word(void)
 {
-    static const double facing[2][4] = { { 0, 0, 1, -2 }, { 0, 0, 1, -4 } }, tilted[1][4] = { { 0.48, 0.36, 0.8, -1.6 } };
-    static const struct { const char *set; double edge; int tile, ramp; } row[] = { { "blur=1", 1e-3, 0, 0 }, { "blur=2", 1e-3, 1, 0 }, { "blur=4", 1e-3, 0, 0 }, { "blur=2,filter_normals=1", 1e-3, 1, 0 },
-        { "blur=2,normal=depth", 1e-3, 0, 0 }, { "blur=2,filter=gaussian", 0.02, 0, 0 },       /* its weight is a pixel's width over the distance: never 0 */
-        { "half=1,blur=1", 1e-3, 0, 1 }, { "half=1,blur=2,filter_normals=1", 1e-3, 0, 1 } };
+    static const double facing[2][4] = { { 0, 0, 1, -2 }, { 0, 0, 1, -4 } },
+                        tilted[1][4] = { { 0.48, 0.36, 0.8, -1.6 } };
+    static const struct {
+        const char *set;
+        double edge;
+        int tile, ramp;
+    } row[] = { { "blur=1", 1e-3, 0, 0 },
+                { "blur=2", 1e-3, 1, 0 },
+                { "blur=4", 1e-3, 0, 0 },
+                { "blur=2,filter_normals=1", 1e-3, 1, 0 },
+                /* its weight is a pixel's width over the distance: never 0 */
+                { "blur=2,normal=depth", 1e-3, 0, 0 },
+                { "blur=2,filter=gaussian", 0.02, 0, 0 },
+                { "half=1,blur=1", 1e-3, 0, 1 },
+                { "half=1,blur=2,filter_normals=1", 1e-3, 0, 1 } };
     double worst[5] = { 0 };
     for (int i = 0; i < 16; ++i) {
         const kit_camera c = looking_along_z(61 + 2 * i, 45, i & 1);
         const char *set = row[i / 2].set;
         kit_run run = { 0 };
-        const double constant = filtered(&run, &c, tilted, 1, set, constant_value, constant_value, 0), edge = filtered(&run, &c, facing, 2, set, side_value, side_value, 0),
-                     tile = row[i / 2].tile ? fmax(filtered(&run, &c, facing, 1, set, tile_value, mean_value, 3), filtered(&run, &c, tilted, 1, set, tile_value, mean_value, 3)) : 0,
+        const double constant = filtered(&run, &c, tilted, 1, set, constant_value, constant_value, 0),
+                     edge = filtered(&run, &c, facing, 2, set, side_value, side_value, 0),
+                     tile = row[i / 2].tile ? fmax(filtered(&run, &c, facing, 1, set, tile_value, mean_value, 3),
+                                                   filtered(&run, &c, tilted, 1, set, tile_value, mean_value, 3))
+                                            : 0,
                      ramp = row[i / 2].ramp ? filtered(&run, &c, facing, 1, set, ramp_value, ramp_value, 8) : 0;
-        /* half size: odd pixels have one more tap to the left and below, which moves what they see by less than half a pixel */
+        /* half size: odd pixels have one more tap to the left and below, which moves what they see by less than half a
+           pixel */
         kit_run_close(&run);
-        CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set, constant, edge);
-        CHECK(tile <= 1e-6 && ramp <= 0.5 * (0.001 + 0.002), "%s: a tile's mean is off by %g, a ramp by %g", set, tile, ramp);
-        worst[0] = fmax(worst[0], constant); worst[1 + (i / 2 == 5)] = fmax(worst[1 + (i / 2 == 5)], edge); worst[3] = fmax(worst[3], tile); worst[4] = fmax(worst[4], ramp);
+        CHECK(constant <= 1e-6 && edge <= row[i / 2].edge, "%s: a constant is off by %g, %g crosses an edge", set,
+              constant, edge);
+        CHECK(tile <= 1e-6 && ramp <= 0.5 * (0.001 + 0.002), "%s: a tile's mean is off by %g, a ramp by %g", set, tile,
+              ramp);
+        worst[0] = fmax(worst[0], constant);
+        worst[1 + (i / 2 == 5)] = fmax(worst[1 + (i / 2 == 5)], edge);
+        worst[3] = fmax(worst[3], tile);
+        worst[4] = fmax(worst[4], ramp);
     }
-    t_note("constant %.1e, edge %.1e, Gaussian's %.1e, tile %.1e, ramp %.1e", worst[0], worst[1], worst[2], worst[3], worst[4]);
+    t_note("constant %.1e, edge %.1e, Gaussian's %.1e, tile %.1e, ramp %.1e", worst[0], worst[1], worst[2], worst[3],
+           worst[4]);
 }
 
 void test_pipeline(void)

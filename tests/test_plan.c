@@ -10,23 +10,35 @@ static ssgi_plan made(const ssgi_plan_scene *s)
     ssgi_plan p;
     const char *why = "";
     memset(&p, 0, sizeof p);
-    CHECK(ssgi_plan_make(&p, s, &why) == SSGI_OK && *p.why && strlen(p.why) < sizeof p.why, "a plan of good numbers: \"%s\"", why);
+    CHECK(ssgi_plan_make(&p, s, &why) == SSGI_OK && *p.why && strlen(p.why) < sizeof p.why,
+          "a plan of good numbers: \"%s\"", why);
     return p;
 }
 
 /* What must follow from a scene's numbers, whatever the table was fitted to. */
 static void follows(void)
 {
-    const float up[3] = { 0, 1, 0.2f }, left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f }, pink[3] = { 3.3f, 0.9f, 1.9f }, turquoise[3] = { 0.5f, 2.3f, 2.2f };
+    const float up[3] = { 0, 1, 0.2f }, left[3] = { -1, 0.6f, 0.3f }, right[3] = { 1, 0.6f, 0.3f },
+                pink[3] = { 3.3f, 0.9f, 1.9f }, turquoise[3] = { 0.5f, 2.3f, 2.2f };
     float sh[48] = { 0 };
-    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT, .screen_radius = 0.2f, .calibration = { 1, 0.15f, 0.045f }, .statistics = { 1, { 0.02f, 0.03f, 0.03f }, 0.02f, { 0.002f, 0.004f, 0.01f, 0.002f } }, .layers = 4, .cameras = 4, .triangles = 1e5, .map = 1 };
+    ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT,
+                          .screen_radius = 0.2f,
+                          .calibration = { 1, 0.15f, 0.045f },
+                          .statistics = { 1, { 0.02f, 0.03f, 0.03f }, 0.02f, { 0.002f, 0.004f, 0.01f, 0.002f } },
+                          .layers = 4,
+                          .cameras = 4,
+                          .triangles = 1e5,
+                          .map = 1 };
     ssgi_plan p;
     ssgi_sh_sky(sh, 4, up, pink, pink, NULL);
     ssgi_sh_energy(s.energy, 4, sh, 3);
-    CHECK(s.energy[0] > 1 && s.energy[1] + s.energy[2] + s.energy[3] < 1e-6f * s.energy[0], "a constant sky has energies %g %g %g %g", (double)s.energy[0], (double)s.energy[1], (double)s.energy[2], (double)s.energy[3]);
+    CHECK(s.energy[0] > 1 && s.energy[1] + s.energy[2] + s.energy[3] < 1e-6f * s.energy[0],
+          "a constant sky has energies %g %g %g %g", (double)s.energy[0], (double)s.energy[1], (double)s.energy[2],
+          (double)s.energy[3]);
     for (s.error = 0.046f; s.error < 0.16f; s.error += 0.01f) {
         p = made(&s);
-        CHECK(p.meets && !p.bands && (p.method == SSGI_PLAN_HSAO || p.method == SSGI_PLAN_NOTHING), "under a constant sky, for %g: %s", (double)s.error, p.why);
+        CHECK(p.meets && !p.bands && (p.method == SSGI_PLAN_HSAO || p.method == SSGI_PLAN_NOTHING),
+              "under a constant sky, for %g: %s", (double)s.error, p.why);
     }
     memset(sh, 0, sizeof sh);
     ssgi_sh_light(sh, 4, left, 0.25f, pink, SSGI_SH_WINDOW_NONE, NULL);
@@ -37,7 +49,8 @@ static void follows(void)
     int bands = 0;
     for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
         p = made(&s);
-        CHECK(!p.meets || p.method != SSGI_PLAN_S3HO || p.bands == 2 || p.bands == 3, "under two lights, for %g: %s, %d bands", (double)s.error, p.why, p.bands);
+        CHECK(!p.meets || p.method != SSGI_PLAN_S3HO || p.bands == 2 || p.bands == 3,
+              "under two lights, for %g: %s, %d bands", (double)s.error, p.why, p.bands);
         bands += p.meets && p.method == SSGI_PLAN_S3HO;
     }
     CHECK(bands >= 2, "under two lights harmonics are taken %d times", bands);
@@ -54,20 +67,25 @@ static void follows(void)
             CHECK(p.layers <= 1 && !p.cameras, "one layer, %g of %d: %s", (double)s.error, s.wanted, p.why);
         }
 
-    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and occluders. */
-    s = (ssgi_plan_scene){ .calibration = { 1, 0.15f, 0.05f }, .layers = 4, .cameras = 4, .triangles = 1e5, .occluders = 10, .map = 1 };
+    /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and
+       occluders. */
+    s = (ssgi_plan_scene){
+        .calibration = { 1, 0.15f, 0.05f }, .layers = 4, .cameras = 4, .triangles = 1e5, .occluders = 10, .map = 1
+    };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted) {
         float last = 1e9f, cost = 0;
         s.error = 0;
         for (s.budget = 0.01f; s.budget < 200; s.budget *= 1.5f) {
             p = made(&s);
-            CHECK(p.cost <= s.budget && p.error <= last + 1e-6f && !p.meets, "budget %g of %d: %s", (double)s.budget, s.wanted, p.why);
+            CHECK(p.cost <= s.budget && p.error <= last + 1e-6f && !p.meets, "budget %g of %d: %s", (double)s.budget,
+                  s.wanted, p.why);
             last = p.error;
         }
         s.budget = 0;
         for (s.error = 0.2f; s.error > 0.02f; s.error *= 0.8f) {
             p = made(&s);
-            CHECK(!p.meets || (p.error <= 1.1f * s.error && p.cost >= cost), "error %g of %d: %s costs %g after %g", (double)s.error, s.wanted, p.why, (double)p.cost, (double)cost);
+            CHECK(!p.meets || (p.error <= 1.1f * s.error && p.cost >= cost), "error %g of %d: %s costs %g after %g",
+                  (double)s.error, s.wanted, p.why, (double)p.cost, (double)cost);
             if (p.meets) cost = p.cost;
         }
     }
@@ -76,23 +94,69 @@ static void follows(void)
         s.wanted = w;
         for (int i = -1; i <= SSGI_PLAN_CHOICES; ++i) choices[w] += ssgi_plan_choice(&p, i, &s);
     }
-    CHECK(choices[0] + choices[1] + choices[2] + choices[3] == SSGI_PLAN_CHOICES && choices[3] == 4, "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
+    CHECK(choices[0] + choices[1] + choices[2] + choices[3] == SSGI_PLAN_CHOICES && choices[3] == 4,
+          "choices: %d %d %d %d", choices[0], choices[1], choices[2], choices[3]);
 }
 
-/* Predicted errors of four choices, worked out by hand from the table's numbers: the square is open^2, picture^2, open^2 size / reach, open^2 unevenness and 1e-4, each times the row's. */
+/* Predicted errors of four choices, worked out by hand from the table's numbers: the square is open^2, picture^2,
+   open^2 size / reach, open^2 unevenness and 1e-4, each times the row's. */
 static void by_hand(void)
 {
-    static const struct { ssgi_plan_scene scene; int method, directions, samples, bands; float size; double error; } row[] = {
-        { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.02f, 0.001f } }, SSGI_PLAN_HSAO, 2, 0, 0, 0, 0.00193781 },            /* 0.0047, 0.8351, 0.0104 */
-        { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.15f, 0.05f }, .triangles = 1, .screen_radius = 0.15f }, SSGI_PLAN_SURFELS, 0, 0, 0, 0.03f, 0.0711323 },    /* 0.0012, 0, coarse 1.1184 */
-        { { .wanted = SSGI_PLAN_LIGHT, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f }, .map = 1 }, SSGI_PLAN_SSDO, 0, 4, 0, 0, 0.00882553 },   /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
-        { { .wanted = SSGI_PLAN_BOUNCE, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } }, SSGI_PLAN_S3HO, 0, 4, 4, 0, 0.0163832 } };           /* 0.3195, uneven 0.0196, 2.3450 */
+    static const struct {
+        ssgi_plan_scene scene;
+        int method, directions, samples, bands;
+        float size;
+        double error;
+    } row[] = {
+        /* 0.0047, 0.8351, 0.0104 */
+        { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.02f, 0.001f } },
+          SSGI_PLAN_HSAO,
+          2,
+          0,
+          0,
+          0,
+          0.00193781 },
+        /* 0.0012, 0, coarse 1.1184 */
+        { { .wanted = SSGI_PLAN_VISIBILITY,
+            .calibration = { 1, 0.15f, 0.05f },
+            .triangles = 1,
+            .screen_radius = 0.15f },
+          SSGI_PLAN_SURFELS,
+          0,
+          0,
+          0,
+          0.03f,
+          0.0711323 },
+        /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
+        { { .wanted = SSGI_PLAN_LIGHT,
+            .calibration = { 1, 0.01f, 0.005f },
+            .energy = { 1, 0.5f, 0.25f, 0.25f },
+            .map = 1 },
+          SSGI_PLAN_SSDO,
+          0,
+          4,
+          0,
+          0,
+          0.00882553 },
+        /* 0.3195, uneven 0.0196, 2.3450 */
+        { { .wanted = SSGI_PLAN_BOUNCE, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } },
+          SSGI_PLAN_S3HO,
+          0,
+          4,
+          4,
+          0,
+          0.0163832 }
+    };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
         int met = 0;
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_plan p;
-            if (!ssgi_plan_choice(&p, i, &row[k].scene) || p.method != row[k].method || p.half || p.directions != row[k].directions || p.samples != row[k].samples || p.bands != row[k].bands || fabsf(p.size - row[k].size) > 1e-6f) continue;
-            CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4, "row %zu: %.8g predicted, %.8g by hand", k, (double)p.error, row[k].error);
+            if (!ssgi_plan_choice(&p, i, &row[k].scene) || p.method != row[k].method || p.half
+                || p.directions != row[k].directions || p.samples != row[k].samples || p.bands != row[k].bands
+                || fabsf(p.size - row[k].size) > 1e-6f)
+                continue;
+            CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4, "row %zu: %.8g predicted, %.8g by hand", k,
+                  (double)p.error, row[k].error);
             ++met;
         }
         CHECK(met == 1, "row %zu: %d choices are meant", k, met);
@@ -105,10 +169,16 @@ static void refused(void)
     const float nan_ = NAN;
     ssgi_plan plan, was;
     ssgi_depth_statistics statistics, none;
-    const struct { size_t offset; int whole; float value; const char *start; } bad[] = {
-        { offsetof(ssgi_plan_scene, wanted), 1, 4, "scene.wanted" }, { offsetof(ssgi_plan_scene, wanted), 1, -1, "scene.wanted" }, { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
-        { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" }, { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" }, { offsetof(ssgi_plan_scene, layers), 1, 5, "scene.layers" },
-        { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.layers, .cameras, .occluders" }, { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" }, { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
+    const struct { size_t offset; int whole; float value; const char *start;
+    } bad[] = { { offsetof(ssgi_plan_scene, wanted), 1, 4, "scene.wanted" },
+                { offsetof(ssgi_plan_scene, wanted), 1, -1, "scene.wanted" },
+                { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
+                { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" },
+                { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" },
+                { offsetof(ssgi_plan_scene, layers), 1, 5, "scene.layers" },
+                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.layers, .cameras, .occluders" },
+                { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" },
+                { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
     memset(&was, 7, sizeof was);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         ssgi_plan_scene s = good;
@@ -116,16 +186,23 @@ static void refused(void)
         const char *why = "";
         memcpy((char *)&s + bad[i].offset, bad[i].whole ? (const void *)&whole : (const void *)&bad[i].value, 4);
         plan = was;
-        CHECK(ssgi_plan_make(&plan, &s, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, bad[i].start, strlen(bad[i].start)) && !memcmp(&plan, &was, sizeof plan), "%s: \"%s\"", bad[i].start, why);
+        CHECK(ssgi_plan_make(&plan, &s, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, bad[i].start, strlen(bad[i].start))
+                  && !memcmp(&plan, &was, sizeof plan),
+              "%s: \"%s\"", bad[i].start, why);
     }
     memset(&none, 7, sizeof none);
     statistics = none;
     const float texel[4] = { 0.5f, 0, 0, 0 };
-    CHECK(ssgi_depth_statistics_of(&statistics, NULL, 1, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_depth_statistics_of(&statistics, texel, 0, 1, 0, NULL) == SSGI_BAD_ARGUMENT && ssgi_depth_statistics_of(&statistics, texel, 1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
-          && !memcmp(&statistics, &none, sizeof none), "a bad statistics is taken");
+    CHECK(ssgi_depth_statistics_of(&statistics, NULL, 1, 1, 0, NULL) == SSGI_BAD_ARGUMENT
+              && ssgi_depth_statistics_of(&statistics, texel, 0, 1, 0, NULL) == SSGI_BAD_ARGUMENT
+              && ssgi_depth_statistics_of(&statistics, texel, 1, 1, 1, NULL) == SSGI_BAD_ARGUMENT
+              && !memcmp(&statistics, &none, sizeof none),
+          "a bad statistics is taken");
     ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR }, kept = desc;
     memset(&plan, 0, sizeof plan);
-    CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT && !memcmp(&desc, &kept, sizeof desc), "nothing becomes a desc");
+    CHECK(ssgi_gl_plan(&desc, &plan, NULL) == SSGI_BAD_ARGUMENT && ssgi_gl_plan(&desc, NULL, NULL) == SSGI_BAD_ARGUMENT
+              && !memcmp(&desc, &kept, sizeof desc),
+          "nothing becomes a desc");
 }
 
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
@@ -140,14 +217,20 @@ static void drawable(void)
             kit_error err = { "" };
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
-            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR && desc.steps == p.steps && desc.views == p.cameras && desc.half == p.half, "choice %d: %s", i, why);
+            CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR
+                      && desc.steps == p.steps && desc.views == p.cameras && desc.half == p.half,
+                  "choice %d: %s", i, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
-            CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD || (int)kit_method_value(&m, "steps") == p.steps, "choice %d: %g steps", i, kit_method_value(&m, "steps"));
-            CHECK(p.method != SSGI_PLAN_SSDO || (kit_method_value(&m, "bounce") > 0) == (s.wanted == SSGI_PLAN_BOUNCE), "choice %d: its bounce", i);
+            CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD
+                      || (int)kit_method_value(&m, "steps") == p.steps,
+                  "choice %d: %g steps", i, kit_method_value(&m, "steps"));
+            CHECK(p.method != SSGI_PLAN_SSDO || (kit_method_value(&m, "bounce") > 0) == (s.wanted == SSGI_PLAN_BOUNCE),
+                  "choice %d: its bounce", i);
         }
 }
 
-/* The statistics of a plane is empty, that of a corner is not; a calibration of the truth itself finds no error, however few its rays, and of nothing what the truth's picture says. */
+/* The statistics of a plane is empty, that of a corner is not; a calibration of the truth itself finds no error,
+   however few its rays, and of nothing what the truth's picture says. */
 static void measured(void)
 {
     kit_error err = { "" };
@@ -163,16 +246,22 @@ static void measured(void)
         scene.camera.width = 320;
         scene.camera.height = 180;
         const kit_world world = { &scene, NULL };
-        CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err), "%s", err.text);
+        CHECK(!kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err) && !kit_gbuffer_read(&frame, &g, &err),
+              "%s", err.text);
         CHECK(!kit_plan_numbers(&s, &g, &world, scene.radius, SSGI_PLAN_VISIBILITY, 1, &err), "%s", err.text);
         const double blocked = (double)(s.statistics.blocked[0] + s.statistics.blocked[1] + s.statistics.blocked[2]);
-        if (!k) CHECK(s.statistics.visible > 0.9f && blocked < 1e-3 && s.calibration.unoccluded < 1e-3f, "a plane is blocked by %g, and errs by %g", blocked, (double)s.calibration.unoccluded);
+        if (!k)
+            CHECK(s.statistics.visible > 0.9f && blocked < 1e-3 && s.calibration.unoccluded < 1e-3f,
+                  "a plane is blocked by %g, and errs by %g", blocked, (double)s.calibration.unoccluded);
         if (k) {
-            CHECK(!kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 256, 1, &err), "%s", err.text);
+            CHECK(!kit_truth_ao(&truth, &scene, &g.camera, scene.radius, KIT_ATTENUATION_LINEAR, 256, 1, &err), "%s",
+                  err.text);
             const size_t size = ssgi_trace_size(scene.mesh.triangles);
             void *memory = malloc(size);
             float *place = malloc(7 * 2000 * sizeof *place), to_view[16], projection[16];
-            const float *z = kit_image_channel(&frame, "Z"), *n[3] = { kit_image_channel(&frame, "N.X"), kit_image_channel(&frame, "N.Y"), kit_image_channel(&frame, "N.Z") };
+            const float *z = kit_image_channel(&frame, "Z"),
+                        *n[3] = { kit_image_channel(&frame, "N.X"), kit_image_channel(&frame, "N.Y"),
+                                  kit_image_channel(&frame, "N.Z") };
             double square = 0, mean = 0;
             size_t count = 0, seen = 0;
             kit_camera_matrices(&g.camera, to_view, projection);
@@ -183,15 +272,28 @@ static void measured(void)
                 ++seen;
                 if (i % 29 || count == 2000) continue;
                 kit_camera_point(&g.camera, i % 320, i / 320, (double)z[i], place + 3 * count);
-                for (int c = 0; c < 3; ++c) place[3 * (2000 + count) + (size_t)c] = to_view[4 * c] * n[0][i] + to_view[4 * c + 1] * n[1][i] + to_view[4 * c + 2] * n[2][i];
+                for (int c = 0; c < 3; ++c)
+                    place[3 * (2000 + count) + (size_t)c] =
+                        to_view[4 * c] * n[0][i] + to_view[4 * c + 1] * n[1][i] + to_view[4 * c + 2] * n[2][i];
                 place[6 * 2000 + count++] = truth.data[i];
             }
             const double open = sqrt(square / (double)seen);
-            CHECK(ssgi_trace_build(&trace, memory, size, scene.mesh.position, 12, NULL, scene.mesh.triangles, NULL) == SSGI_OK
-                  && ssgi_plan_calibrate(&calibration, &trace, place, place + 6000, place + 12000, count, 16, scene.radius, NULL) == SSGI_OK, "no calibration");
-            CHECK(calibration.known && calibration.hsao < 0.006f && fabs((double)calibration.unoccluded / open - 1) < 0.05, "a calibration of the truth: %g, of nothing %g, which is %g", (double)calibration.hsao, (double)calibration.unoccluded, open);
-            CHECK(fabs((double)s.calibration.unoccluded / open - 1) < 0.05 && s.calibration.hsao > 0.1f * (float)open && s.calibration.hsao < 0.22f * (float)open, "the kit's calibration: open %g of %g, hsao %g", (double)s.calibration.unoccluded, open, (double)s.calibration.hsao);
-            CHECK(fabs(blocked / (mean / (double)seen) - 1) < 0.25, "the statistics finds %g blocked of %g", blocked, mean / (double)seen);
+            CHECK(ssgi_trace_build(&trace, memory, size, scene.mesh.position, 12, NULL, scene.mesh.triangles, NULL)
+                          == SSGI_OK
+                      && ssgi_plan_calibrate(&calibration, &trace, place, place + 6000, place + 12000, count, 16,
+                                             scene.radius, NULL)
+                             == SSGI_OK,
+                  "no calibration");
+            CHECK(calibration.known && calibration.hsao < 0.006f
+                      && fabs((double)calibration.unoccluded / open - 1) < 0.05,
+                  "a calibration of the truth: %g, of nothing %g, which is %g", (double)calibration.hsao,
+                  (double)calibration.unoccluded, open);
+            CHECK(fabs((double)s.calibration.unoccluded / open - 1) < 0.05 && s.calibration.hsao > 0.1f * (float)open
+                      && s.calibration.hsao < 0.22f * (float)open,
+                  "the kit's calibration: open %g of %g, hsao %g", (double)s.calibration.unoccluded, open,
+                  (double)s.calibration.hsao);
+            CHECK(fabs(blocked / (mean / (double)seen) - 1) < 0.25, "the statistics finds %g blocked of %g", blocked,
+                  mean / (double)seen);
             free(place);
             free(memory);
             kit_image_free(&truth);
@@ -204,7 +306,8 @@ static void measured(void)
 
 void test_plan(void)
 {
-    RUN("plan: constant skies want no harmonics, one layer no peeling, two lights two or three bands; budgets are kept", follows);
+    RUN("plan: constant skies want no harmonics, one layer no peeling, two lights two or three bands; budgets are kept",
+        follows);
     RUN("plan: predicted errors are what the table's numbers come to by hand", by_hand);
     RUN("plan: bad numbers are named, and nothing is touched", refused);
     RUN("plan: every choice can be drawn", drawable);

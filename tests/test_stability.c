@@ -1,26 +1,44 @@
-/* test_stability.c - what `make stability` finds to hold must go on holding: its own sweeps, the quick values, a few methods each. */
+/* test_stability.c - what `make stability` finds to hold must go on holding: its own sweeps, the quick values, a few
+   methods each. */
 #include "t.h"
 #define main stability_main
 #include "../examples/stability.c"
 #undef main
 
-/* Numbers of a sweep's curves (methods, or what the curve is called) and their bounds; of what is seen beside them, "", at least that much is there to get wrong. */
+/* Numbers of a sweep's curves (methods, or what the curve is called) and their bounds; of what is seen beside them, "",
+   at least that much is there to get wrong. */
 static const struct bounded {
     const char *sentence, *cause;
     struct { const char *label; double least, most; } bound[5];
 } bounds[] = {
-    { "a bare plane stays open at any tilt",                     "tilt",           { { "ssao", 0, 1e-4 }, { "hsao", 0, 1e-4 }, { "hsao-march", 0, 1e-4 }, { "ssdo", 0, 1e-4 } } },
-    { "a pole far before a wall has no halo, however thin",      "pole",           { { "ssao", 0, 1e-4 }, { "hsao", 0, 1e-4 }, { "ssdo", 0, 1e-4 } } },
-    { "a thin rail over a floor: solid to slices, `thin` knows", "rail",           { { "", 0.2, 1 }, { "hsao", 0.1, 0.25 }, { "hsao-thin", 0, 0.08 } } },
-    { "halos of a screen end with the radius",                   "halo",           { { "", 0.04, 1 }, { "hsao", 0, 0.035 }, { "hsao-thin", 0, 0.02 }, { "hsao-march", 0, 0.025 } } },
-    { "what has left the screen occludes as surfels, as a field", "off-screen",     { { "", 0.15, 1 }, { "dss", 0, 0.09 }, { "aof", 0, 0.055 } } },
-    { "what the near plane cuts occludes as surfels",            "near-plane",     { { "", 0.12, 1 }, { "dss", 0, 0.03 } } },
-    { "24 bits of depth last to 50,000 near planes", "depth-24",    { { "hsao", 5000, 1e5 }, { "ssao", 5000, 1e5 } } },
-    { "reversed depth lasts to 800,000",                          "depth-reversed", { { "hsao", 8e4, 1e5 }, { "ssao", 8e4, 1e5 } } },
-    { "a moving camera: little flicker at full size",            "camera",         { { "hsao-best", 0, 0.008 }, { "ssao", 0, 0.012 } } },
-    { "a turning sun: light flickers no more than on open ground", "light",          { { "", 1e-4, 0.01 }, { "ssdo", 0, 0.001 }, { "s3ho", 0, 0.001 } } },
-    { "ringing: none with the positive window",                  "sh-shade",       { { "4 bands", 0.05, 0.2 }, { "4 bands, Hann", 0, 0.03 }, { "4 bands, positive", 0, 1e-4 } } },
-    { "through a field's hull occlusion has no step",            "hull-steps",     { { "vector", 0, 0.06 }, { "solid angle", 0, 0.06 } } }
+    { "a bare plane stays open at any tilt",
+      "tilt",
+      { { "ssao", 0, 1e-4 }, { "hsao", 0, 1e-4 }, { "hsao-march", 0, 1e-4 }, { "ssdo", 0, 1e-4 } } },
+    { "a pole far before a wall has no halo, however thin",
+      "pole",
+      { { "ssao", 0, 1e-4 }, { "hsao", 0, 1e-4 }, { "ssdo", 0, 1e-4 } } },
+    { "a thin rail over a floor: solid to slices, `thin` knows",
+      "rail",
+      { { "", 0.2, 1 }, { "hsao", 0.1, 0.25 }, { "hsao-thin", 0, 0.08 } } },
+    { "halos of a screen end with the radius",
+      "halo",
+      { { "", 0.04, 1 }, { "hsao", 0, 0.035 }, { "hsao-thin", 0, 0.02 }, { "hsao-march", 0, 0.025 } } },
+    { "what has left the screen occludes as surfels, as a field",
+      "off-screen",
+      { { "", 0.15, 1 }, { "dss", 0, 0.09 }, { "aof", 0, 0.055 } } },
+    { "what the near plane cuts occludes as surfels", "near-plane", { { "", 0.12, 1 }, { "dss", 0, 0.03 } } },
+    { "24 bits of depth last to 50,000 near planes", "depth-24", { { "hsao", 5000, 1e5 }, { "ssao", 5000, 1e5 } } },
+    { "reversed depth lasts to 800,000", "depth-reversed", { { "hsao", 8e4, 1e5 }, { "ssao", 8e4, 1e5 } } },
+    { "a moving camera: little flicker at full size", "camera", { { "hsao-best", 0, 0.008 }, { "ssao", 0, 0.012 } } },
+    { "a turning sun: light flickers no more than on open ground",
+      "light",
+      { { "", 1e-4, 0.01 }, { "ssdo", 0, 0.001 }, { "s3ho", 0, 0.001 } } },
+    { "ringing: none with the positive window",
+      "sh-shade",
+      { { "4 bands", 0.05, 0.2 }, { "4 bands, Hann", 0, 0.03 }, { "4 bands, positive", 0, 1e-4 } } },
+    { "through a field's hull occlusion has no step",
+      "hull-steps",
+      { { "vector", 0, 0.06 }, { "solid angle", 0, 0.06 } } }
 };
 static const struct bounded *now;
 
@@ -32,15 +50,18 @@ static void holds_still(void)
     int c = 0;
     while (c < CAUSES - 1 && strcmp(causes[c].name, now->cause)) ++c;
     for (int i = 0; i < 5 && now->bound[i].label; ++i)
-        for (int m = 0; m < METHODS; ++m) if (!strcmp(methods[m].label, now->bound[i].label)) o.methods += o.method[m] = 1;
+        for (int m = 0; m < METHODS; ++m)
+            if (!strcmp(methods[m].label, now->bound[i].label)) o.methods += o.method[m] = 1;
     if (!CHECK(!sweep(&r, &causes[c], &o, now->cause, &err), "%s", err.text)) return;
     for (int i = 0; i < 5 && now->bound[i].label; ++i) {
         const curve *found = NULL;
         for (int k = 0; k < r.curves; ++k)
-            if (*now->bound[i].label ? !strcmp(r.curve[k].label, now->bound[i].label) : r.curve[k].method == -2) found = &r.curve[k];
+            if (*now->bound[i].label ? !strcmp(r.curve[k].label, now->bound[i].label) : r.curve[k].method == -2)
+                found = &r.curve[k];
         if (!CHECK(found != NULL, "%s: there is no curve \"%s\"", now->cause, now->bound[i].label)) continue;
-        CHECK(found->number >= now->bound[i].least && found->number <= now->bound[i].most, "%s: %.4g, at %g, is not in %g .. %g",
-              found->label, found->number, found->at, now->bound[i].least, now->bound[i].most);
+        CHECK(found->number >= now->bound[i].least && found->number <= now->bound[i].most,
+              "%s: %.4g, at %g, is not in %g .. %g", found->label, found->number, found->at, now->bound[i].least,
+              now->bound[i].most);
         t_note("%s: %.4g", found->label, found->number);
     }
     for (int k = 0; k < r.curves; ++k) kit_image_free(&r.curve[k].worst);

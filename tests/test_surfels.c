@@ -1,6 +1,8 @@
-/* test_surfels.c - surfels and what is done with them: tessellation, sizes, reach, form factors, bounds, the dipole on the CPU; the passes of deep screen space through the whole of GL, against brute force and truth. */
+/* test_surfels.c - surfels and what is done with them: tessellation, sizes, reach, form factors, bounds, the dipole on
+   the CPU; the passes of deep screen space through the whole of GL, against brute force and truth. */
 #include "t.h"
-#define SSGI_STATIC                        /* white-box: this file has its own copy of the library, for what is private in it */
+/* white-box: this file has its own copy of the library, for what is private in it */
+#define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #define SSGI_GL_IMPLEMENTATION
 #if defined(__GNUC__)
@@ -17,7 +19,10 @@ static kit_error err;
 #define TRY(call) CHECK(!(call), "%s", err.text)
 #define COUNT(array) (int)(sizeof (array) / sizeof (array)[0])
 
-static double dot(const float a[3], const float b[3]) { return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2]; }
+static double dot(const float a[3], const float b[3])
+{
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
 
 static void cross(const float a[3], const float b[3], float out[3])
 {
@@ -31,7 +36,11 @@ static int view_of(ssgi_view *view, const kit_camera *c, int flipped)
     const char *why = "";
     kit_camera_matrices(c, world, projection);
     for (int k = 1; flipped && k < 16; k += 4) projection[k] = -projection[k];
-    return CHECK(ssgi_view_from_projection(view, projection, c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width, c->height, &why) == SSGI_OK, "%s", why);
+    return CHECK(ssgi_view_from_projection(view, projection,
+                                           c->depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, c->width,
+                                           c->height, &why)
+                     == SSGI_OK,
+                 "%s", why);
 }
 
 static const float one[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
@@ -44,7 +53,8 @@ static ssgi_surfel_source source_of(const float *position, size_t triangles)
 }
 
 /* All surfels of a source, for the caller to free; a few that were there before stand behind them, untouched. */
-static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view, const ssgi_surfel_source *source)
+static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, const ssgi_view *view,
+                               const ssgi_surfel_source *source)
 {
     const char *why = "";
     size_t n = 0;
@@ -52,7 +62,9 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
     ssgi_surfel *s = malloc((n + 1) * sizeof *s), guard;
     memset(&guard, 0x5a, sizeof guard);
     s[n] = guard;
-    CHECK(ssgi_surfels(s, n, count, desc, view, source, &why) == SSGI_OK && *count == n && !memcmp(&s[n], &guard, sizeof guard), "%zu then %zu surfels, or one too many written", n, *count);
+    CHECK(ssgi_surfels(s, n, count, desc, view, source, &why) == SSGI_OK && *count == n
+              && !memcmp(&s[n], &guard, sizeof guard),
+          "%zu then %zu surfels, or one too many written", n, *count);
     return s;
 }
 
@@ -64,7 +76,8 @@ static double radius_of(const ssgi_view *view, double size, double depth)
     return ssgi__surfel_radius(scale, view->orthographic, depth);
 }
 
-/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its axis, too low beside it when d < 4 r (by half at d = r). */
+/* Form factor of a surfel's front seen from a point: r^2 cos cos' / (d^2 + r^2) [DSS14 4, Wallace 1989]: exact on its
+   axis, too low beside it when d < 4 r (by half at d = r). */
 static float form_factor(const ssgi_surfel *surfel, const float position[3], const float normal[3])
 {
     const float r2 = surfel->radius * surfel->radius;
@@ -92,19 +105,25 @@ static int tess_points(float *uvw, int level)
     return n;
 }
 
-/* ---- tessellation ----------------------------------------------------------------------------------------------------- */
+/* ---- tessellation ------------------------------------------------------------------------------------------------ */
 
 static void points(void)
 {
-    static const float inner[4][3] = { { 0.133331299f, 0.533340454f, 0.333328247f }, { 0.333328247f, 0.133331299f, 0.533340454f }, { 0.266662598f, 0.466674805f, 0.266662598f }, { 0.733337402f, 0.133331299f, 0.133331299f } };   /* of level 5, OSMesa's */
+    /* of level 5, OSMesa's */
+    static const float inner[4][3] = { { 0.133331299f, 0.533340454f, 0.333328247f },
+                                       { 0.333328247f, 0.133331299f, 0.533340454f },
+                                       { 0.266662598f, 0.466674805f, 0.266662598f },
+                                       { 0.733337402f, 0.133331299f, 0.133331299f } };
     static float uvw[3 * 3169];
     for (int i = 0; i <= 65; ++i) {
         int v = 0;
         for (int segments = i; segments > 0 && i < 65; segments -= 2) v += 3 * segments;
         if (i && i < 65 && i % 2 == 0) ++v;
-        CHECK(ssgi_tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i, ssgi_tess_count(i), v);
+        CHECK(ssgi_tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
+              ssgi_tess_count(i), v);
     }
-    CHECK(ssgi_tess_count(64) == 3169 && ssgi_tess_count(1) == 3 && ssgi_tess_count(-1) == 0, "the ends of the formula");
+    CHECK(ssgi_tess_count(64) == 3169 && ssgi_tess_count(1) == 3 && ssgi_tess_count(-1) == 0,
+          "the ends of the formula");
     tess_points(uvw, 5);
     for (int k = 0; k < 4; ++k) {
         double least = 1;
@@ -119,27 +138,42 @@ static void points(void)
 
 static void levels(void)
 {
-    static const struct { double discs; int level; } row[] = { { 0, 1 }, { 0.2, 1 }, { 0.25, 1 }, { 1, 1 }, { 2.75, 1 }, { 3, 1 }, { 3.25, 1 }, { 3.5, 2 }, { 7, 2 }, { 7.25, 3 }, { 12, 3 }, { 16, 4 }, { 19, 4 }, { 20, 5 }, { 27, 5 },
-        { 27.5, 6 }, { 37, 6 }, { 48, 7 }, { 61, 8 }, { 75, 9 }, { 91, 10 }, { 100, 11 }, { 200, 16 }, { 400, 23 }, { 800, 32 }, { 1600, 46 }, { 3000, 63 }, { 3168, 64 }, { 3169, 64 }, { 3170, 64 }, { 1e4, 64 }, { 1e30, 64 } };
-    for (int i = 0; i < COUNT(row); ++i) CHECK(ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected", row[i].discs, ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
-    for (int i = 1; i <= 64; ++i)                                              /* where the level's even formula is full: floats stand on either side of it */
+    static const struct {
+        double discs;
+        int level;
+    } row[] = { { 0, 1 },     { 0.2, 1 },   { 0.25, 1 }, { 1, 1 },    { 2.75, 1 },  { 3, 1 },     { 3.25, 1 },
+                { 3.5, 2 },   { 7, 2 },     { 7.25, 3 }, { 12, 3 },   { 16, 4 },    { 19, 4 },    { 20, 5 },
+                { 27, 5 },    { 27.5, 6 },  { 37, 6 },   { 48, 7 },   { 61, 8 },    { 75, 9 },    { 91, 10 },
+                { 100, 11 },  { 200, 16 },  { 400, 23 }, { 800, 32 }, { 1600, 46 }, { 3000, 63 }, { 3168, 64 },
+                { 3169, 64 }, { 3170, 64 }, { 1e4, 64 }, { 1e30, 64 } };
+    for (int i = 0; i < COUNT(row); ++i)
+        CHECK(ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
+              row[i].discs, ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
+    /* where the level's even formula is full: floats stand on either side of it */
+    for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
-            const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4, discs = k ? nextafterf(full, k < 0 ? 0.0f : 1e9f) : full;
-            CHECK(ssgi_tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs, ssgi_tess_level(pi * (double)discs, 1), i);
+            const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
+                        discs = k ? nextafterf(full, k < 0 ? 0.0f : 1e9f) : full;
+            CHECK(ssgi_tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
+                  ssgi_tess_level(pi * (double)discs, 1), i);
         }
     CHECK(ssgi_tess_level((double)NAN, 1) == 1, "no level for NaN");
 }
 
-/* ---- surfels of triangles ------------------------------------------------------------------------------------------------ */
+/* ---- surfels of triangles ---------------------------------------------------------------------------------------- */
 
 /* Areas add up: of triangles that are split too; by chance of small ones. */
 static void areas(void)
 {
-    static const kit_camera c[2] = { { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 45, 0, 0.1f, 100, 160, 90, { 0, 0 }, KIT_DEPTH_NORMAL }, { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 0, 3, 0.1f, 100, 160, 90, { 0, 0 }, KIT_DEPTH_NORMAL } };
+    static const kit_camera c[2] = {
+        { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 45, 0, 0.1f, 100, 160, 90, { 0, 0 }, KIT_DEPTH_NORMAL },
+        { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 0, 3, 0.1f, 100, 160, 90, { 0, 0 }, KIT_DEPTH_NORMAL }
+    };
     enum { SMALL = 40000 };
     float *soup = malloc(9 * SMALL * sizeof *soup);
     double worst = 0;
-    for (int k = 0; k < 40; ++k) {                                             /* one each, of all sizes, before the eye and behind */
+    /* one each, of all sizes, before the eye and behind */
+    for (int k = 0; k < 40; ++k) {
         const ssgi_surfel_desc d = { .size = 0.03f, .keep_small = 1 };
         const float extent = powf(10, 2.5f * chance() - 1.5f);
         ssgi_view view;
@@ -158,13 +192,15 @@ static void areas(void)
         free(s);
     }
     CHECK(worst < 1e-6, "areas are off by %.2g", worst);
-    for (int m = 0; m < 2; ++m) {                                              /* a square of 1 x 1 as many, whose areas vary */
+    /* a square of 1 x 1 as many, whose areas vary */
+    for (int m = 0; m < 2; ++m) {
         const ssgi_surfel_desc d = { .size = 0.012f, .keep_small = 0 };
         double sum = 0, variance = 0, wanted;
         ssgi_view view;
         size_t n;
         for (int i = 0; i < SMALL / 2; ++i) {
-            const float x0 = (float)(i % 200) / 200, x1 = x0 + 0.005f, y0 = (float)(i / 200) / 100, y1 = y0 + 0.01f, z = -3;
+            const float x0 = (float)(i % 200) / 200, x1 = x0 + 0.005f, y0 = (float)(i / 200) / 100, y1 = y0 + 0.01f,
+                        z = -3;
             const float square[18] = { x0, y0, z, x1, y0, z, x0, y1, z, x1, y0, z, x1, y1, z, x0, y1, z };
             memcpy(soup + 18 * i, square, sizeof square);
         }
@@ -176,9 +212,12 @@ static void areas(void)
             sum += pi * (double)s[i].radius * (double)s[i].radius;
             CHECK(fabs((double)s[i].radius / wanted - 1) < 1e-5, "radius %g, %g wanted", (double)s[i].radius, wanted);
         }
-        variance = 3 * pi * wanted * wanted / 1.0 - 1.0 / SMALL;               /* each kept with the chance p has area a/p: sum of a^2 (1/p - 1) = 3 pi r^2 sum a - sum a^2 */
-        CHECK(n > 300 && fabs(sum - 1) < 3.5 * sqrt(variance), "%zu surfels have area %.4f, 1 wanted within %.4f", n, sum, sqrt(variance));
-        t_note("40 triangles' areas off by %.1e at most; a share of %d: %zu surfels, area %.4f +- %.4f", worst, SMALL, n, sum, sqrt(variance));
+        /* each kept with the chance p has area a/p: sum of a^2 (1/p - 1) = 3 pi r^2 sum a - sum a^2 */
+        variance = 3 * pi * wanted * wanted / 1.0 - 1.0 / SMALL;
+        CHECK(n > 300 && fabs(sum - 1) < 3.5 * sqrt(variance), "%zu surfels have area %.4f, 1 wanted within %.4f", n,
+              sum, sqrt(variance));
+        t_note("40 triangles' areas off by %.1e at most; a share of %d: %zu surfels, area %.4f +- %.4f", worst, SMALL,
+               n, sum, sqrt(variance));
         free(s);
     }
     free(soup);
@@ -187,12 +226,16 @@ static void areas(void)
 /* Ten thousand slivers: surfels stay in their triangles, discs too where they fit. */
 static void slivers(void)
 {
-    static const kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, 45, 0, 0.1f, 100, 160, 90, { 0, 0 }, KIT_DEPTH_NORMAL };
+    static const kit_camera c = { { 0, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 },     45, 0, 0.1f, 100, 160,
+                                  90,          { 0, 0 },     KIT_DEPTH_NORMAL };
     int flipped = 0, outside = 0, over = 0, fits = 0;
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
-        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .keep_small = 1, .splits = 1, .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
+        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()),
+                               .keep_small = 1,
+                               .splits = 1,
+                               .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
         const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
         direction(axis[0]);
@@ -212,7 +255,8 @@ static void slivers(void)
         double perimeter = 0, area = 0;
         int level = 1;
         while (ssgi_tess_count(level) < (int)count) ++level;
-        for (int k = 0; k < 3; ++k) {                                          /* the shrunk corners are the first ring's */
+        /* the shrunk corners are the first ring's */
+        for (int k = 0; k < 3; ++k) {
             u[k] = s[level].position[k] - s[0].position[k];
             v[k] = s[2 * level].position[k] - s[0].position[k];
             side[k] = p[3 + k] - p[k];
@@ -232,7 +276,10 @@ static void slivers(void)
         for (size_t i = 0; i < count; ++i)
             for (int e = 0; e < 3; ++e) {
                 float inward[3], from[3];
-                for (int k = 0; k < 3; ++k) { side[k] = p[3 * ((e + 1) % 3) + k] - p[3 * e + k]; from[k] = s[i].position[k] - p[3 * e + k]; }
+                for (int k = 0; k < 3; ++k) {
+                    side[k] = p[3 * ((e + 1) % 3) + k] - p[3 * e + k];
+                    from[k] = s[i].position[k] - p[3 * e + k];
+                }
                 cross(n, side, inward);
                 const double distance = dot(from, inward) / sqrt(dot(inward, inward));
                 outside += distance < -2e-7;
@@ -240,7 +287,8 @@ static void slivers(void)
             }
         free(s);
     }
-    CHECK(!flipped && !outside && !over && fits > 2000, "%d flipped, %d surfels outside, %d discs over the edge, of %d that fit", flipped, outside, over, fits);
+    CHECK(!flipped && !outside && !over && fits > 2000,
+          "%d flipped, %d surfels outside, %d discs over the edge, of %d that fit", flipped, outside, over, fits);
     t_note("discs fit into %d of 10000", fits);
 }
 
@@ -249,18 +297,29 @@ static int all_finite(const ssgi_surfel *s, size_t n)
     for (size_t i = 0; i < n; ++i) {
         const float *f = s[i].position;
         for (int k = 0; k < 12; ++k) if (!(fabsf(f[k]) < 1e30f)) return 0;
-        if (!(s[i].radius > 0 && fabs(dot(s[i].normal, s[i].normal) - 1) < 1e-5 && s[i].seed >= 0 && s[i].seed < 1)) return 0;
+        if (!(s[i].radius > 0 && fabs(dot(s[i].normal, s[i].normal) - 1) < 1e-5 && s[i].seed >= 0 && s[i].seed < 1))
+            return 0;
     }
     return 1;
 }
 
-/* What is not a triangle gives nothing, what is odd something finite; what is far of what is seen is left out; a mirrored mesh keeps its outside. */
+/* What is not a triangle gives nothing, what is odd something finite; what is far of what is seen is left out; a
+   mirrored mesh keeps its outside. */
 static void odd_triangles(void)
 {
-    static const struct { float p[9]; int some; } row[] = {
-        { { 0, 0, -3, 0, 0, -3, 0, 0, -3 }, 0 }, { { 0, 0, -3, 1, 1, -3, 2, 2, -3 }, 0 }, { { 0, 0, -3, 1, 0, -3, 0, NAN, -3 }, 0 }, { { 0, 0, -3, INFINITY, 0, -3, 0, 1, -3 }, 0 },
-        { { 0, 0, -3, 1e30f, 0, -3, 0, 1e30f, -3 }, 0 }, { { 0, 0, -3, 1e9f, 0, -3, 0, 1e9f, -3 }, 1 }, { { 0, 0, -1e9f, 1, 0, -1e9f, 0, 1, -1e9f }, 1 }, { { 0, 0, 3, 1, 0, 3, 0, 1, 3 }, 1 }, { { 0, 0, 3, 1, 0, -3, 0, 1, -3 }, 1 },
-        { { 1e-20f, 0, -1, 0, 1e-20f, -1, 0, 0, -1 }, 1 }, { { 1e8f, 0, -1, 1e8f, 100, -1, 1e8f, 0, -100 }, 1 }, { { 0, 0, 0, 1, 0, 0, 0, 1, 0 }, 1 } };
+    static const struct { float p[9]; int some;
+    } row[] = { { { 0, 0, -3, 0, 0, -3, 0, 0, -3 }, 0 },
+                { { 0, 0, -3, 1, 1, -3, 2, 2, -3 }, 0 },
+                { { 0, 0, -3, 1, 0, -3, 0, NAN, -3 }, 0 },
+                { { 0, 0, -3, INFINITY, 0, -3, 0, 1, -3 }, 0 },
+                { { 0, 0, -3, 1e30f, 0, -3, 0, 1e30f, -3 }, 0 },
+                { { 0, 0, -3, 1e9f, 0, -3, 0, 1e9f, -3 }, 1 },
+                { { 0, 0, -1e9f, 1, 0, -1e9f, 0, 1, -1e9f }, 1 },
+                { { 0, 0, 3, 1, 0, 3, 0, 1, 3 }, 1 },
+                { { 0, 0, 3, 1, 0, -3, 0, 1, -3 }, 1 },
+                { { 1e-20f, 0, -1, 0, 1e-20f, -1, 0, 0, -1 }, 1 },
+                { { 1e8f, 0, -1, 1e8f, 100, -1, 1e8f, 0, -100 }, 1 },
+                { { 0, 0, 0, 1, 0, 0, 0, 1, 0 }, 1 } };
     const kit_camera c[2] = { looking_along_z(160, 90, 0), looking_along_z(160, 90, 1) };
     ssgi_view view;
     ssgi_surfel_desc d = { .keep_small = 1, .size = 0.05f };
@@ -270,7 +329,8 @@ static void odd_triangles(void)
             size_t n = 0;
             if (!view_of(&view, &c[m], 0)) return;
             ssgi_surfel *s = surfels_of(&n, &d, &view, &source);
-            CHECK((n > 0) == row[i].some && all_finite(s, n), "view %d, triangle %d: %zu surfels, or not all finite", m, i, n);
+            CHECK((n > 0) == row[i].some && all_finite(s, n), "view %d, triangle %d: %zu surfels, or not all finite", m,
+                  i, n);
             free(s);
         }
     static const float p[9] = { 5, 0, -3, 6, 0, -3, 5, 1, -3.2f }, tilted[9] = { 0.1f, 0, 1, 0, 0.2f, 1, 0, 0, 2 };
@@ -283,7 +343,8 @@ static void odd_triangles(void)
         CHECK((n > 0) == k, "most %g: %zu surfels", (double)d.max_distance, n);
     }
     d.max_distance = 0;
-    for (int k = 0; k < 2; ++k) {                                              /* mirrored and sheared: own normals, given ones */
+    /* mirrored and sheared: own normals, given ones */
+    for (int k = 0; k < 2; ++k) {
         ssgi_surfel_source source = source_of(p, 1);
         size_t n = 0;
         float edge[2][3], own[3], copies[9];
@@ -296,7 +357,9 @@ static void odd_triangles(void)
         ssgi_surfel *s = surfels_of(&n, &d, &view, &source);
         source.normal = copies;
         ssgi_surfel *same = surfels_of(&n, &d, &view, &source);
-        for (size_t i = 0; i < n; ++i) CHECK(dot(s[i].normal, same[i].normal) > 0.99999, "det %g: own normals and given ones are apart: %g", sign[0], dot(s[i].normal, same[i].normal));
+        for (size_t i = 0; i < n; ++i)
+            CHECK(dot(s[i].normal, same[i].normal) > 0.99999, "det %g: own normals and given ones are apart: %g",
+                  sign[0], dot(s[i].normal, same[i].normal));
         source.normal = tilted;
         ssgi_surfel *turned = surfels_of(&n, &d, &view, &source);
         CHECK(turned[0].normal[2] > 0.9f && all_finite(turned, n), "given normals are not followed");
@@ -306,7 +369,7 @@ static void odd_triangles(void)
     }
 }
 
-/* ---- reach, shells, form factors -------------------------------------------------------------------------------------------- */
+/* ---- reach, shells, form factors --------------------------------------------------------------------------------- */
 
 static void reach_and_shells(void)
 {
@@ -314,7 +377,8 @@ static void reach_and_shells(void)
     int wrong = 0;
     for (int e = 0; e < 4; ++e)
         for (int k = 0; k < 20; ++k) {
-            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi__surfel_reach(r, 1, epsilon[e]), bright = 0.3 + 5 * (double)chance(), far = ssgi__surfel_reach(r, bright, epsilon[e]);
+            const double r = pow(10, 4 * (double)chance() - 2), reach = ssgi__surfel_reach(r, 1, epsilon[e]),
+                         bright = 0.3 + 5 * (double)chance(), far = ssgi__surfel_reach(r, bright, epsilon[e]);
             ssgi_surfel s = { .radius = (float)r };
             CHECK(fabs(ssgi__surfel_reach(2 * r, 1, epsilon[e]) / (2 * reach) - 1) < 1e-12, "not linear");
             for (int i = 0; i < 200; ++i) {
@@ -323,7 +387,8 @@ static void reach_and_shells(void)
                 direction(v);
                 v[2] = fabsf(v[2]);
                 direction(s.normal);
-                if (i == 0) { v[0] = v[1] = 0; v[2] = 1; }                     /* facing each other: the most that there is */
+                /* facing each other: the most that there is */
+                if (i == 0) { v[0] = v[1] = 0; v[2] = 1; }
                 if (i < 20) for (int c = 0; c < 3; ++c) s.normal[c] = -v[c];
                 for (int inside = 0; inside < 2; ++inside) {
                     const double at = reach * (inside ? 0.9999 : 1.0001);
@@ -333,12 +398,17 @@ static void reach_and_shells(void)
                     if (!inside) wrong += !(f < epsilon[e]);
                 }
             }
-            if (bright > epsilon[e]) CHECK(fabs(bright * r * r / (far * far + r * r) / epsilon[e] - 1) < 1e-9, "brightest %g: reach %g", bright, far);
+            if (bright > epsilon[e])
+                CHECK(fabs(bright * r * r / (far * far + r * r) / epsilon[e] - 1) < 1e-9, "brightest %g: reach %g",
+                      bright, far);
         }
     CHECK(!wrong, "%d surfels bring more beyond their reach, or less within it", wrong);
-    CHECK(ssgi__surfel_reach(1, 0.01, 0.02) == 0 && ssgi__surfel_reach(1, 0.02, 0.02) == 0, "what is too faint reaches somewhere");
-    for (int k = 0; k < 3000; ++k) {                                           /* level borders too; nothing beyond most */
-        const double reach = 0.1 + (double)chance(), most = k % 3 ? 1e18 : 20 * (double)chance(), border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * (double)chance() + 1e-9 : border;
+    CHECK(ssgi__surfel_reach(1, 0.01, 0.02) == 0 && ssgi__surfel_reach(1, 0.02, 0.02) == 0,
+          "what is too faint reaches somewhere");
+    /* level borders too; nothing beyond most */
+    for (int k = 0; k < 3000; ++k) {
+        const double reach = 0.1 + (double)chance(), most = k % 3 ? 1e18 : 20 * (double)chance(),
+                     border = ldexp(reach, k % 6), d = k % 5 ? 70 * reach * (double)chance() + 1e-9 : border;
         int in = 0;
         for (int l = 0; l < 7; ++l) {
             double shell[2];
@@ -352,9 +422,23 @@ static void reach_and_shells(void)
 
 static void form_factors(void)
 {
-    static const float row[][5] = { { 0, 0.5f, 0, -1, 0.8f }, { 0, 1, 0, -1, 0.5f }, { 0, 2, 0, -1, 0.2f }, { 0, 5, 0, -1, 0.038461538f }, { 1, 1, 0, -1, 0.166666667f }, { 2, 1, 0, -1, 0.033333333f }, { 2, 2, 0, -1, 0.055555556f }, { 4, 2, 0, -1, 0.00952381f },
-        { 2, 1.5f, -1, 0, 0.066206897f }, { 3, 1.5f, -1, 0, 0.032653061f }, { 5, 1.5f, -1, 0, 0.009742632f }, { 2, 2, -0.70710678f, -0.70710678f, 0.078567420f }, { 10, 5, -0.89442719f, -0.44721360f, 0.003549313f } };   /* x, z, normal x, z, form factor */
-    static const struct { double radii, l, ratio; } bias[] = { { 3, 1, 0.769231 }, { 6, 1, 0.925 }, { 12, 3, 0.697115 }, { 7, 1, 0.943396 } };
+    static const float row[][5] = { { 0, 0.5f, 0, -1, 0.8f },
+                                    { 0, 1, 0, -1, 0.5f },
+                                    { 0, 2, 0, -1, 0.2f },
+                                    { 0, 5, 0, -1, 0.038461538f },
+                                    { 1, 1, 0, -1, 0.166666667f },
+                                    { 2, 1, 0, -1, 0.033333333f },
+                                    { 2, 2, 0, -1, 0.055555556f },
+                                    { 4, 2, 0, -1, 0.00952381f },
+                                    /* x, z, normal x, z, form factor */
+                                    { 2, 1.5f, -1, 0, 0.066206897f },
+                                    { 3, 1.5f, -1, 0, 0.032653061f },
+                                    { 5, 1.5f, -1, 0, 0.009742632f },
+                                    { 2, 2, -0.70710678f, -0.70710678f, 0.078567420f },
+                                    { 10, 5, -0.89442719f, -0.44721360f, 0.003549313f } };
+    static const struct {
+        double radii, l, ratio;
+    } bias[] = { { 3, 1, 0.769231 }, { 6, 1, 0.925 }, { 12, 3, 0.697115 }, { 7, 1, 0.943396 } };
     const float up[3] = { 0, 0, 1 }, down[3] = { 0, 0, -1 }, origin[3] = { 0, 0, 0 };
     for (int i = 0; i < COUNT(row); ++i) {
         ssgi_surfel s = { .position = { row[i][0], 0, row[i][1] }, .radius = 1, .normal = { row[i][2], 0, row[i][3] } };
@@ -366,7 +450,10 @@ static void form_factors(void)
     }
     for (int i = 0; i < COUNT(bias); ++i) {                                    /* enlarged in place of weighted */
         const float wide = (float)pow(2, bias[i].l);
-        const ssgi_surfel s = { .position = { 0, 0, (float)bias[i].radii }, .radius = 1, .normal = { 0, 0, -1 } }, large = { .position = { 0, 0, (float)bias[i].radii }, .radius = wide, .normal = { 0, 0, -1 } };
+        const ssgi_surfel s = { .position = { 0, 0, (float)bias[i].radii }, .radius = 1, .normal = { 0, 0, -1 } },
+                          large = { .position = { 0, 0, (float)bias[i].radii },
+                                    .radius = wide,
+                                    .normal = { 0, 0, -1 } };
         const double ratio = (double)(form_factor(&large, origin, up) / (wide * wide * form_factor(&s, origin, up)));
         CHECK(fabs(ratio / bias[i].ratio - 1) < 2e-6, "bias %d: %.6f", i, ratio);
     }
@@ -376,21 +463,26 @@ static void form_factors(void)
 static void closed_forms(void)
 {
     enum { BALL = 4096 };
-    static const double row[][3] = { { 4, 0.467992207, 0.01 }, { 8, 0.436315161, 0.005 }, { 16, 0.375183913, 0.002 } };   /* distance in radii, the wall's exact form factor, how close */
+    /* distance in radii, the wall's exact form factor, how close */
+    static const double row[][3] = { { 4, 0.467992207, 0.01 }, { 8, 0.436315161, 0.005 }, { 16, 0.375183913, 0.002 } };
     const float up[3] = { 0, 0, 1 }, origin[3] = { 0, 0, 0 };
     double ball[2] = { 0, 0 }, room = 0;
     for (int i = 0; i < BALL; ++i) {                                           /* (R/d)^2 cos = .2001 */
         const double z = 1 - (2 * i + 1.0) / BALL, rho = sqrt(1 - z * z), a = i * pi * (3 - sqrt(5));
-        ssgi_surfel s = { .radius = (float)(2 / sqrt((double)BALL)), .normal = { (float)(rho * cos(a)), (float)(rho * sin(a)), (float)z } };
+        ssgi_surfel s = { .radius = (float)(2 / sqrt((double)BALL)),
+                          .normal = { (float)(rho * cos(a)), (float)(rho * sin(a)), (float)z } };
         memcpy(s.position, s.normal, sizeof s.position);
         s.position[2] += (float)sqrt(1 / 0.2001);
         for (int k = 0; k < 2; ++k) {
-            const float tilted[3] = { k ? 0.6f : 0.0f, 0, k ? 0.8f : 1.0f };   /* the ball is 27 degrees wide: all above the horizon */
+            /* the ball is 27 degrees wide: all above the horizon */
+            const float tilted[3] = { k ? 0.6f : 0.0f, 0, k ? 0.8f : 1.0f };
             ball[k] += (double)form_factor(&s, origin, tilted) / (k ? 0.8 : 1);
         }
     }
-    CHECK(fabs(ball[0] - 0.2001) < 3e-4 && fabs(ball[1] - 0.2001) < 3e-4, "a ball's surfels sum to %.5f and %.5f, .20010 exact", ball[0], ball[1]);
-    for (int side = 0; side < 5; ++side)                                       /* a box of 4 x 4 x 4 from the middle of its floor */
+    CHECK(fabs(ball[0] - 0.2001) < 3e-4 && fabs(ball[1] - 0.2001) < 3e-4,
+          "a ball's surfels sum to %.5f and %.5f, .20010 exact", ball[0], ball[1]);
+    /* a box of 4 x 4 x 4 from the middle of its floor */
+    for (int side = 0; side < 5; ++side)
         for (int i = 0; i < 1600; ++i) {
             const float a = 0.1f * (float)(i % 40) - 1.95f, b = 0.1f * (float)(i / 40) - 1.95f;
             ssgi_surfel s = { .position = { 0, 0, 4 }, .radius = (float)(0.1 / sqrt(pi)), .normal = { 0, 0, -1 } };
@@ -410,20 +502,31 @@ static void closed_forms(void)
         const double g = 0.05, r = g / sqrt(pi);
         double sum = 0;
         for (int i = 0; i < 80 * 40; ++i) {
-            const ssgi_surfel s = { .position = { (float)(row[k][0] * r), (float)(g * (i % 80 + 0.5) - 2), (float)(g * (i / 80 + 0.5)) }, .radius = (float)r, .normal = { -1, 0, 0 } };
+            const ssgi_surfel s = { .position = { (float)(row[k][0] * r), (float)(g * (i % 80 + 0.5) - 2),
+                                                  (float)(g * (i / 80 + 0.5)) },
+                                    .radius = (float)r,
+                                    .normal = { -1, 0, 0 } };
             sum += (double)form_factor(&s, origin, up);
         }
-        CHECK(fabs(sum / row[k][1] - 1) < row[k][2], "the wall at %g radii: %.5f, %.5f exact", row[k][0], sum, row[k][1]);
+        CHECK(fabs(sum / row[k][1] - 1) < row[k][2], "the wall at %g radii: %.5f, %.5f exact", row[k][0], sum,
+              row[k][1]);
     }
     t_note("ball %.5f and %.5f of .20010, room %.5f", ball[0], ball[1], room);
 }
 
-/* ---- what splats cover -------------------------------------------------------------------------------------------------------- */
+/* ---- what splats cover ------------------------------------------------------------------------------------------- */
 
 static void bounds(void)
 {
-    static const float row[][5] = { { 0, 10, 1, -0.100503781526f, 0.100503781526f }, { 0, 3, 1, -0.353553390593f, 0.353553390593f }, { 0, 1.5f, 1, -0.894427191f, 0.894427191f }, { 5, 10, 1, 0.392570416913f, 0.617530593188f },
-        { 5, 6, 3, 0.309877494341f, 1.91234472788f }, { -4, 4, 2, -2.21525043702f, -0.451416229645f }, { 8, 4, 1, 1.54078703885f, 2.72587962782f }, { 0, 1.05f, 1, -3.12347523777f, 3.12347523777f } };   /* x, depth, radius, slopes */
+    static const float row[][5] = { { 0, 10, 1, -0.100503781526f, 0.100503781526f },
+                                    { 0, 3, 1, -0.353553390593f, 0.353553390593f },
+                                    { 0, 1.5f, 1, -0.894427191f, 0.894427191f },
+                                    { 5, 10, 1, 0.392570416913f, 0.617530593188f },
+                                    /* x, depth, radius, slopes */
+                                    { 5, 6, 3, 0.309877494341f, 1.91234472788f },
+                                    { -4, 4, 2, -2.21525043702f, -0.451416229645f },
+                                    { 8, 4, 1, 1.54078703885f, 2.72587962782f },
+                                    { 0, 1.05f, 1, -3.12347523777f, 3.12347523777f } };
     kit_camera c = looking_along_z(1000, 1000, 0);
     ssgi_view view;
     float b[4] = { -7, -7, -7, -7 };
@@ -435,8 +538,11 @@ static void bounds(void)
         for (int axis = 0; axis < 2; ++axis) {
             float centre[3] = { 0, 0, -row[i][1] };
             centre[axis] = row[i][0];
-            CHECK(ssgi__sphere_bounds(b, &view, centre, row[i][2], 0.01f) && fabs((double)b[axis] - (double)(row[i][3] * 125 + 500)) < 2e-3 && fabs((double)b[axis + 2] - (double)(row[i][4] * 125 + 500)) < 2e-3,
-                  "sphere %d, axis %d: %.4f to %.4f", i, axis, ((double)b[axis] - 500) / 125, ((double)b[axis + 2] - 500) / 125);
+            CHECK(ssgi__sphere_bounds(b, &view, centre, row[i][2], 0.01f)
+                      && fabs((double)b[axis] - (double)(row[i][3] * 125 + 500)) < 2e-3
+                      && fabs((double)b[axis + 2] - (double)(row[i][4] * 125 + 500)) < 2e-3,
+                  "sphere %d, axis %d: %.4f to %.4f", i, axis, ((double)b[axis] - 500) / 125,
+                  ((double)b[axis + 2] - 500) / 125);
         }
     for (int k = 0; k < 4000; ++k) {
         const int flipped = k & 1, orthographic = k >> 1 & 1;
@@ -448,7 +554,8 @@ static void bounds(void)
         if (!view_of(&view, &c, flipped)) return;
         for (int i = 0; i < 3; ++i) centre[i] = 4 * chance() - (i == 2 ? 3.5f : 2);
         front = k % 3 ? 0.05f : 2 * chance() + 0.05f;
-        for (int i = 0; i < 1200; ++i) {                                       /* circles through the centre hold the extremes, or points at the front; others are for sure */
+        /* circles through the centre hold the extremes, or points at the front; others are for sure */
+        for (int i = 0; i < 1200; ++i) {
             const double a = 2 * pi * i / 500;
             float p[3], out[3];
             direction(p);
@@ -465,20 +572,27 @@ static void bounds(void)
             ssgi_view_project(&view, p, out);
             for (int x = 0; x < 2; ++x) { low[x] = fminf(low[x], out[x]); high[x] = fmaxf(high[x], out[x]); }
         }
-        for (int x = 0; x < 2; ++x) { low[x] = fmaxf(low[x], 0); high[x] = fminf(high[x], (float)(x ? view.height : view.width)); }
+        for (int x = 0; x < 2; ++x) {
+            low[x] = fmaxf(low[x], 0);
+            high[x] = fminf(high[x], (float)(x ? view.height : view.width));
+        }
         const int met = low[0] < high[0] && low[1] < high[1], is = ssgi__sphere_bounds(b, &view, centre, r, front);
         some += met;
         if (met && !is) ++outside;
         if (!met && is && (b[2] - b[0] > 0.1f && b[3] - b[1] > 0.1f)) ++loose;
         for (int x = 0; x < 2 && met && is; ++x) {
-            const double wide = (double)(high[x] - low[x]), out = fmax((double)(b[x] - low[x]), (double)(high[x] - b[x + 2])), in = fmax((double)(low[x] - b[x]), (double)(b[x + 2] - high[x]));
+            const double wide = (double)(high[x] - low[x]),
+                         out = fmax((double)(b[x] - low[x]), (double)(high[x] - b[x + 2])),
+                         in = fmax((double)(low[x] - b[x]), (double)(b[x + 2] - high[x]));
             outside += out > 1e-3;
             loose += in > 0.01 * wide + 0.02;
             worst[0] = fmax(worst[0], out);
             worst[1] = fmax(worst[1], in);
         }
     }
-    CHECK(!outside && !loose && some > 1500, "of %d spheres %d reach out of their bounds (%.3g pixels), %d bounds are loose (%.3g pixels)", some, outside, worst[0], loose, worst[1]);
+    CHECK(!outside && !loose && some > 1500,
+          "of %d spheres %d reach out of their bounds (%.3g pixels), %d bounds are loose (%.3g pixels)", some, outside,
+          worst[0], loose, worst[1]);
     t_note("%d spheres: out by %.1e pixels at most, bounds wider by %.2f at most", some, worst[0], worst[1]);
 }
 
@@ -496,9 +610,13 @@ static void radii(void)
         if (k % 3 == 0) c.depth = KIT_DEPTH_REVERSED;
         if (!view_of(&view, &c, k & 1)) return;
         const double r = radius_of(&view, 0.05, (double)depth);
-        CHECK(ssgi__sphere_bounds(b, &view, centre, (float)r, 0.2f) && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3, "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
+        CHECK(ssgi__sphere_bounds(b, &view, centre, (float)r, 0.2f)
+                  && fabs((double)(b[3] - b[1]) / (0.05 * 90) - 1) < 1e-3,
+              "depth %g: %g pixels, 4.5 wanted", (double)depth, (double)(b[3] - b[1]));
         CHECK(fabs((double)ssgi_view_near(&view) - 0.2) < 1e-4, "near plane at %g", (double)ssgi_view_near(&view));
-        CHECK(fabs(radius_of(&view, 0.05, -(double)depth) - radius_of(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0))) < 1e-5 * r, "behind the eye");
+        CHECK(fabs(radius_of(&view, 0.05, -(double)depth) - radius_of(&view, 0.05, (double)depth + (k % 3 ? 0.4 : 0)))
+                  < 1e-5 * r,
+              "behind the eye");
     }
 }
 
@@ -523,7 +641,9 @@ static void predictions(void)
         ssgi_surfel_source source = source_of(scene.mesh.position, scene.mesh.triangles);
         kit_camera_matrices(&scene.camera, source.to_view, projection);
         ssgi_surfel *s = surfels_of(&n, &d, &view, &source);
-        CHECK(ssgi_surfels_predict(&triangles, &d, &splat, &view, &source, NULL) == SSGI_OK && ssgi_splat_predict(&surfels, &splat, &view, s, n, NULL) == SSGI_OK && triangles.surfels == n && surfels.surfels == n && triangles.splits > 0,
+        CHECK(ssgi_surfels_predict(&triangles, &d, &splat, &view, &source, NULL) == SSGI_OK
+                  && ssgi_splat_predict(&surfels, &splat, &view, s, n, NULL) == SSGI_OK && triangles.surfels == n
+                  && surfels.surfels == n && triangles.splits > 0,
               "%s: %zu predicted, %zu made", names[k], triangles.surfels, n);
         for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) {
             if (l >= 4) CHECK(triangles.pixels[l] == 0 && surfels.pixels[l] == 0, "level %d is not drawn", l);
@@ -531,18 +651,23 @@ static void predictions(void)
             sum[1] += surfels.pixels[l];
             most = fmax(most, triangles.pixels[l]);
         }
-        CHECK(fabs(sum[0] / sum[1] - 1) < 0.25 && sum[0] > 0, "%s: %g pixels of triangles, %g of surfels", names[k], sum[0], sum[1]);
+        CHECK(fabs(sum[0] / sum[1] - 1) < 0.25 && sum[0] > 0, "%s: %g pixels of triangles, %g of surfels", names[k],
+              sum[0], sum[1]);
         t_note("%s: %zu surfels, pixels of triangles %.3f of surfels'", names[k], n, sum[0] / sum[1]);
         free(s);
         kit_scene_free(&scene);
     }
 }
 
-/* A ground of 2 km from the eye to the horizon, and a small triangle: the ground is divided until parts suffice, or near the eye ten times; areas stay, and what is far aside is dropped. */
+/* A ground of 2 km from the eye to the horizon, and a small triangle: the ground is divided until parts suffice, or
+   near the eye ten times; areas stay, and what is far aside is dropped. */
 static void divided(void)
 {
-    static const float ground[27] = { -1000, 0, -1000, -1000, 0, 1000, 1000, 0, -1000, 1000, 0, -1000, -1000, 0, 1000, 1000, 0, 1000, 0, 1, 0, 0.5f, 1, 0, 0, 1.5f, 0 };
-    const kit_camera c = { .eye = { 0, 2, 6 }, .up = { 0, 1, 0 }, .fovy = 50, .znear = 0.1f, .zfar = 3000, .width = 160, .height = 90 };
+    static const float ground[27] = { -1000, 0,    -1000, -1000, 0, 1000, 1000, 0,    -1000, 1000, 0, -1000, -1000, 0,
+                                      1000,  1000, 0,     1000,  0, 1,    0,    0.5f, 1,     0,    0, 1.5f,  0 };
+    const kit_camera c = {
+        .eye = { 0, 2, 6 }, .up = { 0, 1, 0 }, .fovy = 50, .znear = 0.1f, .zfar = 3000, .width = 160, .height = 90
+    };
     ssgi_surfel_source source = source_of(ground, 3);
     ssgi_surfel_desc d = { .size = 0.03f, .splits = 8 };
     ssgi_view view;
@@ -553,24 +678,29 @@ static void divided(void)
     int wants = 0, seen = 0;
     if (!view_of(&view, &c, 0)) return;
     kit_camera_matrices(&c, source.to_view, projection);
-    CHECK(ssgi_surfels_divide(NULL, 0, &all, &d, &view, &source, NULL) == SSGI_OK && all > 100 && all < 20000, "%zu triangles", all);
+    CHECK(ssgi_surfels_divide(NULL, 0, &all, &d, &view, &source, NULL) == SSGI_OK && all > 100 && all < 20000,
+          "%zu triangles", all);
     out = calloc(27 * all + 27, sizeof *out);
     if (!out) return;
-    CHECK(ssgi_surfels_divide(out, all / 2, &again, &d, &view, &source, NULL) == SSGI_OK && again == all && out[27 * (all / 2)] == 0 && out[27 * (all / 2) + 8] == 0, "capacity");
+    CHECK(ssgi_surfels_divide(out, all / 2, &again, &d, &view, &source, NULL) == SSGI_OK && again == all
+              && out[27 * (all / 2)] == 0 && out[27 * (all / 2) + 8] == 0,
+          "capacity");
     ssgi_surfels_divide(out, all, &again, &d, &view, &source, NULL);
     for (size_t t = 0; t < all; ++t) {
         const float *v = out + 27 * t;
         ssgi_surfel_source part = source;
         ssgi_surfel_cost cost;
         const ssgi_splat splat = { 0 };
-        const double x[2] = { (double)(v[9] - v[0]), (double)(v[18] - v[0]) }, z[2] = { (double)(v[11] - v[2]), (double)(v[20] - v[2]) };
+        const double x[2] = { (double)(v[9] - v[0]), (double)(v[18] - v[0]) },
+                     z[2] = { (double)(v[11] - v[2]), (double)(v[20] - v[2]) };
         part.position = v;
         part.position_stride = 36;
         part.triangles = 1;
         double middle[3];
         for (int k = 0; k < 3; ++k) {
             middle[k] = (double)source.to_view[12 + k];
-            for (int j = 0; j < 9; ++j) middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
+            for (int j = 0; j < 9; ++j)
+                middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
         }
         seen += ssgi_view_outside(&view, middle) <= 0;
         if (t + 1 < all) area += 0.5 * fabs(x[0] * z[1] - x[1] * z[0]);
@@ -579,34 +709,53 @@ static void divided(void)
     }
     CHECK(fabs(area / 4e6 - 1) < 1e-5, "the ground has %.7g of its area", area / 4e6);
     CHECK(wants == 0 && seen > 20, "%d of the %d in the picture still want more parts", wants, seen);
-    CHECK(!memcmp(out + 27 * (all - 1), ground + 18, 12) && out[27 * (all - 1) + 9] == 0.5f && out[27 * all - 3] == 1, "the small triangle is another");
+    CHECK(!memcmp(out + 27 * (all - 1), ground + 18, 12) && out[27 * (all - 1) + 9] == 0.5f && out[27 * all - 3] == 1,
+          "the small triangle is another");
     d.max_distance = 1;
-    CHECK(ssgi_surfels_divide(NULL, 0, &n, &d, &view, &source, NULL) == SSGI_OK && n < all && n > 10, "%zu of %zu near what is seen", n, all);
+    CHECK(ssgi_surfels_divide(NULL, 0, &n, &d, &view, &source, NULL) == SSGI_OK && n < all && n > 10,
+          "%zu of %zu near what is seen", n, all);
     again = 7;
-    CHECK(ssgi_surfels_divide(NULL, 1, &again, &d, &view, &source, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "out", 3) && again == 7, "%s", why);
+    CHECK(ssgi_surfels_divide(NULL, 1, &again, &d, &view, &source, &why) == SSGI_BAD_ARGUMENT && !strncmp(why, "out", 3)
+              && again == 7,
+          "%s", why);
     t_note("a ground of 2 triangles becomes %zu, %d of them in the picture, %zu within 1 of it", all - 1, seen, n - 1);
     free(out);
 }
 
 static void dipoles(void)
 {
-    static const struct { const char *name; int channel; double total, at[5]; } row[] = {
-        { "marble", 0, 0.830191456277, { 0.390746495, 0.125447567, 0.0348466917, 0.0090938403, 0.00126669258 } }, { "marble", 2, 0.752609944803, { 0.731893, 0.135664467, 0.0336750796, 0.00858246198, 0.000760952691 } },
-        { "skin1", 1, 0.227331199476, { 0.0628239383, 0.0421611311, 0.0182336317, 0.00341591015, 0.000102548368 } }, { "ketchup", 0, 0.163836010769, { 0.00271994156, 0.00265432067, 0.00247143418, 0.00190356964, 0.000557030979 } },
-        { "wholemilk", 2, 0.759412709098, { 1.18155066, 0.153520806, 0.0397479523, 0.00776154361, 0.000339423477 } } };   /* at 0, .5, 1, 2, 5 mm */
+    static const struct { const char *name; int channel; double total, at[5];
+    } row[] = {
+        { "marble", 0, 0.830191456277, { 0.390746495, 0.125447567, 0.0348466917, 0.0090938403, 0.00126669258 } },
+        { "marble", 2, 0.752609944803, { 0.731893, 0.135664467, 0.0336750796, 0.00858246198, 0.000760952691 } },
+        { "skin1", 1, 0.227331199476, { 0.0628239383, 0.0421611311, 0.0182336317, 0.00341591015, 0.000102548368 } },
+        { "ketchup",
+          0,
+          0.163836010769,
+          { 0.00271994156, 0.00265432067, 0.00247143418, 0.00190356964, 0.000557030979 } },
+        /* at 0, .5, 1, 2, 5 mm */
+        { "wholemilk", 2, 0.759412709098, { 1.18155066, 0.153520806, 0.0397479523, 0.00776154361, 0.000339423477 } }
+    };
     static const double mm[5] = { 0, 0.5, 1, 2, 5 };
     double worst = 0;
     for (int i = 0; i < COUNT(row); ++i) {
         const ssgi_material *m = NULL;
         ssgi_dipole d;
-        for (int k = 0; ssgi_material_of(k); ++k) if (!strcmp(ssgi_material_of(k)->name, row[i].name)) m = ssgi_material_of(k);
-        if (!CHECK(m && ssgi_dipole_set(&d, m->sigma_s, m->sigma_a, m->eta, NULL) == SSGI_OK, "no %s", row[i].name)) return;
+        for (int k = 0; ssgi_material_of(k); ++k)
+            if (!strcmp(ssgi_material_of(k)->name, row[i].name)) m = ssgi_material_of(k);
+        if (!CHECK(m && ssgi_dipole_set(&d, m->sigma_s, m->sigma_a, m->eta, NULL) == SSGI_OK, "no %s", row[i].name))
+            return;
         const int c = row[i].channel;
-        CHECK(fabs(ssgi_dipole_total(&d, c) / row[i].total - 1) < 1e-6, "%s: total %.9f", row[i].name, ssgi_dipole_total(&d, c));
-        for (int k = 0; k < 5; ++k) CHECK(fabs(ssgi_dipole_reflectance(&d, c, mm[k]) / row[i].at[k] - 1) < 1e-6, "%s at %g mm: %.9g", row[i].name, mm[k], ssgi_dipole_reflectance(&d, c, mm[k]));
+        CHECK(fabs(ssgi_dipole_total(&d, c) / row[i].total - 1) < 1e-6, "%s: total %.9f", row[i].name,
+              ssgi_dipole_total(&d, c));
+        for (int k = 0; k < 5; ++k)
+            CHECK(fabs(ssgi_dipole_reflectance(&d, c, mm[k]) / row[i].at[k] - 1) < 1e-6, "%s at %g mm: %.9g",
+                  row[i].name, mm[k], ssgi_dipole_reflectance(&d, c, mm[k]));
         const double g = 0.5 * d.z_r[c], end = 16 / d.sigma_tr[c];             /* a plane of surfels */
         double sum = 0;
-        for (double y = 0.5 * g; y < end; y += g) for (double x = 0.5 * g; x < end; x += g) sum += 4 * g * g * ssgi_dipole_reflectance(&d, c, sqrt(x * x + y * y));
+        for (double y = 0.5 * g; y < end; y += g)
+            for (double x = 0.5 * g; x < end; x += g)
+                sum += 4 * g * g * ssgi_dipole_reflectance(&d, c, sqrt(x * x + y * y));
         worst = fmax(worst, fabs(sum / row[i].total - 1));
     }
     CHECK(worst < 1e-4, "planes of surfels are off by %.2g", worst);
@@ -614,12 +763,15 @@ static void dipoles(void)
     t_note("planes of surfels off by %.1e", worst);
 }
 
-/* ---- what is refused ------------------------------------------------------------------------------------------------------------ */
+/* ---- what is refused --------------------------------------------------------------------------------------------- */
 
-/* What underflows gives nothing; corners that shrink onto each other, and normals that are not finite, leave the triangle's own normal. */
+/* What underflows gives nothing; corners that shrink onto each other, and normals that are not finite, leave the
+   triangle's own normal. */
 static void smallest(void)
 {
-    static const float tiny[9] = { 0, 0, -3, 1e-25f, 0, -3, 0, 1e-25f, -3 }, close[9] = { 1e-30f, 0, -3, 0, 1e-30f, -3, 2e-30f, 2e-30f, -3 }, far[9] = { 0, 0, -3, 1e19f, 0, -3, 0, 1e19f, -3 };
+    static const float tiny[9] = { 0, 0, -3, 1e-25f, 0, -3, 0, 1e-25f, -3 },
+                       close[9] = { 1e-30f, 0, -3, 0, 1e-30f, -3, 2e-30f, 2e-30f, -3 },
+                       far[9] = { 0, 0, -3, 1e19f, 0, -3, 0, 1e19f, -3 };
     static const float plain[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, wrong[9] = { INFINITY, 0, 0, 0, NAN, 0, 0, 0, 0 };
     const kit_camera c = looking_along_z(160, 90, 0);
     const ssgi_surfel_desc d = { .size = 0.3f, .keep_small = 1 };
@@ -633,26 +785,61 @@ static void smallest(void)
         size_t n = 9;
         if (k == 0) for (int i = 0; i < 3; ++i) source.to_view[5 * i] = 1e-25f;
         if (k == 3) source.normal = wrong;
-        CHECK(ssgi_surfels(s, 64, &n, &d, &view, &source, NULL) == SSGI_OK && n == (k == 0 || k == 2 ? 0 : n) && n <= 64, "row %d: %zu surfels", k, n);
-        CHECK(ssgi_surfels_predict(&cost, &d, &splat, &view, &source, NULL) == SSGI_OK && cost.surfels == n, "row %d: %zu surfels predicted", k, cost.surfels);
-        for (size_t i = 0; i < n; ++i) CHECK(s[i].radius > 0 && fabs(dot(s[i].normal, s[i].normal) - 1) < 1e-6, "row %d: radius %g, normal %g %g %g", k, (double)s[i].radius, (double)s[i].normal[0], (double)s[i].normal[1], (double)s[i].normal[2]);
+        CHECK(ssgi_surfels(s, 64, &n, &d, &view, &source, NULL) == SSGI_OK && n == (k == 0 || k == 2 ? 0 : n)
+                  && n <= 64,
+              "row %d: %zu surfels", k, n);
+        CHECK(ssgi_surfels_predict(&cost, &d, &splat, &view, &source, NULL) == SSGI_OK && cost.surfels == n,
+              "row %d: %zu surfels predicted", k, cost.surfels);
+        for (size_t i = 0; i < n; ++i)
+            CHECK(s[i].radius > 0 && fabs(dot(s[i].normal, s[i].normal) - 1) < 1e-6,
+                  "row %d: radius %g, normal %g %g %g", k, (double)s[i].radius, (double)s[i].normal[0],
+                  (double)s[i].normal[1], (double)s[i].normal[2]);
         CHECK(k != 3 || (n > 2 && fabsf(s[0].normal[2]) > 0.999f), "the triangle's own normal, %zu times", n);
     }
 }
 
 static void refusals(void)
 {
-    static const float p[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, s[3] = { 1, 1, 1 }, a[3] = { 0.1f, 0.1f, 0.1f }, bad_s[3] = { 1, 0, 1 }, bad_a[3] = { 0.1f, NAN, 0.1f };
+    static const float p[9] = { 0, 0, -3, 1, 0, -3, 0, 1, -3 }, s[3] = { 1, 1, 1 }, a[3] = { 0.1f, 0.1f, 0.1f },
+                       bad_s[3] = { 1, 0, 1 }, bad_a[3] = { 0.1f, NAN, 0.1f };
     const kit_camera c = looking_along_z(160, 90, 0);
     ssgi_view view;
-    struct { float scale[4], offscreen[2]; ssgi_surfel_cost cost; ssgi_dipole dipole; ssgi_surfel out[2]; size_t count; int size[2]; ssgi_gl_frame frame; } o, was;
+    struct {
+        float scale[4], offscreen[2];
+        ssgi_surfel_cost cost;
+        ssgi_dipole dipole;
+        ssgi_surfel out[2];
+        size_t count;
+        int size[2];
+        ssgi_gl_frame frame;
+    } o, was;
     const char *why;
     memset(&was, 0x5a, sizeof was);
     o = was;
     if (!view_of(&view, &c, 0)) return;
-#define REFUSED(call, name) do { why = ""; CHECK((call) == SSGI_BAD_ARGUMENT && !strncmp(why, name, strlen(name)) && !memcmp(&o, &was, sizeof o), "%s: \"%s\"", name, why); o = was; } while (0)
-    for (int k = 0; k < 14; ++k) {                                             /* wherever a desc, a source or a splat is taken */
-        static const char *const names[] = { "desc", "view", "desc.size", "desc.size", "desc.jitter", "desc.splits", "desc.shrink", "desc.keep_small", "desc.offscreen_growth", "desc.max_distance", "source", "source.position", "source", "source.to_view" };
+#define REFUSED(call, name) \
+    do { \
+        why = ""; \
+        CHECK((call) == SSGI_BAD_ARGUMENT && !strncmp(why, name, strlen(name)) && !memcmp(&o, &was, sizeof o), \
+              "%s: \"%s\"", name, why); \
+        o = was; \
+    } while (0)
+    /* wherever a desc, a source or a splat is taken */
+    for (int k = 0; k < 14; ++k) {
+        static const char *const names[] = { "desc",
+                                             "view",
+                                             "desc.size",
+                                             "desc.size",
+                                             "desc.jitter",
+                                             "desc.splits",
+                                             "desc.shrink",
+                                             "desc.keep_small",
+                                             "desc.offscreen_growth",
+                                             "desc.max_distance",
+                                             "source",
+                                             "source.position",
+                                             "source",
+                                             "source.to_view" };
         ssgi_surfel_desc d = { 0 };
         ssgi_surfel_source source = source_of(p, 1);
         const ssgi_splat splat = { 0 };
@@ -679,8 +866,15 @@ static void refusals(void)
     const ssgi_surfel_desc d = { 0 };
     ssgi_surfel_source source = source_of(p, 1);
     for (int k = 0; k < 7; ++k) {
-        static const char *const names[] = { "splat", "view", "splat.epsilon", "splat.max_distance", "splat.max_radiance", "splat.near_depth", "splat.levels" };
-        const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0, .max_distance = k == 3 ? NAN : 0, .max_radiance = k == 4 ? -1.0f : 0, .near_depth = k == 5 ? INFINITY : 0, .levels = k == 6 ? 8 : 0 };
+        static const char *const names[] = {
+            "splat",       "view", "splat.epsilon", "splat.max_distance", "splat.max_radiance", "splat.near_depth",
+            "splat.levels"
+        };
+        const ssgi_splat splat = { .epsilon = k == 2 ? 2.0f : 0,
+                                   .max_distance = k == 3 ? NAN : 0,
+                                   .max_radiance = k == 4 ? -1.0f : 0,
+                                   .near_depth = k == 5 ? INFINITY : 0,
+                                   .levels = k == 6 ? 8 : 0 };
         REFUSED(ssgi_splat_predict(&o.cost, k ? &splat : NULL, k == 1 ? NULL : &view, NULL, 0, &why), names[k]);
         if (k != 1) REFUSED(ssgi_surfels_predict(&o.cost, &d, k ? &splat : NULL, &view, &source, &why), names[k]);
     }
@@ -701,24 +895,35 @@ static void refusals(void)
     REFUSED(ssgi_dipole_set(&o.dipole, bad_s, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, s, bad_a, 1.3f, &why), "sigma_a");
     REFUSED(ssgi_dipole_set(&o.dipole, s, a, 0.9f, &why), "eta");
-    CHECK(ssgi_dipole_reflectance(&fine, 3, 1) == 0 && ssgi_dipole_reflectance(&fine, -1, 1) == 0 && ssgi_dipole_total(&fine, 3) == 0 && ssgi_dipole_total(&fine, -1) == 0 && ssgi_dipole_total(&fine, 2) > 0, "a channel that there is not");
+    CHECK(ssgi_dipole_reflectance(&fine, 3, 1) == 0 && ssgi_dipole_reflectance(&fine, -1, 1) == 0
+              && ssgi_dipole_total(&fine, 3) == 0 && ssgi_dipole_total(&fine, -1) == 0
+              && ssgi_dipole_total(&fine, 2) > 0,
+          "a channel that there is not");
     REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, 4, NULL, &why), "frame");
     REFUSED(ssgi_gl_surfels_set(&o.frame, &view, &d, 8, NULL, &why), "levels");
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
     REFUSED(ssgi_gl_dipole_set(&o.frame, &fine, 0, &why), "unit");
-    size_t n = 0;                                                              /* small capacity: what fits, and the whole count */
+    /* small capacity: what fits, and the whole count */
+    size_t n = 0;
     ssgi_surfels(o.out, 1, &n, &d, &view, &source, NULL);
-    CHECK(n > 2 && memcmp(&o.out[0], &was.out[0], sizeof was.out[0]) && !memcmp(&o.out[1], &was.out[1], sizeof was.out[1]), "%zu surfels into one", n);
-    CHECK(ssgi_splat_size(o.size, 53, 37, 5, NULL) == SSGI_OK && o.size[0] == 64 && o.size[1] == 48, "53 x 37 becomes %d x %d", o.size[0], o.size[1]);
+    CHECK(n > 2 && memcmp(&o.out[0], &was.out[0], sizeof was.out[0])
+              && !memcmp(&o.out[1], &was.out[1], sizeof was.out[1]),
+          "%zu surfels into one", n);
+    CHECK(ssgi_splat_size(o.size, 53, 37, 5, NULL) == SSGI_OK && o.size[0] == 64 && o.size[1] == 48,
+          "53 x 37 becomes %d x %d", o.size[0], o.size[1]);
 }
 
-/* ---- the real tessellator ----------------------------------------------------------------------------------------------------------- */
+/* ---- the real tessellator ---------------------------------------------------------------------------------------- */
 
 static void real_tessellator(void)
 {
-    static const char *const source[3] = { "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n",
-        "#version 410 core\nlayout(vertices = 1) out;\nuniform int first;\nvoid main() { gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = float(gl_PrimitiveID + first); }\n",
-        "#version 410 core\nlayout(triangles, equal_spacing, ccw, point_mode) in;\nout vec4 point;\nvoid main() { point = vec4(gl_TessCoord, gl_TessLevelInner[0]); gl_Position = vec4(0.0); }\n" };
+    static const char *const source[3] = {
+        "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n",
+        "#version 410 core\nlayout(vertices = 1) out;\nuniform int first;\nvoid main() { gl_TessLevelOuter[0] = "
+        "gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = float(gl_PrimitiveID + first); }\n",
+        "#version 410 core\nlayout(triangles, equal_spacing, ccw, point_mode) in;\nout vec4 point;\nvoid main() { "
+        "point = vec4(gl_TessCoord, gl_TessLevelInner[0]); gl_Position = vec4(0.0); }\n"
+    };
     static const GLenum stage[3] = { GL_VERTEX_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER };
     static const char *const varying = "point";
     static float uvw[3 * 3169];
@@ -742,7 +947,8 @@ static void real_tessellator(void)
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
     glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
     glBeginTransformFeedback(GL_POINTS);
-    for (int half = 0; half < 2; ++half) {                                     /* Mesa mixes up points beyond 65536 of a draw */
+    /* Mesa mixes up points beyond 65536 of a draw */
+    for (int half = 0; half < 2; ++half) {
         glUniform1i(glGetUniformLocation(program, "first"), 1 + 32 * half);
         glDrawArrays(GL_PATCHES, 0, 32);
     }
@@ -752,12 +958,14 @@ static void real_tessellator(void)
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &written);
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((all + 9) * 4 * sizeof *point), point);
     CHECK(written == all, "the tessellator makes %u points, %zu expected", written, all);
-    for (size_t i = 0; i < all; ++i) {                                         /* all coordinates are multiples of 1/(3 level), but steps along a side are rounded to 2^-16 */
+    /* all coordinates are multiples of 1/(3 level), but steps along a side are rounded to 2^-16 */
+    for (size_t i = 0; i < all; ++i) {
         const int level = (int)point[4 * i + 3];
         if (level < 1 || level > 64) { ++wrong; continue; }
         ++met[level][lrint(3 * level * (double)point[4 * i])][lrint(3 * level * (double)point[4 * i + 1])];
         for (size_t k = 0; k < 3; ++k) {
-            const double off = fabs((double)point[4 * i + k] - (double)lrint(3 * level * (double)point[4 * i + k]) / (3 * level));
+            const double off =
+                fabs((double)point[4 * i + k] - (double)lrint(3 * level * (double)point[4 * i + k]) / (3 * level));
             worst = fmax(worst, off);
             wrong += off > 1.5e-5 + level / 131072.0;
         }
@@ -765,7 +973,9 @@ static void real_tessellator(void)
     for (int level = 1; level <= 64; ++level)
         for (int i = 0, n = tess_points(uvw, level); i < n; ++i) {
             const double u = 3 * level * (double)uvw[3 * i], v = 3 * level * (double)uvw[3 * i + 1];
-            wrong += met[level][lrint(u)][lrint(v)] != 1 || fabs(u - (double)lrint(u)) > 1e-4 || fabs(v - (double)lrint(v)) > 1e-4 || fabs((double)(uvw[3 * i] + uvw[3 * i + 1] + uvw[3 * i + 2]) - 1) > 1e-6;
+            wrong += met[level][lrint(u)][lrint(v)] != 1 || fabs(u - (double)lrint(u)) > 1e-4
+                     || fabs(v - (double)lrint(v)) > 1e-4
+                     || fabs((double)(uvw[3 * i] + uvw[3 * i + 1] + uvw[3 * i + 2]) - 1) > 1e-6;
             met[level][lrint(u)][lrint(v)] = 2;
         }
     CHECK(!wrong, "%d points differ, coordinates by up to %.2g", wrong, worst);
@@ -777,23 +987,34 @@ static void real_tessellator(void)
     free(point);
 }
 
-/* ---- pictures ---------------------------------------------------------------------------------------------------------------------- */
+/* ---- pictures ---------------------------------------------------------------------------------------------------- */
 
-typedef struct deep { kit_scene scene; kit_gbuffer g; kit_run run; kit_image frame; ssgi_view view; float world[16]; } deep;
+typedef struct deep {
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_run run;
+    kit_image frame;
+    ssgi_view view;
+    float world[16];
+} deep;
 
 static int begin_deep(deep *d, const char *method, const char *set, float radius, const kit_lighting *lighting)
 {
     const kit_world world = { &d->scene, lighting };
     kit_method m;
-    return TRY(kit_method_find(&m, method, &err)) && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(&d->run, &d->g, &m, radius, &world, &err));
+    return TRY(kit_method_find(&m, method, &err)) && TRY(kit_method_set(&m, set, &err))
+           && TRY(kit_run_open(&d->run, &d->g, &m, radius, &world, &err));
 }
 
 /* A method of surfels on a built-in scene with boxes. radius 0: no end. */
-static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h, const char *method, const char *set, float radius, const kit_lighting *lighting)
+static int dive(deep *d, const char *scene, const box *boxes, int count, const kit_camera *camera, int w, int h,
+                const char *method, const char *set, float radius, const kit_lighting *lighting)
 {
     float projection[16];
     memset(d, 0, sizeof *d);
-    if (!see(&d->scene, &d->g, scene, boxes, count, camera, w, h) || !view_of(&d->view, &d->g.camera, 0) || !TRY(kit_gbuffer_read(&d->frame, &d->g, &err))) return 0;
+    if (!see(&d->scene, &d->g, scene, boxes, count, camera, w, h) || !view_of(&d->view, &d->g.camera, 0)
+        || !TRY(kit_gbuffer_read(&d->frame, &d->g, &err)))
+        return 0;
     kit_camera_matrices(&d->g.camera, d->world, projection);
     return begin_deep(d, method, set, radius > 0 ? radius : 5e17f, lighting);
 }
@@ -812,7 +1033,8 @@ static int seen(const deep *d, int i, float p[3], float n[3])
     const size_t pixels = (size_t)d->frame.width * (size_t)d->frame.height;
     const float z = d->frame.data[i];
     if (!(z > 0)) return 0;
-    ssgi_view_position(&d->view, (float)(i % d->frame.width) + 0.5f, (float)(d->frame.height - 1 - i / d->frame.width) + 0.5f, z, p);
+    ssgi_view_position(&d->view, (float)(i % d->frame.width) + 0.5f,
+                       (float)(d->frame.height - 1 - i / d->frame.width) + 0.5f, z, p);
     for (size_t k = 0; k < 3; ++k) n[k] = d->frame.data[(k + 1) * pixels + (size_t)i];
     return 1;
 }
@@ -846,13 +1068,17 @@ static double apart(const kit_image *a, const kit_image *b)
 static int by_seed(const void *a, const void *b)
 {
     const ssgi_surfel *s = a, *t = b;
-    return s->seed < t->seed ? -1 : s->seed > t->seed ? 1 : s->position[0] < t->position[0] ? -1 : s->position[0] > t->position[0];
+    return s->seed < t->seed                 ? -1
+           : s->seed > t->seed               ? 1
+           : s->position[0] < t->position[0] ? -1
+                                             : s->position[0] > t->position[0];
 }
 
 /* Tessellation shaders make what the CPU makes; pictures of all three ways agree. */
 static void three_ways(void)
 {
-    static const char *const ways[] = { "size=0.03,jitter=1,way=cpu", "size=0.03,jitter=1,way=capture", "size=0.03,jitter=1,way=direct" };
+    static const char *const ways[] = { "size=0.03,jitter=1,way=cpu", "size=0.03,jitter=1,way=capture",
+                                        "size=0.03,jitter=1,way=direct" };
     static const struct { const char *scene; int orthographic; } row[2] = { { "boxes", 0 }, { "pebbles", 1 } };
     for (int m = 0; m < 2; ++m) {
         deep d[3];
@@ -863,10 +1089,14 @@ static void three_ways(void)
         c = scene.camera;
         kit_scene_free(&scene);
         if (row[m].orthographic) { c.fovy = 0; c.ortho_height = 1; }
-        for (int k = 0; k < 3; ++k) if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", ways[k], 0.6f, NULL) || !drawn(&out[k], &d[k].run)) return;
+        for (int k = 0; k < 3; ++k)
+            if (!dive(&d[k], row[m].scene, NULL, 0, &c, 96, 54, "dss", ways[k], 0.6f, NULL)
+                || !drawn(&out[k], &d[k].run))
+                return;
         ssgi_surfel *s[2] = { held(&d[0], 0), held(&d[1], 1) };
         size_t n[2] = { d[0].run.surfels, 0 };
-        for (size_t p = 0; p < d[1].run.surfels; ++p) if (s[1][p].radius > 0) s[1][n[1]++] = s[1][p];     /* what others stand for has radius 0 */
+        /* what others stand for has radius 0 */
+        for (size_t p = 0; p < d[1].run.surfels; ++p) if (s[1][p].radius > 0) s[1][n[1]++] = s[1][p];
         size_t i = 0, k = 0, same = 0;
         double worst = 0;
         for (int a = 0; a < 2; ++a) qsort(s[a], n[a], sizeof *s[a], by_seed);
@@ -876,13 +1106,18 @@ static void three_ways(void)
             const float *a = s[0][i++].position, *b = s[1][k++].position;
             const double scale = 1000 * (double)a[3] + 0.1 * sqrt(dot(a, a));   /* the tessellator rounds: see above */
             double off = fabs((double)(a[3] / b[3]) - 1);
-            for (int f = 0; f < 11; ++f) if (f != 3 && f != 7) off = fmax(off, fabs((double)(a[f] - b[f])) / (f < 3 ? scale : 1));
+            for (int f = 0; f < 11; ++f)
+                if (f != 3 && f != 7) off = fmax(off, fabs((double)(a[f] - b[f])) / (f < 3 ? scale : 1));
             same += off < 1e-4;
             worst = fmax(worst, off < 1e-2 ? off : 0);
         }
-        CHECK(n[0] > 2000 && same * 1000 > 995 * n[0] && same * 1000 > 995 * n[1], "%s: of %zu surfels and %zu captured %zu are the same", row[m].scene, n[0], n[1], same);
-        CHECK(apart(&out[0], &out[1]) < 4e-3 && apart(&out[0], &out[2]) < 4e-3 && mean(&out[0], "Y") < 0.99, "%s: RMSE of capture %.2g, of direct %.2g, mean %.3f", row[m].scene, apart(&out[0], &out[1]), apart(&out[0], &out[2]), mean(&out[0], "Y"));
-        t_note("%s: %zu surfels, %zu captured, %zu the same; worst %.1e; pictures' RMSE %.1e, %.1e", row[m].scene, n[0], n[1], same, worst, apart(&out[0], &out[1]), apart(&out[0], &out[2]));
+        CHECK(n[0] > 2000 && same * 1000 > 995 * n[0] && same * 1000 > 995 * n[1],
+              "%s: of %zu surfels and %zu captured %zu are the same", row[m].scene, n[0], n[1], same);
+        CHECK(apart(&out[0], &out[1]) < 4e-3 && apart(&out[0], &out[2]) < 4e-3 && mean(&out[0], "Y") < 0.99,
+              "%s: RMSE of capture %.2g, of direct %.2g, mean %.3f", row[m].scene, apart(&out[0], &out[1]),
+              apart(&out[0], &out[2]), mean(&out[0], "Y"));
+        t_note("%s: %zu surfels, %zu captured, %zu the same; worst %.1e; pictures' RMSE %.1e, %.1e", row[m].scene, n[0],
+               n[1], same, worst, apart(&out[0], &out[1]), apart(&out[0], &out[2]));
         for (int a = 0; a < 3; ++a) { if (a < 2) free(s[a]); kit_image_free(&out[a]); surface(&d[a]); }
     }
 }
@@ -897,7 +1132,9 @@ static void shuffled(void)
     kit_run_draw(&d.run, 0);
     const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
     float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
-    if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high) || !CHECK(!kit_texture_read(d.run.shuffled, wide, high * LEVELS, 4, texel), "it cannot be read")) return;
+    if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high)
+        || !CHECK(!kit_texture_read(d.run.shuffled, wide, high * LEVELS, 4, texel), "it cannot be read"))
+        return;
     for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
     for (int l = 0; l < LEVELS; ++l) {
         unsigned char met[SH][SW] = { { 0 } };
@@ -912,25 +1149,32 @@ static void shuffled(void)
                 ssgi_view_project(&d.view, p, at);
                 const int px = (int)floorf(at[0]), py = (int)floorf(at[1]);
                 if (px < 0 || px >= SW || py < 0 || py >= SH) { ++wrong; continue; }
-                wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++ || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3 || fabs((double)(at[2] / d.frame.data[(SH - 1 - py) * SW + px]) - 1) > 1e-4;
+                wrong += px >> l != block[0] || py >> l != block[1] || sub[0] >> l || sub[1] >> l || met[py][px]++
+                         || fabs((double)(at[0] - (float)px) - 0.5) > 1e-3
+                         || fabs((double)(at[2] / d.frame.data[(SH - 1 - py) * SW + px]) - 1) > 1e-4;
                 other += (px & ((1 << l) - 1)) != sub[0] || (py & ((1 << l) - 1)) != sub[1];
                 ++found;
             }
         CHECK(found == surfaces, "level %d: %d of %d pixels", l, found, surfaces);
     }
-    CHECK(!wrong && 2 * other > 7 * surfaces && surfaces > SW * SH / 2, "%d texels are wrong, %d of %d pixels elsewhere than in fixed order", wrong, other, surfaces);
+    CHECK(!wrong && 2 * other > 7 * surfaces && surfaces > SW * SH / 2,
+          "%d texels are wrong, %d of %d pixels elsewhere than in fixed order", wrong, other, surfaces);
     free(texel);
     surface(&d);
 }
 
 /* Occlusion of a point by surfels within their reach on so many levels, before overlap. */
-static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int levels, int hard, const float p[3], const float n[3])
+static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int levels, int hard, const float p[3],
+                     const float n[3])
 {
     double sum = 0;
     for (size_t i = 0; i < count; ++i) {
         const float v[3] = { s[i].position[0] - p[0], s[i].position[1] - p[1], s[i].position[2] - p[2] };
-        const double distance = sqrt(dot(v, v)), end = ldexp(ssgi__surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1), radius = (double)d->run.frame.radius;
-        if (distance <= end && distance <= radius) sum += (double)form_factor(&s[i], p, n) * (hard ? 1 : 1 - distance / radius);
+        const double distance = sqrt(dot(v, v)),
+                     end = ldexp(ssgi__surfel_reach((double)s[i].radius, 1, (double)d->run.frame.epsilon), levels - 1),
+                     radius = (double)d->run.frame.radius;
+        if (distance <= end && distance <= radius)
+            sum += (double)form_factor(&s[i], p, n) * (hard ? 1 : 1 - distance / radius);
     }
     return sum;
 }
@@ -938,9 +1182,12 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
 /* What is splatted, levels and sub-buffers on average, is what each surfel brings. */
 static void as_brute_force(void)
 {
-    static const struct { const char *set; int levels, orthographic, hard; float radius; } row[] = {
-        { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 }, { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
-        { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 }, { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1", 4, 0, 0, 0.6f }, { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
+    static const struct { const char *set; int levels, orthographic, hard; float radius;
+    } row[] = { { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 },
+                { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
+                { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 },
+                { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1", 4, 0, 0, 0.6f },
+                { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
         deep d;
         kit_image out;
@@ -953,7 +1200,8 @@ static void as_brute_force(void)
         c = scene.camera;
         kit_scene_free(&scene);
         if (row[m].orthographic) { c.fovy = 0; c.ortho_height = 2.5f; }
-        if (!dive(&d, "boxes", NULL, 0, &c, 96, 54, "dss", row[m].set, row[m].radius, NULL) || !drawn(&out, &d.run)) return;
+        if (!dive(&d, "boxes", NULL, 0, &c, 96, 54, "dss", row[m].set, row[m].radius, NULL) || !drawn(&out, &d.run))
+            return;
         if (strstr(row[m].set, "way")) {                                       /* its surfels were never in a buffer */
             deep cpu;
             if (!dive(&cpu, "boxes", NULL, 0, &c, 96, 54, "dss", "levels=3,size=0.04", row[m].radius, NULL)) return;
@@ -967,7 +1215,8 @@ static void as_brute_force(void)
         for (int i = 0; i < 96 * 54; ++i) {
             float p[3], n[3];
             if (!seen(&d, i, p, n)) { CHECK(out.data[i] == 1, "background is %g", (double)out.data[i]); continue; }
-            const double f = hidden(&d, s, d.run.surfels, row[m].levels, row[m].hard, p, n), expected = add ? fmax(1 - f, 0) : exp(-f), is = (double)out.data[i];
+            const double f = hidden(&d, s, d.run.surfels, row[m].levels, row[m].hard, p, n),
+                         expected = add ? fmax(1 - f, 0) : exp(-f), is = (double)out.data[i];
             off += fabs(is - expected) > 1e-3;
             squares += (is - expected) * (is - expected);
             sum[0] += is;
@@ -976,9 +1225,12 @@ static void as_brute_force(void)
             ++pixels;
         }
         const double rmse = sqrt(squares / pixels), bias = (sum[0] - sum[1]) / pixels;
-        CHECK(row[m].levels == 1 ? off <= 5 && rmse < 1e-3 : fabs(bias) < 5e-4 && rmse < (add ? 0.15 : 0.06) * sqrt(ideal / pixels), "%s: %d pixels off, bias %+.5f, RMSE %.4f of %.4f", row[m].set, off, bias, rmse, sqrt(ideal / pixels));
+        CHECK(row[m].levels == 1 ? off <= 5 && rmse < 1e-3
+                                 : fabs(bias) < 5e-4 && rmse < (add ? 0.15 : 0.06) * sqrt(ideal / pixels),
+              "%s: %d pixels off, bias %+.5f, RMSE %.4f of %.4f", row[m].set, off, bias, rmse, sqrt(ideal / pixels));
         CHECK(ideal / pixels > 1e-3 && pixels > 96 * 27, "%s: nothing to see", row[m].set);
-        t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f)", row[m].set, d.run.surfels, off, pixels, bias, rmse, sqrt(ideal / pixels));
+        t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f)",
+               row[m].set, d.run.surfels, off, pixels, bias, rmse, sqrt(ideal / pixels));
         free(s);
         kit_image_free(&out);
         surface(&d);
@@ -986,7 +1238,8 @@ static void as_brute_force(void)
 }
 
 /* A surfel at a place of the world, facing a direction there. */
-static ssgi_surfel placed(const deep *d, float x, float y, float z, float nx, float ny, float nz, float radius, float seed)
+static ssgi_surfel placed(const deep *d, float x, float y, float z, float nx, float ny, float nz, float radius,
+                          float seed)
 {
     const float p[3] = { x, y, z }, n[3] = { nx, ny, nz };
     ssgi_surfel s = { .radius = radius, .seed = seed, .colour = { 1, 1, 1 } };
@@ -1009,25 +1262,43 @@ static int of_these(kit_image *out, deep *d, const ssgi_surfel *s, size_t count)
 
 static const box block = { { -0.3f, 0, -0.3f }, { 0.3f, 0.6f, 0.3f } };
 
-/* Beside the picture, behind the eye, hidden, across the near plane: each darkens what it faces, as much as it would in view; its back does nothing. */
+/* Beside the picture, behind the eye, hidden, across the near plane: each darkens what it faces, as much as it would in
+   view; its back does nothing. */
 static void unseen(void)
 {
     for (int m = 0; m < 2; ++m) {
         deep d;
-        kit_camera c = { { 0, 1.5f, 2 }, { 0, 0, 0 }, { 0, 1, 0 }, m ? 0 : 45, 2, 0.1f, 50, 96, 54, { 11, -5 }, m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
-        if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss", "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL)) return;
-        const struct { const char *where; ssgi_surfel s; double least; } row[] = {
-            { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 }, { "behind the eye", placed(&d, 0.1f, 1.2f, 3, 0, -1, 0, 0.5f, 0.3f), 0.002 }, { "hidden", placed(&d, 0, 0.2f, -0.5f, 0, -0.6f, -0.8f, 0.2f, 0.7f), 0.0002 },
-            { "across the near plane", placed(&d, 0.05f, 1.4f, 1.9f, 0, -1, 0, 0.4f, 0.9f), 0.002 }, { "in view", placed(&d, 0.5f, 0.5f, 0.5f, 0, -1, 0, 0.1f, 0.1f), 0.002 } };
+        kit_camera c = { { 0, 1.5f, 2 },
+                         { 0, 0, 0 },
+                         { 0, 1, 0 },
+                         m ? 0 : 45,
+                         2,
+                         0.1f,
+                         50,
+                         96,
+                         54,
+                         { 11, -5 },
+                         m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
+        if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss",
+                  "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL))
+            return;
+        const struct { const char *where; ssgi_surfel s; double least;
+        } row[] = { { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 },
+                    { "behind the eye", placed(&d, 0.1f, 1.2f, 3, 0, -1, 0, 0.5f, 0.3f), 0.002 },
+                    { "hidden", placed(&d, 0, 0.2f, -0.5f, 0, -0.6f, -0.8f, 0.2f, 0.7f), 0.0002 },
+                    { "across the near plane", placed(&d, 0.05f, 1.4f, 1.9f, 0, -1, 0, 0.4f, 0.9f), 0.002 },
+                    { "in view", placed(&d, 0.5f, 0.5f, 0.5f, 0, -1, 0, 0.1f, 0.1f), 0.002 } };
         for (int k = 0; k < COUNT(row); ++k) {
             ssgi_surfel s = row[k].s;
             kit_image out;
             double worst = 0, sum = 0;
             float at[3];
             ssgi_view_project(&d.view, s.position, at);
-            const int x = (int)floorf(at[0]), y = 53 - (int)floorf(at[1]), inside = -s.position[2] > 0.1f && x >= 0 && x < 96 && y >= 0 && y < 54;
+            const int x = (int)floorf(at[0]), y = 53 - (int)floorf(at[1]),
+                      inside = -s.position[2] > 0.1f && x >= 0 && x < 96 && y >= 0 && y < 54;
             if (k < 2) CHECK(!inside, "%s: it is not", row[k].where);
-            if (k == 2) CHECK(inside && d.frame.data[y * 96 + x] < -s.position[2] - 0.1f, "%s: it is not", row[k].where);
+            if (k == 2)
+                CHECK(inside && d.frame.data[y * 96 + x] < -s.position[2] - 0.1f, "%s: it is not", row[k].where);
             if (!of_these(&out, &d, &s, 1)) return;
             for (int i = 0; i < 96 * 54; ++i) {
                 float p[3], n[3];
@@ -1035,7 +1306,8 @@ static void unseen(void)
                 worst = fmax(worst, fabs((double)out.data[i] - expected));
                 sum += 1 - (double)out.data[i];
             }
-            CHECK(worst < 1e-3 && sum / (96 * 54) > row[k].least, "view %d, %s: off by %.2g, mean %.5f", m, row[k].where, worst, sum / (96 * 54));
+            CHECK(worst < 1e-3 && sum / (96 * 54) > row[k].least, "view %d, %s: off by %.2g, mean %.5f", m,
+                  row[k].where, worst, sum / (96 * 54));
             kit_image_free(&out);
             for (int i = 0; i < 3; ++i) s.normal[i] = -s.normal[i];
             if (k == 2) continue;                                              /* its back faces the block */
@@ -1043,7 +1315,8 @@ static void unseen(void)
             for (int i = 0; i < 96 * 54; ++i) {
                 float p[3], n[3];
                 if (seen(&d, i, p, n) && hidden(&d, &s, 1, 1, 1, p, n) > 0) continue;
-                CHECK(out.data[i] == 1, "view %d, the back of one %s darkens by %g", m, row[k].where, 1 - (double)out.data[i]);
+                CHECK(out.data[i] == 1, "view %d, the back of one %s darkens by %g", m, row[k].where,
+                      1 - (double)out.data[i]);
             }
             kit_image_free(&out);
         }
@@ -1051,7 +1324,8 @@ static void unseen(void)
     }
 }
 
-/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or as large, which loses what the formula says. */
+/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or as large,
+   which loses what the formula says. */
 static void shells(void)
 {
     for (int scale_radius = 0; scale_radius < 2; ++scale_radius) {
@@ -1059,11 +1333,13 @@ static void shells(void)
         deep d;
         int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
         double bias[4] = { 0 };
-        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,near_samples=1,scale_radius=%d", scale_radius);
+        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,near_samples=1,scale_radius=%d",
+                 scale_radius);
         if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
         for (int k = 0; k < 4; ++k) {
             static unsigned char met[90][160], level[90][160];
-            const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f, (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
+            const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f,
+                                         (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
             const double reach = ssgi__surfel_reach(0.05, 1, 0.05);
             kit_image out;
             if (!of_these(&out, &d, &s, 1)) return;
@@ -1080,15 +1356,19 @@ static void shells(void)
                 if (l > 3) { wrong += met[y][x]; continue; }
                 ssgi_surfel large = s;
                 large.radius *= (float)(1 << l);
-                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n), f = scale_radius ? (double)form_factor(&large, p, n) : weighted;
+                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n),
+                             f = scale_radius ? (double)form_factor(&large, p, n) : weighted;
                 level[y][x] = (unsigned char)l;
                 if (met[y][x]) {
-                    wrong += fabs(1 - (double)out.data[i] - f) > 2e-5 + 2e-3 * f && fabs(distance / ldexp(reach, l) - 1) > 1e-3 && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;
+                    wrong += fabs(1 - (double)out.data[i] - f) > 2e-5 + 2e-3 * f
+                             && fabs(distance / ldexp(reach, l) - 1) > 1e-3
+                             && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;
                     bias[l] += (1 - (double)out.data[i]) / weighted;
                     ++hits[l];
                 }
             }
-            for (int l = 0; l < 4; ++l)                                        /* whole blocks of one level: one pixel of each */
+            /* whole blocks of one level: one pixel of each */
+            for (int l = 0; l < 4; ++l)
                 for (int by = 0; by < 90 >> l; ++by)
                     for (int bx = 0; bx < 160 >> l; ++bx) {
                         int all = 1, n = 0;
@@ -1102,12 +1382,20 @@ static void shells(void)
                     }
             kit_image_free(&out);
         }
-        CHECK(!wrong && !missed && blocks[0] > 500 && blocks[3] > 20, "%s: %d pixels are wrong; of %d, %d, %d, %d blocks %d do not meet it once", set, wrong, blocks[0], blocks[1], blocks[2], blocks[3], missed);
-        for (int l = 0; l < 4; ++l) {                                          /* (d^2 + r^2) / (d^2 + 4^l r^2), d/r from inner to outer */
-            const double in = l ? ldexp(sqrt(19), l - 1) : 0, out = ldexp(sqrt(19), l), w = 1 << 2 * l, least = (in * in + 1) / (in * in + w), most = (out * out + 1) / (out * out + w);
-            CHECK(scale_radius ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3 : fabs(bias[l] / hits[l] - 1) < 1e-3, "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
+        CHECK(!wrong && !missed && blocks[0] > 500 && blocks[3] > 20,
+              "%s: %d pixels are wrong; of %d, %d, %d, %d blocks %d do not meet it once", set, wrong, blocks[0],
+              blocks[1], blocks[2], blocks[3], missed);
+        /* (d^2 + r^2) / (d^2 + 4^l r^2), d/r from inner to outer */
+        for (int l = 0; l < 4; ++l) {
+            const double in = l ? ldexp(sqrt(19), l - 1) : 0, out = ldexp(sqrt(19), l), w = 1 << 2 * l,
+                         least = (in * in + 1) / (in * in + w), most = (out * out + 1) / (out * out + w);
+            CHECK(scale_radius ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3
+                               : fabs(bias[l] / hits[l] - 1) < 1e-3,
+                  "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
         }
-        if (scale_radius) t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1], bias[2] / hits[2], bias[3] / hits[3]);
+        if (scale_radius)
+            t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1],
+                   bias[2] / hits[2], bias[3] / hits[3]);
         surface(&d);
     }
 }
@@ -1119,8 +1407,14 @@ static void overlap(void)
         deep d;
         kit_image out;
         double worst = 0, most = 0;
-        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", add ? "levels=1,hard=1,smooth=0,near_samples=1,overlap=add" : "levels=1,hard=1,smooth=0,near_samples=1,overlap=share", 0, NULL)) return;
-        const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0), placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f), placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
+        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss",
+                  add ? "levels=1,hard=1,smooth=0,near_samples=1,overlap=add"
+                      : "levels=1,hard=1,smooth=0,near_samples=1,overlap=share",
+                  0, NULL))
+            return;
+        const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0),
+                                   placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
+                                   placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
         if (!of_these(&out, &d, s, 3)) return;
         for (int i = 0; i < 96 * 54; ++i) {
             float p[3], n[3];
@@ -1135,11 +1429,16 @@ static void overlap(void)
     }
 }
 
-/* A white plane of surfels under a white sky: what leaves it is the dipole's total, also where surfels are wider than the light enters deep. */
+/* A white plane of surfels under a white sky: what leaves it is the dipole's total, also where surfels are wider than
+   the light enters deep. */
 static void scattering(void)
 {
     enum { ROW = 200 };
-    static const struct { const char *name; int number; double unit, uneven; } row[2] = { { "skin1", 8, 0.05, 0.15 }, { "marble", 5, 0.02, 0.18 } };
+    static const struct {
+        const char *name;
+        int number;
+        double unit, uneven;
+    } row[2] = { { "skin1", 8, 0.05, 0.15 }, { "marble", 5, 0.02, 0.18 } };
     static ssgi_surfel s[ROW * ROW];
     kit_lighting l;
     if (!lighten(&l, "white", NULL)) return;
@@ -1149,10 +1448,15 @@ static void scattering(void)
         kit_image out;
         ssgi_dipole dipole;
         const ssgi_material *material = ssgi_material_of(row[m].number);
-        const kit_camera c = { { 0, 2, 0 }, { 0, 0, 0 }, { 0, 0, -1 }, 0, 1, 0.1f, 50, 48, 48, { 0, 0 }, KIT_DEPTH_NORMAL };
+        const kit_camera c = { { 0, 2, 0 }, { 0, 0, 0 }, { 0, 0, -1 },    0, 1, 0.1f, 50, 48,
+                               48,          { 0, 0 },    KIT_DEPTH_NORMAL };
         snprintf(set, sizeof set, "levels=4,epsilon=0.005,size=0.2,material=%s,unit=%g", row[m].name, row[m].unit);
-        if (!CHECK(!strcmp(material->name, row[m].name), "%s is not there", row[m].name) || !dive(&d, "plane", NULL, 0, &c, 48, 48, "dss-scatter", set, 0, &l)) return;
-        for (int i = 0; i < ROW * ROW; ++i) s[i] = placed(&d, 0.03f * ((float)(i % ROW) + chance() - ROW / 2), 0, 0.03f * ((float)(i / ROW) + chance() - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)), chance());
+        if (!CHECK(!strcmp(material->name, row[m].name), "%s is not there", row[m].name)
+            || !dive(&d, "plane", NULL, 0, &c, 48, 48, "dss-scatter", set, 0, &l))
+            return;
+        for (int i = 0; i < ROW * ROW; ++i)
+            s[i] = placed(&d, 0.03f * ((float)(i % ROW) + chance() - ROW / 2), 0,
+                          0.03f * ((float)(i / ROW) + chance() - ROW / 2), 0, 1, 0, (float)(0.03 / sqrt(pi)), chance());
         if (!of_these(&out, &d, s, ROW * ROW)) return;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         for (int k = 0; k < 3; ++k) {
@@ -1160,7 +1464,8 @@ static void scattering(void)
             const double is = mean(&out, names[k]), total = ssgi_dipole_total(&dipole, k);
             CHECK(fabs(is / total - 1) < 0.01, "%s %s: %.4f, %.4f expected", row[m].name, names[k], is, total);
             double uneven = 0;
-            for (int i = 0; i < 48 * 48; ++i) uneven += pow((double)kit_image_channel(&out, names[k])[i] / is - 1, 2) / (48 * 48);
+            for (int i = 0; i < 48 * 48; ++i)
+                uneven += pow((double)kit_image_channel(&out, names[k])[i] / is - 1, 2) / (48 * 48);
             uneven = sqrt(uneven);
             CHECK(uneven < row[m].uneven, "%s %s: uneven by %.3f: surfels show", row[m].name, names[k], uneven);
             if (!k) t_note("%s, red: %.4f of %.4f, even to %.3f", row[m].name, is, total, uneven);
@@ -1186,7 +1491,8 @@ static void near_samples(void)
         const ssgi_surfel s = placed(&d, 0, 0.2f, 0, 0.6f, -0.8f, 0, 0.3f, 0);
         for (int i = 0; i < 4000; ++i) {
             const double r = 0.3 * sqrt((i + 0.5) / 4000), a = i * pi * (3 - sqrt(5));
-            part[i] = placed(&d, (float)(0.8 * r * cos(a)), (float)(0.2 + 0.6 * r * cos(a)), (float)(r * sin(a)), 0.6f, -0.8f, 0, (float)(0.3 / sqrt(4000.0)), 0);
+            part[i] = placed(&d, (float)(0.8 * r * cos(a)), (float)(0.2 + 0.6 * r * cos(a)), (float)(r * sin(a)), 0.6f,
+                             -0.8f, 0, (float)(0.3 / sqrt(4000.0)), 0);
         }
         if (!of_these(&out, &d, &s, 1)) return;
         d.run.frame.epsilon = 1e-9f;                                           /* parts have no end */
@@ -1200,7 +1506,8 @@ static void near_samples(void)
         kit_image_free(&out);
         surface(&d);
     }
-    CHECK(rmse[1] < 0.85 * rmse[0] && rmse[2] < 0.6 * rmse[0], "RMSE %.4f, %.4f, %.4f of 1, 4, 16 points", rmse[0], rmse[1], rmse[2]);
+    CHECK(rmse[1] < 0.85 * rmse[0] && rmse[2] < 0.6 * rmse[0], "RMSE %.4f, %.4f, %.4f of 1, 4, 16 points", rmse[0],
+          rmse[1], rmse[2]);
     t_note("RMSE %.4f, %.4f, %.4f of 1, 4, 16 points", rmse[0], rmse[1], rmse[2]);
 }
 
@@ -1210,29 +1517,42 @@ static void against_truth(void)
     kit_image truth, out, none;
     kit_score score, nothing;
     kit_lighting l;
-    static const char *const light[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const bounce[3] = { "bounce.R", "bounce.G", "bounce.B" };
+    static const char *const light[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const bounce[3] = {
+        "bounce.R", "bounce.G", "bounce.B"
+    };
     for (int m = 0; m < 2; ++m) {
         deep d;
-        if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", m ? "scale_radius=1,overlap=add" : "", 0.6f, NULL) || !drawn(&out, &d.run)) return;
-        if (!m && (!TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err)) || !TRY(kit_image_new(&none, 160, 90, "Y", &err)))) return;
+        if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", m ? "scale_radius=1,overlap=add" : "", 0.6f, NULL)
+            || !drawn(&out, &d.run))
+            return;
+        if (!m
+            && (!TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err))
+                || !TRY(kit_image_new(&none, 160, 90, "Y", &err))))
+            return;
         for (int i = 0; i < 160 * 90; ++i) none.data[i] = 1;
         TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
         TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
         CHECK(score.rmse < 0.33 * nothing.rmse, "RMSE %.4f of %.4f", score.rmse, nothing.rmse);
-        t_note("ambient occlusion%s: RMSE %.4f, %.3f of none's, bias %+.4f", m ? ", as published" : "", score.rmse, score.rmse / nothing.rmse, score.bias);
+        t_note("ambient occlusion%s: RMSE %.4f, %.3f of none's, bias %+.4f", m ? ", as published" : "", score.rmse,
+               score.rmse / nothing.rmse, score.bias);
         kit_image_free(&out);
         surface(&d);
     }
     kit_image_free(&truth);
     kit_image_free(&none);
     deep d;
-    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "", 0.8f, &l) || !drawn(&out, &d.run)
-        || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 64, 1, &err)) || !TRY(kit_image_new(&none, 96, 54, KIT_LIT_CHANNELS, &err))) return;
+    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "", 0.8f, &l)
+        || !drawn(&out, &d.run)
+        || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 64, 1, &err))
+        || !TRY(kit_image_new(&none, 96, 54, KIT_LIT_CHANNELS, &err)))
+        return;
     for (int b = 0; b < 2; ++b) {
         TRY(kit_score_channels(&nothing, &none, &truth, b ? bounce : light, 3, NULL, &err));
         TRY(kit_score_channels(&score, &out, &truth, b ? bounce : light, 3, NULL, &err));
-        CHECK(score.rmse < (b ? 0.4 : 0.06) * nothing.rmse, "%s: RMSE %.4f of %.4f", b ? "bounce" : "light", score.rmse, nothing.rmse);
-        t_note("%s: RMSE %.4f, %.3f of none's, bias %+.4f", b ? "bounce" : "light", score.rmse, score.rmse / nothing.rmse, score.bias);
+        CHECK(score.rmse < (b ? 0.4 : 0.06) * nothing.rmse, "%s: RMSE %.4f of %.4f", b ? "bounce" : "light", score.rmse,
+              nothing.rmse);
+        t_note("%s: RMSE %.4f, %.3f of none's, bias %+.4f", b ? "bounce" : "light", score.rmse,
+               score.rmse / nothing.rmse, score.bias);
     }
     kit_image_free(&out);
     kit_image_free(&truth);

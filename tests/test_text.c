@@ -1,4 +1,5 @@
-/* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names, sentences, fuzz, speed. */
+/* test_text.c - the emitted text, by what any program may call: compilers, snprintf's law, reflection, names,
+   sentences, fuzz, speed. */
 #include "t.h"
 #include "../ssgi_gl.h"
 #include "../examples/kit/kit_gl.h"
@@ -13,22 +14,44 @@
 #include <string.h>
 #include <unistd.h>
 
-/* ---- >>variants: every two lines of each pass, there and not ------------------------------------------------------ */
+/* ---- >>variants: every two lines of each pass, there and not ----------------------------------------------------- */
 
-typedef struct choice { const char *name; size_t offset; int count, first, step; } choice;   /* values first, first + step .. */
+/* values first, first + step .. */
+typedef struct choice { const char *name; size_t offset; int count, first, step; } choice;
 #define CHOICE(field, count, first, step) { #field, offsetof(ssgi_gl_desc, field), count, first, step }
-static const choice choices[] = {
-    CHOICE(orthographic, 2, 0, 1), CHOICE(depth, 3, 0, 1), CHOICE(normal, 5, 0, 1), CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1), CHOICE(steps, 2, 1, 2),
-    CHOICE(normal_rays, 2, 0, 2), CHOICE(hard, 2, 0, 1), CHOICE(thin, 2, 0, 1), CHOICE(falloff, 2, 0, 1), CHOICE(kernel, 2, 0, 1), CHOICE(fade, 3, 0, 1),
-    CHOICE(range, 2, 0, 1), CHOICE(layers, 3, 1, 1), CHOICE(views, 2, 0, 2), CHOICE(view_layers, 2, 1, 1), CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
-    CHOICE(bounce, 3, 0, 1), CHOICE(bands, 4, 1, 1), CHOICE(packed, 2, 0, 1), CHOICE(transfer, 3, 0, 1), CHOICE(shaded, 2, 0, 1), CHOICE(shading, 4, 0, 1),
-    CHOICE(lights, 2, 0, 1), CHOICE(albedo, 2, 0, 1), CHOICE(residual, 2, 0, 1), CHOICE(two_sided, 2, 0, 1), CHOICE(shadow, 4, 0, 1), CHOICE(accumulate, 2, 0, 1),
-    CHOICE(radiance, 4, 0, 1), CHOICE(storage, 2, 0, 1), CHOICE(measure, 2, 0, 1), CHOICE(eight_bits, 2, 0, 1), CHOICE(cap, 2, 0, 1), CHOICE(objects, 3, 0, 1),
-    CHOICE(half, 2, 0, 1), CHOICE(colour, 3, 0, 1), CHOICE(filter, 2, 0, 1), CHOICE(filter_normals, 2, 0, 1), CHOICE(effect, 5, 0, 1),
-    CHOICE(sends, 3, 0, 1), CHOICE(scale_radius, 2, 0, 1), CHOICE(near_samples, 2, 1, 3), CHOICE(overlap, 2, 0, 1), CHOICE(axis, 2, 0, 1)
+static const choice choices[] = { CHOICE(orthographic, 2, 0, 1), CHOICE(depth, 3, 0, 1),
+                                  CHOICE(normal, 5, 0, 1),       CHOICE(world_normals, 2, 0, 1),
+                                  CHOICE(noise, 2, 0, 1),        CHOICE(steps, 2, 1, 2),
+                                  CHOICE(normal_rays, 2, 0, 2),  CHOICE(hard, 2, 0, 1),
+                                  CHOICE(thin, 2, 0, 1),         CHOICE(falloff, 2, 0, 1),
+                                  CHOICE(kernel, 2, 0, 1),       CHOICE(fade, 3, 0, 1),
+                                  CHOICE(range, 2, 0, 1),        CHOICE(layers, 3, 1, 1),
+                                  CHOICE(views, 2, 0, 2),        CHOICE(view_layers, 2, 1, 1),
+                                  CHOICE(receiver, 2, 0, 1),     CHOICE(environment, 3, 0, 1),
+                                  CHOICE(bounce, 3, 0, 1),       CHOICE(bands, 4, 1, 1),
+                                  CHOICE(packed, 2, 0, 1),       CHOICE(transfer, 3, 0, 1),
+                                  CHOICE(shaded, 2, 0, 1),       CHOICE(shading, 4, 0, 1),
+                                  CHOICE(lights, 2, 0, 1),       CHOICE(albedo, 2, 0, 1),
+                                  CHOICE(residual, 2, 0, 1),     CHOICE(two_sided, 2, 0, 1),
+                                  CHOICE(shadow, 4, 0, 1),       CHOICE(accumulate, 2, 0, 1),
+                                  CHOICE(radiance, 4, 0, 1),     CHOICE(storage, 2, 0, 1),
+                                  CHOICE(measure, 2, 0, 1),      CHOICE(eight_bits, 2, 0, 1),
+                                  CHOICE(cap, 2, 0, 1),          CHOICE(objects, 3, 0, 1),
+                                  CHOICE(half, 2, 0, 1),         CHOICE(colour, 3, 0, 1),
+                                  CHOICE(filter, 2, 0, 1),       CHOICE(filter_normals, 2, 0, 1),
+                                  CHOICE(effect, 5, 0, 1),       CHOICE(sends, 3, 0, 1),
+                                  CHOICE(scale_radius, 2, 0, 1), CHOICE(near_samples, 2, 1, 3),
+                                  CHOICE(overlap, 2, 0, 1),      CHOICE(axis, 2, 0, 1) };
+enum {
+    CHOICES = (int)(sizeof choices / sizeof choices[0]),
+    MOST = 1 << 11,
+    TEXT = 1 << 16,
+    TOOLBOX = SSGI_GL_STAGES,
+    PROGRAM
 };
-enum { CHOICES = (int)(sizeof choices / sizeof choices[0]), MOST = 1 << 11, TEXT = 1 << 16, TOOLBOX = SSGI_GL_STAGES, PROGRAM };
-#define FETCH "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
+#define FETCH \
+    "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
+    "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
     "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }"
 
 static ssgi_gl_desc shape[4 * SSGI_GL_PASSES];            /* the passes; those that have two ways, twice */
@@ -45,15 +68,23 @@ static float uniform(float lower, float upper)
     return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
 }
 
-static int  get(const ssgi_gl_desc *d, size_t offset) { int v; memcpy(&v, (const char *)d + offset, sizeof v); return v; }
+static int get(const ssgi_gl_desc *d, size_t offset)
+{
+    int v;
+    memcpy(&v, (const char *)d + offset, sizeof v);
+    return v;
+}
 static void set(ssgi_gl_desc *d, size_t offset, int v) { memcpy((char *)d + offset, &v, sizeof v); }
 
 static const char *describe(const ssgi_gl_desc *d)
 {
     static _Thread_local char text[1000];
-    size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass), d->pass == SSGI_GL_HSAO && d->search ? " march" : "", d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
+    size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass),
+                                d->pass == SSGI_GL_HSAO && d->search ? " march" : "",
+                                d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
     for (int k = 0; k < CHOICES; ++k)
-        if (get(d, choices[k].offset) != choices[k].first) n += (size_t)snprintf(text + n, sizeof text - n, ", %s %d", choices[k].name, get(d, choices[k].offset));
+        if (get(d, choices[k].offset) != choices[k].first)
+            n += (size_t)snprintf(text + n, sizeof text - n, ", %s %d", choices[k].name, get(d, choices[k].offset));
     return text;
 }
 
@@ -62,19 +93,24 @@ static int stages_of(const ssgi_gl_desc *d)
 {
     const int tessellated = d->tessellate && (d->pass == SSGI_GL_SURFELS || d->pass == SSGI_GL_SPLAT);
     return 1 << SSGI_GL_VERTEX | 1 << SSGI_GL_FRAGMENT
-           | (tessellated ? 1 << SSGI_GL_TESS_CONTROL | 1 << SSGI_GL_TESS_EVALUATION : 0) | (tessellated && d->pass == SSGI_GL_SPLAT ? 1 << SSGI_GL_GEOMETRY : 0);
+           | (tessellated ? 1 << SSGI_GL_TESS_CONTROL | 1 << SSGI_GL_TESS_EVALUATION : 0)
+           | (tessellated && d->pass == SSGI_GL_SPLAT ? 1 << SSGI_GL_GEOMETRY : 0);
 }
 
 /* The text of a stage, "" of one that the pass does not have. */
 static const char *emit(char *text, const ssgi_gl_desc *d, int stage)
 {
     size_t n = ssgi_gl_emit(text, TEXT, d, stage);
-    CHECK((n > 0) == (stages_of(d) >> stage & 1) && n < TEXT && (n || !*text), "%s, stage %d: a text of %zu characters", describe(d), stage, n);
+    CHECK((n > 0) == (stages_of(d) >> stage & 1) && n < TEXT && (n || !*text), "%s, stage %d: a text of %zu characters",
+          describe(d), stage, n);
     return text;
 }
 
 /* Is the vertex stage more than a triangle? */
-static int has_vertices(const ssgi_gl_desc *d) { return d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SURFELS || d->pass == SSGI_GL_SPLAT; }
+static int has_vertices(const ssgi_gl_desc *d)
+{
+    return d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SURFELS || d->pass == SSGI_GL_SPLAT;
+}
 
 static uint64_t hash_of(const char *text, size_t n)
 {
@@ -87,7 +123,10 @@ static int place_of(set_of *s, uint64_t hash)
 {
     size_t i = hash >> 20 & ((1 << 13) - 1);
     while (s->hash[i] && s->hash[i] != hash) i = (i + 1) & ((1 << 13) - 1);
-    if (!s->hash[i] && CHECK(s->count < 1 << 12, "more of a kind than this test has room for")) { s->hash[i] = hash; s->place[i] = s->count++; }
+    if (!s->hash[i] && CHECK(s->count < 1 << 12, "more of a kind than this test has room for")) {
+        s->hash[i] = hash;
+        s->place[i] = s->count++;
+    }
     return s->place[i];
 }
 
@@ -96,18 +135,22 @@ static ssgi_gl_desc drawn(int t)
 {
     ssgi_gl_desc d = shape[t];
     for (int tries = 0; tries < 200; ++tries) {
-        for (int k = 0; k < CHOICES; ++k) set(&d, choices[k].offset, choices[k].first + choices[k].step * (int)uniform(0, (float)choices[k].count - 0.001f));
+        for (int k = 0; k < CHOICES; ++k)
+            set(&d, choices[k].offset,
+                choices[k].first + choices[k].step * (int)uniform(0, (float)choices[k].count - 0.001f));
         if (ssgi_gl_check(&d, NULL) == SSGI_OK) return d;
     }
     CHECK(0, "%s: nothing is accepted", describe(&shape[t]));
     return shape[t];
 }
 
-/* Of a pass: texts drawn, and which of all its lines each has. Lines that are always there together, and those that always are or never, count once. */
+/* Of a pass: texts drawn, and which of all its lines each has. Lines that are always there together, and those that
+   always are or never, count once. */
 enum { DRAWN = 2000, WORDS = 16, LITERALS = 64 * WORDS };
 typedef struct point { ssgi_gl_desc desc; uint64_t line[WORDS], literal[WORDS]; int gain; } point;
 static point pool[DRAWN];
-static uint64_t missing[LITERALS][WORDS];                 /* pairs of literals that no variant has yet; a literal: 2 * class + whether it is there */
+/* pairs of literals that no variant has yet; a literal: 2 * class + whether it is there */
+static uint64_t missing[LITERALS][WORDS];
 
 static int bits(uint64_t x)
 {
@@ -150,7 +193,8 @@ static int pool_of(int t)
                 end += *end != 0;
                 all = (all ^ hash) * 0x9e3779b97f4a7c15u;
                 const int at = place_of(&lines, hash);
-                if (CHECK(at < LITERALS, "%s: too many lines", describe(&p->desc))) p->line[at / 64] |= (uint64_t)1 << at % 64;
+                if (CHECK(at < LITERALS, "%s: too many lines", describe(&p->desc)))
+                    p->line[at / 64] |= (uint64_t)1 << at % 64;
             }
         const int before = texts.count;
         place_of(&texts, all | 1);
@@ -160,14 +204,22 @@ static int pool_of(int t)
     return points;
 }
 
-/* Greedy: of all points always the one with most pairs that are missing; then as many at random, for what three lines may do together. */
+/* Greedy: of all points always the one with most pairs that are missing; then as many at random, for what three lines
+   may do together. */
 static void make_variants(void)
 {
-    static uint64_t seen[WORDS * 64];                     /* of a line: which points have it, as a sum of random numbers */
+    /* of a line: which points have it, as a sum of random numbers */
+    static uint64_t seen[WORDS * 64];
     random_state = 1;
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int way = 0; way < 3; ++way) {               /* searches, tessellators: where they change the plain text */
-            ssgi_gl_desc d = { .pass = pass, .search = way == 1, .tessellate = way == 2, .dialect = way == 2 ? SSGI_GL_410 : SSGI_GL_330, .samples = 4, .directions = 2, .fetch = FETCH };
+            ssgi_gl_desc d = { .pass = pass,
+                               .search = way == 1,
+                               .tessellate = way == 2,
+                               .dialect = way == 2 ? SSGI_GL_410 : SSGI_GL_330,
+                               .samples = 4,
+                               .directions = 2,
+                               .fetch = FETCH };
             for (int k = 0; k < CHOICES; ++k) set(&d, choices[k].offset, choices[k].first);
             ssgi_gl_desc other = d;
             other.search = other.tessellate = 0;
@@ -180,7 +232,8 @@ static void make_variants(void)
         memset(seen, 0, sizeof seen);
         memset(missing, 0, sizeof missing);
         for (int i = 0; i < points; ++i) {
-            const uint64_t mark = (uint64_t)(i + 1) * 0x9e3779b97f4a7c15u, many = (mark ^ mark >> 29) * 0xbf58476d1ce4e5b9u;
+            const uint64_t mark = (uint64_t)(i + 1) * 0x9e3779b97f4a7c15u,
+                           many = (mark ^ mark >> 29) * 0xbf58476d1ce4e5b9u;
             all += many;
             for (int l = 0; l < LITERALS; ++l) if (pool[i].line[l / 64] >> l % 64 & 1) seen[l] += many;
         }
@@ -200,10 +253,12 @@ static void make_variants(void)
         for (int i = 0; i < points; ++i) {
             pool[i].gain = literals * literals + 1;
             for (int a = 0; a < literals; ++a)
-                for (int w = 0; w <= a / 64 && (pool[i].literal[a / 64] >> a % 64 & 1); ++w) missing[a][w] |= pool[i].literal[w];
+                for (int w = 0; w <= a / 64 && (pool[i].literal[a / 64] >> a % 64 & 1); ++w)
+                    missing[a][w] |= pool[i].literal[w];
         }
         const int before = variants;
-        for (int most = literals * literals + 1; most > 0 && variants < MOST;) {      /* gains only fall: who was best is asked again */
+        /* gains only fall: who was best is asked again */
+        for (int most = literals * literals + 1; most > 0 && variants < MOST;) {
             int best = 0, next = 0;
             for (int i = 1; i < points; ++i) if (pool[i].gain > pool[best].gain) best = i;
             for (int i = 0; i < points; ++i) if (i != best && pool[i].gain > next) next = pool[i].gain;
@@ -214,31 +269,38 @@ static void make_variants(void)
             variant[variants++] = pool[best].desc;
             if (!literals) break;
         }
-        for (int more = variants - before; more > 0 && variants < MOST; --more) variant[variants++] = pool[(int)uniform(0, (float)points - 0.01f)].desc;
+        for (int more = variants - before; more > 0 && variants < MOST; --more)
+            variant[variants++] = pool[(int)uniform(0, (float)points - 0.01f)].desc;
     }
 }
 
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
-static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[2 * MOST + 200];   /* the texts that are compiled; fresh: a program whose stages declare what no other's did */
+/* the texts that are compiled; fresh: a program whose stages declare what no other's did */
+static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[2 * MOST + 200];
 static int texts;
 static struct { int texts, linked; char problem[1000]; } glslang;
 
-/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a fragment shader that calls it. */
+/* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a
+   fragment shader that calls it. */
 static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
 {
     if (stage == PROGRAM)
         for (int s = 0, at = 0; s < SSGI_GL_STAGES; ++s) at += (int)strlen(emit(text + at, d, s));
     if (stage != TOOLBOX) return stage == PROGRAM ? text : emit(text, d, stage);
     size_t n = strcspn(emit(text, d, SSGI_GL_VERTEX), "\n") + 1;      /* the version */
-    n += (size_t)snprintf(text + n, TEXT - n, "%s", d->dialect >= SSGI_GL_300ES ? "precision highp float;\nprecision highp int;\n" : "");
+    n += (size_t)snprintf(text + n, TEXT - n, "%s",
+                          d->dialect >= SSGI_GL_300ES ? "precision highp float;\nprecision highp int;\n" : "");
     n += ssgi_gl_field(text + n, TEXT - n, d);
-    snprintf(text + n, TEXT - n, "out vec4 o;\nvoid main()\n{\n    o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, 1.0)));\n}\n");
+    snprintf(text + n, TEXT - n,
+             "out vec4 o;\nvoid main()\n{\n    o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, "
+             "1.0)));\n}\n");
     return text;
 }
 
-/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have: each choice meets each other choice, and each dialect. The stages
-   of their own that passes have as one program; the others' vertex stage once a dialect; every toolbox in every dialect. */
+/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have: each choice meets each other
+   choice, and each dialect. The stages of their own that passes have as one program; the others' vertex stage once a
+   dialect; every toolbox in every dialect. */
 static void speak(void)
 {
     static uint64_t seen[1 << 10];
@@ -257,7 +319,9 @@ static void speak(void)
         spoken[texts].stage = has_vertices(&d) ? PROGRAM : SSGI_GL_FRAGMENT;
         if (!has_vertices(&d)) continue;
         uint64_t hash = (uint64_t)(2 * d.pass + d.tessellate);
-        for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k) hash = (hash ^ hash_of(row[k].name, strlen(row[k].name)) ^ (uint64_t)row[k].kind << 56) * 0x9e3779b97f4a7c15u;
+        for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k)
+            hash =
+                (hash ^ hash_of(row[k].name, strlen(row[k].name)) ^ (uint64_t)row[k].kind << 56) * 0x9e3779b97f4a7c15u;
         int s = 0;
         while (s < interfaces && seen[s] != hash) ++s;
         spoken[texts].fresh = s == interfaces && (int)(hash >> 40 & 1) == (i & 1);      /* one in ES, the next not */
@@ -265,7 +329,11 @@ static void speak(void)
     }
     for (int i = 0; i < 16 * SSGI_GL_DIALECTS; ++i, ++texts) {
         const int k = i / SSGI_GL_DIALECTS;
-        const ssgi_gl_desc d = { .dialect = i % SSGI_GL_DIALECTS, .storage = k & 1, .measure = k >> 1 & 1, .eight_bits = k >> 2 & 1, .cap = k >> 3 };
+        const ssgi_gl_desc d = { .dialect = i % SSGI_GL_DIALECTS,
+                                 .storage = k & 1,
+                                 .measure = k >> 1 & 1,
+                                 .eight_bits = k >> 2 & 1,
+                                 .cap = k >> 3 };
         spoken[texts].desc = d;
         spoken[texts].stage = TOOLBOX;
     }
@@ -282,19 +350,25 @@ static void *glslang_run(void *folder)
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
             const int program = spoken[i].stage == PROGRAM;
-            for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1); ++stage) {
+            for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1);
+                 ++stage) {
                 const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
-                snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder, spoken[i].fresh ? "p" : "", i, endings[stage]);
+                snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder, spoken[i].fresh ? "p" : "", i,
+                         endings[stage]);
                 if (n) kit_file_write(path, text, n, NULL);
             }
             glslang.linked += spoken[i].fresh;
         }
-        snprintf(path, sizeof path, "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
-                 "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && rm *.* && echo passed", (char *)folder);
+        snprintf(path, sizeof path,
+                 "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
+                 "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
+                 "rm *.* && echo passed",
+                 (char *)folder);
         FILE *pipe = popen(path, "r");
         for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
             if (isdigit((unsigned char)line[*line == 'p'])) memcpy(file, line + (*line == 'p'), sizeof file - 1);
-            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0]) snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(file)].desc), line + 5);
+            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0])
+                snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(file)].desc), line + 5);
         }
         if (pipe) pclose(pipe);
         if (!passed && !glslang.problem[0]) strcpy(glslang.problem, "no answer");
@@ -306,7 +380,8 @@ static void *glslang_run(void *folder)
 static GLuint linked(const ssgi_gl_desc *d)
 {
     static char text[SSGI_GL_STAGES][TEXT];
-    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
+                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
     const char *source[SSGI_GL_STAGES], *kept[3];
     GLenum stage[SSGI_GL_STAGES];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -319,7 +394,10 @@ static GLuint linked(const ssgi_gl_desc *d)
         stages += *source[stages] != 0;
     }
     for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
-        if (row[i].kind == SSGI_GL_CAPTURE && CHECK(row[i].slot == keeps && keeps < 3, "%s: %s is at %d of what is kept", describe(d), row[i].name, row[i].slot)) kept[keeps++] = row[i].name;
+        if (row[i].kind == SSGI_GL_CAPTURE
+            && CHECK(row[i].slot == keeps && keeps < 3, "%s: %s is at %d of what is kept", describe(d), row[i].name,
+                     row[i].slot))
+            kept[keeps++] = row[i].name;
     GLuint program = kit_program(source, stage, stages, &err);
     if (!CHECK(program, "%s: %s", describe(d), err.text) || !keeps) return program;
     glTransformFeedbackVaryings(program, keeps, kept, GL_INTERLEAVED_ATTRIBS);
@@ -354,14 +432,19 @@ static void compilers(void)
 {
     char folder[] = "/tmp/ssgi-text-XXXXXX", line[100];
     pthread_t thread;
-    int has = !system("command -v glslangValidator >/dev/null 2>&1") && mkdtemp(folder) && !pthread_create(&thread, NULL, glslang_run, folder);
+    int has = !system("command -v glslangValidator >/dev/null 2>&1") && mkdtemp(folder)
+              && !pthread_create(&thread, NULL, glslang_run, folder);
     CHECK(has, "glslangValidator is missing (Debian: apt-get install glslang-tools), or there is no folder in /tmp");
     for (int es = 1; es >= 0; --es) {
             kit_error err = { "" };
         GLint version[2] = { 0, 0 };
         int tried = 0;
-        if (es && !kit_gl_open("egl-es", NULL)) { glGetIntegerv(GL_MAJOR_VERSION, &version[0]); glGetIntegerv(GL_MINOR_VERSION, &version[1]); }
-        if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);    /* takes ES texts too: ARB_ES3_2_compatibility */
+        if (es && !kit_gl_open("egl-es", NULL)) {
+            glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
+            glGetIntegerv(GL_MINOR_VERSION, &version[1]);
+        }
+        /* takes ES texts too: ARB_ES3_2_compatibility */
+        if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
             if ((spoken[i].desc.dialect >= SSGI_GL_300ES) != es) continue;
@@ -383,16 +466,38 @@ static void compilers(void)
 /* Text number k: all stages of some descs, then the functions of harmonics and of fields alone. */
 static size_t any_text(int k, char *out, size_t capacity)
 {
-    static const ssgi_gl_desc descs[] = { { .samples = 3 },
-        { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_320ES, .samples = 2, .environment = SSGI_GL_ENVIRONMENT_SH, .bounce = SSGI_GL_BOUNCE_PATCH, .views = 1 },
+    static const ssgi_gl_desc descs[] = {
+        { .samples = 3 },
+        { .pass = SSGI_GL_SSDO,
+          .dialect = SSGI_GL_320ES,
+          .samples = 2,
+          .environment = SSGI_GL_ENVIRONMENT_SH,
+          .bounce = SSGI_GL_BOUNCE_PATCH,
+          .views = 1 },
         { .pass = SSGI_GL_HSAO, .thin = 1, .dialect = SSGI_GL_310ES, .lines = 1 },
-        { .pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 2, .noise = SSGI_GL_NOISE_TEXTURE, .version = "#version 430", .fetch = "// mine" },
+        { .pass = SSGI_GL_HSAO,
+          .search = SSGI_GL_MARCH,
+          .normal_rays = 2,
+          .noise = SSGI_GL_NOISE_TEXTURE,
+          .version = "#version 430",
+          .fetch = "// mine" },
         { .pass = SSGI_GL_SHADE, .lights = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
-        { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE, .cap = SSGI_GL_CAP_TABLE, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
-        { .pass = SSGI_GL_SPLAT, .dialect = SSGI_GL_320ES, .tessellate = 1, .sends = SSGI_GL_SENDS_CUSTOM, .effect = SSGI_GL_EFFECT_BOUNCE, .fetch = "// mine" } };
+        { .pass = SSGI_GL_FIELD,
+          .measure = SSGI_FIELD_SOLID_ANGLE,
+          .cap = SSGI_GL_CAP_TABLE,
+          .objects = SSGI_GL_OBJECTS_TEXTURE,
+          .lines = 1 },
+        { .pass = SSGI_GL_SPLAT,
+          .dialect = SSGI_GL_320ES,
+          .tessellate = 1,
+          .sends = SSGI_GL_SENDS_CUSTOM,
+          .effect = SSGI_GL_EFFECT_BOUNCE,
+          .fetch = "// mine" }
+    };
     const int stages = (int)(sizeof descs / sizeof descs[0]) * SSGI_GL_STAGES;
     if (k == stages) return ssgi_gl_field(out, capacity, &descs[5]);
-    return k < stages ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES) : ssgi_gl_sh(out, capacity, k - stages);
+    return k < stages ? ssgi_gl_emit(out, capacity, &descs[k / SSGI_GL_STAGES], k % SSGI_GL_STAGES)
+                      : ssgi_gl_sh(out, capacity, k - stages);
 }
 
 static void law(void)
@@ -408,37 +513,46 @@ static void law(void)
         CHECK(any_text(k, full, TEXT) == n && strlen(full) == n, "text %d: the length asked for with NULL differs", k);
         for (size_t capacity = 0; capacity <= n + 1; capacity += capacity < 40 || capacity + 40 > n ? 1 : 97) {
             size_t got = any_text(k, part, capacity), used = capacity > n ? n + 1 : capacity;
-            int right = got == n && (!used || (!memcmp(part, full, used - 1) && !part[used - 1])) && !memcmp(part + used, clean, n + 64 - used);
-            if (!CHECK(right, "text %d, capacity %zu of %zu: length %zu, or wrong bytes in or beyond it", k, capacity, n, got)) return;
+            int right = got == n && (!used || (!memcmp(part, full, used - 1) && !part[used - 1]))
+                        && !memcmp(part + used, clean, n + 64 - used);
+            if (!CHECK(right, "text %d, capacity %zu of %zu: length %zu, or wrong bytes in or beyond it", k, capacity,
+                       n, got))
+                return;
             memcpy(part, clean, used);
         }
     }
     CHECK(there == 6 * 2 + 5 + 1 + 4, "%d texts", there);   /* stages that passes lack give none */
-    CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0) && !ssgi_gl_emit(part, TEXT, &fine, -1) && !ssgi_gl_emit(part, TEXT, &fine, SSGI_GL_STAGES)
-          && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1) && !ssgi_gl_sh(part, TEXT, 5) && !ssgi_gl_sh(NULL, 1, 4)
-          && !ssgi_gl_field(part, TEXT, &bad) && !ssgi_gl_field(part, TEXT, NULL) && !ssgi_gl_field(NULL, 1, &fine) && !memcmp(part, clean, TEXT),
+    CHECK(!ssgi_gl_emit(part, TEXT, &bad, 0) && !ssgi_gl_emit(part, TEXT, NULL, 0)
+              && !ssgi_gl_emit(part, TEXT, &fine, -1) && !ssgi_gl_emit(part, TEXT, &fine, SSGI_GL_STAGES)
+              && !ssgi_gl_emit(NULL, 1, &fine, 0) && !ssgi_gl_sh(part, TEXT, 0) && !ssgi_gl_sh(part, TEXT, -1)
+              && !ssgi_gl_sh(part, TEXT, 5) && !ssgi_gl_sh(NULL, 1, 4) && !ssgi_gl_field(part, TEXT, &bad)
+              && !ssgi_gl_field(part, TEXT, NULL) && !ssgi_gl_field(NULL, 1, &fine) && !memcmp(part, clean, TEXT),
           "a bad desc, stage or number of bands gave text");
 }
 
 static void same_bytes(void)
 {
     static char one[TEXT], two[TEXT];
-    static const char *const names[] = { "de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8", "nl_NL.UTF-8", "it_IT.UTF-8" };
+    static const char *const names[] = { "de_DE.UTF-8", "de_DE.utf8",  "de_DE",      "fr_FR.UTF-8",
+                                         "fr_FR.utf8",  "nl_NL.UTF-8", "it_IT.UTF-8" };
     const char *with = NULL;
     ssgi_gl_desc a = { .version = "#version 330 core\n", .fetch = FETCH }, b = a;   /* ssao: the kernel's numbers */
     char version[] = "#version 330 core\n", fetch[] = FETCH;
     b.version = version;
     b.fetch = fetch;
     emit(one, &a, SSGI_GL_FRAGMENT);
-    CHECK(!strcmp(one, emit(two, &b, SSGI_GL_FRAGMENT)) && ssgi_gl_key(&a) == ssgi_gl_key(&b), "equal strings at another place change the text or the key");
-    for (size_t i = 0; i < sizeof names / sizeof names[0] && !with; ++i) if (setlocale(LC_ALL, names[i])) with = names[i];
+    CHECK(!strcmp(one, emit(two, &b, SSGI_GL_FRAGMENT)) && ssgi_gl_key(&a) == ssgi_gl_key(&b),
+          "equal strings at another place change the text or the key");
+    for (size_t i = 0; i < sizeof names / sizeof names[0] && !with; ++i)
+        if (setlocale(LC_ALL, names[i])) with = names[i];
     if (with) {
         snprintf(two, sizeof two, "%.1f", 0.5);
         CHECK(two[1] == ',', "locale %s has no decimal comma", with);
         CHECK(!strcmp(one, emit(two, &a, SSGI_GL_FRAGMENT)), "another text under locale %s", with);
         setlocale(LC_ALL, "C");
     }
-    t_note(with ? "locale tried: %s" : "no locale with a decimal comma is installed: %s not tried", with ? with : names[0]);
+    t_note(with ? "locale tried: %s" : "no locale with a decimal comma is installed: %s not tried",
+           with ? with : names[0]);
     version[9] = '4';
     CHECK(ssgi_gl_key(&a) != ssgi_gl_key(&b), "another version has the same key");
 }
@@ -449,18 +563,23 @@ static void same_bytes(void)
 static size_t std140(const char *type, size_t *align)
 {
     const char *array = strchr(type, '[');
-    const size_t word = strncmp(type, "float", 5) && strncmp(type, "int", 3) ? strcmp(type, "ivec2") && strcmp(type, "vec2") ? 16 : 8 : 4;
+    const size_t word = strncmp(type, "float", 5) && strncmp(type, "int", 3)
+                            ? strcmp(type, "ivec2") && strcmp(type, "vec2") ? 16 : 8
+                            : 4;
     const size_t one = !strncmp(type, "mat3", 4) ? 48 : !strncmp(type, "mat4", 4) ? 64 : word;
     *align = array ? 16 : word;
     return array ? (one + 15) / 16 * 16 * (size_t)atoi(array + 1) : one;
 }
 
-/* Reads the declarations back from a stage's text, line by line, and compares them with the rows, in their order where one stage has them all. Returns which of
-   them are there: a bit each. */
+/* Reads the declarations back from a stage's text, line by line, and compares them with the rows, in their order where
+   one stage has them all. Returns which of them are there: a bit each. */
 static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
-    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1, *outside = "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
-    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0;
+    const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1,
+               *outside =
+                   "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
+    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES,
+        block = -1, last = -1, precisions = 0;
     uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
@@ -469,7 +588,11 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         char name[64] = "", type[32] = "", format[300] = "", begin[80] = "";
         int opened = -1;
         for (int b = 0; b < 2; ++b) {
-            snprintf(begin, sizeof begin, "layout(std140%s%s) uniform ssgi_%s {\n", bindings ? ", binding = " : "", !bindings ? "" : b ? "1" : "0", b ? "views" : "frame");
+            snprintf(begin, sizeof begin, "layout(std140%s%s) uniform ssgi_%s {\n", bindings ? ", binding = " : "",
+                     !bindings ? ""
+                     : b       ? "1"
+                               : "0",
+                     b ? "views" : "frame");
             if (!strncmp(line, begin, strlen(begin))) opened = b;
         }
         if (opened > last && block < 0) { block = last = opened; offset = 0; continue; }
@@ -489,18 +612,28 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         } else if (sscanf(line, "const int %63s = %d;", name, &io.slot) == 2) {
             io.kind = SSGI_GL_CONSTANT;
             strcpy(type, "int");
-        } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name, format) == 5) io.kind = strcmp(begin, "in") ? SSGI_GL_OUTPUT : SSGI_GL_ATTRIBUTE;
+        } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name,
+                          format)
+                   == 5)
+            io.kind = strcmp(begin, "in") ? SSGI_GL_OUTPUT : SSGI_GL_ATTRIBUTE;
         else if (sscanf(line, "out %31s %63[^;]; // %299[^\n]", type, name, format) == 3) {
             if (d->pass == SSGI_GL_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
             io.kind = SSGI_GL_CAPTURE;
-        }
-        else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type, name, format) == 4
-                          : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4 && !strcmp(begin, "uniform")) io.kind = SSGI_GL_TEXTURE;
+        } else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type,
+                                     name, format)
+                                  == 4
+                            : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
+                                  && !strcmp(begin, "uniform"))
+            io.kind = SSGI_GL_TEXTURE;
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
-        int same = at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type) && !strcmp(row[at].format, format)
-                   && row[at].offset == io.offset && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings) || io.kind == SSGI_GL_CAPTURE);
-        if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at, at < rows ? row[at].name : "none")) return 0;
+        int same =
+            at < rows && row[at].kind == io.kind && !strcmp(row[at].name, name) && !strcmp(row[at].type, type)
+            && !strcmp(row[at].format, format) && row[at].offset == io.offset
+            && (row[at].slot == io.slot || (io.kind == SSGI_GL_TEXTURE && !bindings) || io.kind == SSGI_GL_CAPTURE);
+        if (!CHECK(same, "%s: \"%.*s\" is not row %d, %s", describe(d), (int)strcspn(line, "\n"), line, at,
+                   at < rows ? row[at].name : "none"))
+            return 0;
         found |= (uint64_t)1 << at;
     }
     for (const char *w = outside; *w; w += strlen(w) + 1) {
@@ -514,7 +647,10 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
 /* What GL says of a linked program: places in the block, bindings without a call, every texture is read. */
 static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
 {
-    static const struct { const char *name; size_t most; } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) }, { "ssgi_views", sizeof(ssgi_gl_views) } };
+    static const struct {
+        const char *name;
+        size_t most;
+    } blocks[] = { { "ssgi_frame", sizeof(ssgi_gl_frame) }, { "ssgi_views", sizeof(ssgi_gl_views) } };
     GLuint program = linked(d);
     if (!program) return 0;
     for (int b = 0; b < 2; ++b) {
@@ -522,22 +658,26 @@ static int ask_gl(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
         GLint size = 0, binding = -1;
         int wanted = 0;
         for (int i = 0; i < rows; ++i) wanted |= row[i].kind == SSGI_GL_PARAM && row[i].slot == b;
-        CHECK((block != GL_INVALID_INDEX) == wanted, "%s: %s is %s", describe(d), blocks[b].name, wanted ? "missing" : "there");
+        CHECK((block != GL_INVALID_INDEX) == wanted, "%s: %s is %s", describe(d), blocks[b].name,
+              wanted ? "missing" : "there");
         if (block == GL_INVALID_INDEX) continue;
         glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_DATA_SIZE, &size);
         glGetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_BINDING, &binding);
-        CHECK(binding == b && size > 0 && (size_t)size <= blocks[b].most, "%s: %s of %d bytes at %d", describe(d), blocks[b].name, size, binding);
+        CHECK(binding == b && size > 0 && (size_t)size <= blocks[b].most, "%s: %s of %d bytes at %d", describe(d),
+              blocks[b].name, size, binding);
     }
     for (int i = 0; i < rows; ++i) {
         GLuint index = GL_INVALID_INDEX;
         GLint value = -1, want = row[i].slot;
-        if (row[i].kind == SSGI_GL_CONSTANT || row[i].kind == SSGI_GL_ATTRIBUTE || row[i].kind == SSGI_GL_CAPTURE) continue;
+        if (row[i].kind == SSGI_GL_CONSTANT || row[i].kind == SSGI_GL_ATTRIBUTE || row[i].kind == SSGI_GL_CAPTURE)
+            continue;
         if (row[i].kind == SSGI_GL_PARAM) {
             want = (GLint)row[i].offset;
             glGetUniformIndices(program, 1, &row[i].name, &index);
             if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &value);
         } else if (row[i].kind == SSGI_GL_OUTPUT) value = glGetFragDataLocation(program, row[i].name);
-        else if (glGetUniformLocation(program, row[i].name) >= 0) glGetUniformiv(program, glGetUniformLocation(program, row[i].name), &value);
+        else if (glGetUniformLocation(program, row[i].name) >= 0)
+            glGetUniformiv(program, glGetUniformLocation(program, row[i].name), &value);
         CHECK(value == want, "%s: %s is at %d for GL, the row says %d", describe(d), row[i].name, value, want);
     }
     glDeleteProgram(program);
@@ -553,8 +693,10 @@ static void check_units(const ssgi_gl_desc *d, const ssgi_gl_io *row, int rows)
         if (row[k].kind != SSGI_GL_TEXTURE) continue;
         while (units[d->pass][u].name && strcmp(units[d->pass][u].name, row[k].name)) ++u;
         if (!units[d->pass][u].name) { units[d->pass][u].name = row[k].name; units[d->pass][u].slot = row[k].slot; }
-        CHECK(row[k].slot == units[d->pass][u].slot && row[k].slot >= 0 && row[k].slot < 16 && !(taken >> row[k].slot & 1), "%s: %s at unit %d, else at %d, units taken %x",
-              describe(d), row[k].name, row[k].slot, units[d->pass][u].slot, (unsigned)taken);
+        CHECK(row[k].slot == units[d->pass][u].slot && row[k].slot >= 0 && row[k].slot < 16
+                  && !(taken >> row[k].slot & 1),
+              "%s: %s at unit %d, else at %d, units taken %x", describe(d), row[k].name, row[k].slot,
+              units[d->pass][u].slot, (unsigned)taken);
         taken |= 1 << row[k].slot;
     }
 }
@@ -574,24 +716,33 @@ static void reflection(void)
         check_units(&d, row, rows);
         for (int k = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }; k < rows; ++k) {
             if (row[k].kind == SSGI_GL_PARAM) params[row[k].slot] |= (uint64_t)1 << k;
-            CHECK(row[k].kind == SSGI_GL_PARAM || row[k].kind == SSGI_GL_CONSTANT || row[k].kind == SSGI_GL_TEXTURE || row[k].slot == slots[row[k].kind], "%s: %s is at %d, not at %d", describe(&d), row[k].name, row[k].slot, slots[row[k].kind]);
+            CHECK(row[k].kind == SSGI_GL_PARAM || row[k].kind == SSGI_GL_CONSTANT || row[k].kind == SSGI_GL_TEXTURE
+                      || row[k].slot == slots[row[k].kind],
+                  "%s: %s is at %d, not at %d", describe(&d), row[k].name, row[k].slot, slots[row[k].kind]);
             ++slots[row[k].kind];
         }
-        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {     /* the stages have whole blocks in common, and nothing else */
+        /* the stages have whole blocks in common, and nothing else */
+        for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
             if (!*emit(text[stage], &d, stage)) continue;
             const uint64_t found = compare_rows(text[stage], &d, row, rows);
             int whole = 1;
-            for (int b = 0; b < 2; ++b) whole &= (found & params[b]) == (strstr(text[stage], b ? "u_ssgi_view_" : "uniform ssgi_frame") ? params[b] : 0);
+            for (int b = 0; b < 2; ++b)
+                whole &= (found & params[b])
+                         == (strstr(text[stage], b ? "u_ssgi_view_" : "uniform ssgi_frame") ? params[b] : 0);
             if (!CHECK(whole, "%s, stage %d: a part of a block: %" PRIx64, describe(&d), stage, found)) break;
             twice |= once & found & ~params[0] & ~params[1];
             once |= found;
             ++read_back;
         }
-        if (!CHECK(once == ((uint64_t)1 << rows) - 1 && !twice, "%s: of %d rows the stages declare %" PRIx64 ", twice %" PRIx64, describe(&d), rows, once, twice)) break;
+        if (!CHECK(once == ((uint64_t)1 << rows) - 1 && !twice,
+                   "%s: of %d rows the stages declare %" PRIx64 ", twice %" PRIx64, describe(&d), rows, once, twice))
+            break;
         if (d.dialect != SSGI_GL_450 || !desktop) continue;
         uint64_t last = (uint64_t)d.pass;
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
-            for (const char *line = *text[stage] ? strchr(text[stage], '\n') + 1 : "\n"; *line != '\n'; line += strcspn(line, "\n") + 1) {     /* GL is asked where two lines are together first */
+            /* GL is asked where two lines are together first */
+            for (const char *line = *text[stage] ? strchr(text[stage], '\n') + 1 : "\n"; *line != '\n';
+                 line += strcspn(line, "\n") + 1) {
                 uint64_t two = last * 31;
                 int s = 0;
                 last = kit_hash(KIT_HASH, line, strcspn(line, "\n"));
@@ -603,10 +754,12 @@ static void reflection(void)
         ++asked;
         if (!ask_gl(&d, row, rows)) break;
         few[1] = row[3];
-        CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name, "more rows than there is room for");
+        CHECK(ssgi_gl_reflect(&d, few, 1) == rows && few[0].name == row[0].name && few[1].name == row[3].name,
+              "more rows than there is room for");
     }
     t_note("%d texts read back, %d linked for %d different pairs of lines", read_back, asked, pairs);
-    for (int k = 0; k < 4 * 2 * 3; ++k) {                  /* what s3ho writes is what blur reads, in order, name, type and format */
+    /* what s3ho writes is what blur reads, in order, name, type and format */
+    for (int k = 0; k < 4 * 2 * 3; ++k) {
         ssgi_gl_desc d = { .pass = SSGI_GL_S3HO, .bands = 1 + k % 4, .packed = k / 4 % 2, .transfer = k / 8 }, blur = d;
         blur.pass = SSGI_GL_BLUR;
         blur.colour = SSGI_GL_COEFFICIENTS;
@@ -616,19 +769,23 @@ static void reflection(void)
         for (int i = 0, b = 0; i < rows; ++i) {
             if (row[i].kind != SSGI_GL_OUTPUT) continue;
             while (b < reads && strcmp(read[b].name + 1, row[i].name + 1)) ++b;
-            found += b < reads && read[b].kind == SSGI_GL_TEXTURE && !strcmp(read[b].format, row[i].format) && !strcmp(read[b].type, d.packed ? "usampler2D" : "sampler2D")
+            found += b < reads && read[b].kind == SSGI_GL_TEXTURE && !strcmp(read[b].format, row[i].format)
+                     && !strcmp(read[b].type, d.packed ? "usampler2D" : "sampler2D")
                      && !strcmp(row[i].type, d.packed ? "uvec4" : "vec4") && row[i].slot == written;
             ++written;
         }
-        CHECK(d.transfer && !d.packed ? !rows && !reads : written == targets && found == targets, "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.bands,
-              d.packed, d.transfer, written, found);
+        CHECK(d.transfer && !d.packed ? !rows && !reads : written == targets && found == targets,
+              "%d bands, packed %d, transfer %d: %d targets, %d of them read", d.bands, d.packed, d.transfer, written,
+              found);
     }
     emit(text[0], variant, SSGI_GL_VERTEX);
-    CHECK(!strstr(text[0], "ssgi") && !strstr(text[0], "uniform") && !strstr(text[0], "layout"), "the vertex stage declares something");
-    CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0, "reflection of nothing");
+    CHECK(!strstr(text[0], "ssgi") && !strstr(text[0], "uniform") && !strstr(text[0], "layout"),
+          "the vertex stage declares something");
+    CHECK(!ssgi_gl_reflect(NULL, row, 1) && !ssgi_gl_reflect(variant, NULL, 1) && ssgi_gl_reflect(variant, NULL, 0) > 0,
+          "reflection of nothing");
 }
 
-/* ---- >>names ------------------------------------------------------------------------------------------------------ */
+/* ---- >>names ----------------------------------------------------------------------------------------------------- */
 
 enum { NAMES_ = 512 };
 typedef struct names { uint64_t bit[NAMES_ / 64]; } names;
@@ -645,25 +802,36 @@ static void name_add(names *to, const char *word, size_t n)
 
 #define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
-/* What a text defines: our words on lines that begin at global scope, and members of blocks. What it uses: the others, types too, without comments. Variables:
-   their value, "ssgi_P =", is defined where they are written and used where they are read. */
+/* What a text defines: our words on lines that begin at global scope, and members of blocks. What it uses: the others,
+   types too, without comments. Variables: their value, "ssgi_P =", is defined where they are written and used where
+   they are read. */
 static void read_names(names *defines, names *uses, const char *text)
 {
     int block = 0;
     for (const char *line = text; *line; line += strcspn(line, "\n") + (line[strcspn(line, "\n")] != 0)) {
-        const size_t whole = strcspn(line, "\n"), comment = strstr(line, "//") ? (size_t)(strstr(line, "//") - line) : SIZE_MAX, end = comment < whole ? comment : whole;
-        if (whole > 2 && line[whole - 1] == '{' && (!strncmp(line, "uniform ", 8) || !strncmp(line, "layout(std140", 13))) { block = 1; continue; }
+        const size_t whole = strcspn(line, "\n"),
+                     comment = strstr(line, "//") ? (size_t)(strstr(line, "//") - line) : SIZE_MAX,
+                     end = comment < whole ? comment : whole;
+        if (whole > 2 && line[whole - 1] == '{'
+            && (!strncmp(line, "uniform ", 8) || !strncmp(line, "layout(std140", 13))) {
+            block = 1;
+            continue;
+        }
         if (*line == '}') block = 0;
         for (size_t i = 0, n = 0; i < end; i += n ? n : 1, n = 0) {
             const char *word = line + i, *after;
             char value[64];
             while (PART(word[n])) ++n;
             const char *stem = n > 2 && word[1] == '_' ? word + 2 : word;
-            if (n < 6 || n > 40 || (strncmp(stem, "ssgi_", 5) && strncmp(stem, "SSGI_", 5)) || !strncmp(word, "ssgi_custom_", 12) || !strncmp(word, "u_ssgi_gap", 10)) continue;
+            if (n < 6 || n > 40 || (strncmp(stem, "ssgi_", 5) && strncmp(stem, "SSGI_", 5))
+                || !strncmp(word, "ssgi_custom_", 12) || !strncmp(word, "u_ssgi_gap", 10))
+                continue;
             after = word + n;
             if (*after == '.') after += 1 + strspn(after + 1, "xyzw");
-            const int type = *after == ' ' && isalpha((unsigned char)after[1]), global = block || (isalpha((unsigned char)*line) && !type);
-            const int variable = *word == 's' && *after != '(' && !type && !global, written = variable && !strncmp(after, " = ", 3);
+            const int type = *after == ' ' && isalpha((unsigned char)after[1]),
+                      global = block || (isalpha((unsigned char)*line) && !type);
+            const int variable = *word == 's' && *after != '(' && !type && !global,
+                      written = variable && !strncmp(after, " = ", 3);
             snprintf(value, sizeof value, "%.*s =", (int)n, word);
             if (!variable || written) name_add(global ? defines : uses, word, n);
             if (variable) name_add(written ? defines : uses, value, n + 2);
@@ -671,8 +839,8 @@ static void read_names(names *defines, names *uses, const char *text)
     }
 }
 
-/* What is off leaves nothing, and nothing is missing: in every stage the names that stand there are those that are declared there. The members of blocks are in
-   all stages, and used in one. */
+/* What is off leaves nothing, and nothing is missing: in every stage the names that stand there are those that are
+   declared there. The members of blocks are in all stages, and used in one. */
 static int is_closed(const ssgi_gl_desc *d)
 {
     static char text[TEXT];
@@ -686,12 +854,16 @@ static int is_closed(const ssgi_gl_desc *d)
         read_names(&defined, &used, emit(text, d, stage));
         for (int i = 0; i < knowns.count; ++i) {
             const int is = (int)(defined.bit[i / 64] >> i % 64 & 1), wanted = (int)(used.bit[i / 64] >> i % 64 & 1);
-            if (!CHECK(is >= wanted && (is == wanted || *known[i] == 'u'), "%s, stage %d: %s is %s", describe(d), stage, known[i], is ? "there, but not used" : "used, but not there")) return 0;
+            if (!CHECK(is >= wanted && (is == wanted || *known[i] == 'u'), "%s, stage %d: %s is %s", describe(d), stage,
+                       known[i], is ? "there, but not used" : "used, but not there"))
+                return 0;
         }
         for (int w = 0; w < NAMES_ / 64; ++w) { all_defined.bit[w] |= defined.bit[w]; all_used.bit[w] |= used.bit[w]; }
     }
     for (int i = 0; i < knowns.count; ++i)
-        if (!CHECK((all_defined.bit[i / 64] & ~all_used.bit[i / 64]) >> i % 64 % 2 == 0, "%s: %s is in no stage used", describe(d), known[i])) return 0;
+        if (!CHECK((all_defined.bit[i / 64] & ~all_used.bit[i / 64]) >> i % 64 % 2 == 0, "%s: %s is in no stage used",
+                   describe(d), known[i]))
+            return 0;
     return 1;
 }
 
@@ -703,7 +875,8 @@ static void closed(void)
     for (int i = 0; i < 2 * variants + EACH * shapes && bad < 5; ++i) {
         ssgi_gl_desc d = i < 2 * variants ? variant[i / 2] : drawn(i % shapes);
         const int dialect = d.dialect;
-        d.dialect = i < 2 * variants ? i & 1 ? SSGI_GL_450 : SSGI_GL_410 : i / shapes % SSGI_GL_DIALECTS;     /* where one has what the other lacks */
+        /* where one has what the other lacks */
+        d.dialect = i < 2 * variants ? i & 1 ? SSGI_GL_450 : SSGI_GL_410 : i / shapes % SSGI_GL_DIALECTS;
         if (ssgi_gl_check(&d, NULL) != SSGI_OK) d.dialect = dialect;
         bad += !is_closed(&d);
         ++tried;
@@ -724,20 +897,26 @@ static void toolboxes(void)
         read_names(&defined, &used, source_of(text, &d, TOOLBOX));
         d.pass = SSGI_GL_FIELD;
         char *first = strstr(text, "\n\n"), *last = strstr(text, "\n// what occluders");
-        CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use", describe(&d));
+        CHECK(!memcmp(&defined, &used, sizeof used), "%s: its functions alone declare other names than they use",
+              describe(&d));
         if (CHECK(first && last, "%s: no functions", describe(&d))) *last = 0;
-        CHECK(!last || strstr(emit(whole, &d, SSGI_GL_FRAGMENT), first), "%s: its functions alone are others", describe(&d));
+        CHECK(!last || strstr(emit(whole, &d, SSGI_GL_FRAGMENT), first), "%s: its functions alone are others",
+              describe(&d));
     }
 }
 
-/* ---- >>lint ------------------------------------------------------------------------------------------------------- */
+/* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
 static int reserved(const char *word, size_t n)   /* in any dialect, and not used by us as what it is */
 {
-    static const char words[] = " common partition active asm class union enum typedef template this resource goto inline noinline public static extern external interface long "
-        "short half fixed unsigned superp input output filter sizeof cast namespace using sample patch subroutine coherent volatile restrict readonly writeonly shared buffer "
-        "atomic_uint precise smooth noperspective centroid attribute varying double switch case default do while image1D image2D lowp mediump invariant "
-        "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect texture texture2D noise1 noise2 row_major packed ";
+    static const char words[] = " common partition active asm class union enum typedef template this resource goto "
+                                "inline noinline public static extern external interface long "
+                                "short half fixed unsigned superp input output filter sizeof cast namespace using "
+                                "sample patch subroutine coherent volatile restrict readonly writeonly shared buffer "
+                                "atomic_uint precise smooth noperspective centroid attribute varying double switch "
+                                "case default do while image1D image2D lowp mediump invariant "
+                                "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect texture texture2D "
+                                "noise1 noise2 row_major packed ";
     char key[64];
     if (n > 60) return 1;
     snprintf(key, sizeof key, " %.*s ", (int)n, word);
@@ -748,17 +927,24 @@ static void lint_line(const char *t, const char *end)
 {
     const char *const line = t;
     if (*t == '#') return;
-    if (isalpha((unsigned char)*t) && strncmp(t, "layout(", 7) && strncmp(t, "precision ", 10)) {     /* at global scope: the last word before what begins a value, arguments or members */
+    /* at global scope: the last word before what begins a value, arguments or members */
+    if (isalpha((unsigned char)*t) && strncmp(t, "layout(", 7) && strncmp(t, "precision ", 10)) {
         const char *name = t + strcspn(t, " ([=;{\n");
-        for (const char *next; *name == ' ' && PART(name[1]); name = next) { next = name + 1; while (PART(*next)) ++next; }
+        for (const char *next; *name == ' ' && PART(name[1]); name = next) {
+            next = name + 1;
+            while (PART(*next)) ++next;
+        }
         while (name > t && PART(name[-1])) --name;
         if (name[1] == '_' && strchr("tuova", *name)) name += 2;
-        CHECK(!strncmp(name, "ssgi_", 5) || !strncmp(name, "SSGI_", 5) || !strncmp(name, "main(", 5), "not our name: %.*s", (int)(end - line), line);
+        CHECK(!strncmp(name, "ssgi_", 5) || !strncmp(name, "SSGI_", 5) || !strncmp(name, "main(", 5),
+              "not our name: %.*s", (int)(end - line), line);
     }
     while (t < end && !(t[0] == '/' && t[1] == '/')) {
         size_t k = 0;
         while (PART(t[k])) ++k;
-        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k) || (t == line && (!strncmp(t, "patch in ", 9) || !strncmp(t, "patch out ", 10))), "reserved, %.*s: %.*s", (int)k, t, (int)(end - line), line);
+        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k)
+                  || (t == line && (!strncmp(t, "patch in ", 9) || !strncmp(t, "patch out ", 10))),
+              "reserved, %.*s: %.*s", (int)k, t, (int)(end - line), line);
         t += k ? k : 1;
     }
 }
@@ -776,76 +962,120 @@ static void lint(void)
             if (lines.count > before) lint_line(line, end);
             if (!*end) break;
         }
-        while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_') && !(c[0] == ' ' && c[1] == '\n') && *c != '\\') ++c;
-        if (!CHECK(!*c, "%s: not ASCII, a tab, __, a backslash or a space at a line's end: \"%.20s\"", describe(&spoken[i].desc), c)) return;
+        while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_')
+               && !(c[0] == ' ' && c[1] == '\n') && *c != '\\')
+            ++c;
+        if (!CHECK(!*c, "%s: not ASCII, a tab, __, a backslash or a space at a line's end: \"%.20s\"",
+                   describe(&spoken[i].desc), c))
+            return;
         CHECK(c[-1] == '\n', "%s: the text does not end its line", describe(&spoken[i].desc));
     }
     t_note("%d lines", lines.count);
 }
 
-/* ---- >>sentences -------------------------------------------------------------------------------------------------- */
+/* ---- >>sentences ------------------------------------------------------------------------------------------------- */
 
 #define NAMES(sentence, start) (strncmp(sentence, start, strlen(start)) == 0)
 
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
-static const struct { const char *start; size_t offset; int most; } ints[] = {        /* all of a desc */
-    INT(pass, 15), INT(dialect, 5), INT(orthographic, 1), INT(depth, 2), INT(normal, 4), INT(world_normals, 1), INT(noise, 1), INT(samples, 64), INT(search, 1),
-    INT(directions, 32), INT(steps, 64), INT(normal_rays, 8), INT(hard, 1), INT(thin, 1), INT(falloff, 1), INT(kernel, 1), INT(fade, 2), INT(range, 1),
-    INT(layers, 8), INT(views, 4), INT(view_layers, 8), INT(receiver, 7), INT(environment, 2), INT(bounce, 2), INT(bands, 4), INT(packed, 1), INT(transfer, 2),
-    INT(shaded, 1), INT(shading, 3), INT(lights, 1), INT(albedo, 1), INT(residual, 1), INT(two_sided, 1), INT(shadow, 3), INT(accumulate, 1), INT(radiance, 3),
-    INT(storage, 1), INT(measure, 1), INT(eight_bits, 1), INT(cap, 1), INT(objects, 2), INT(effect, 4), INT(levels, 7),
-    INT(tessellate, 1), INT(sends, 2), INT(scale_radius, 1), INT(near_samples, 16), INT(overlap, 1), INT(axis, 1), INT(half, 1), INT(colour, 2), INT(filter, 1), INT(filter_radius, 4),
-    INT(filter_normals, 1), INT(lines, 1) };
+static const struct { const char *start; size_t offset; int most;
+} ints[] = { /* all of a desc */
+             INT(pass, 15),         INT(dialect, 5),        INT(orthographic, 1),  INT(depth, 2),
+             INT(normal, 4),        INT(world_normals, 1),  INT(noise, 1),         INT(samples, 64),
+             INT(search, 1),        INT(directions, 32),    INT(steps, 64),        INT(normal_rays, 8),
+             INT(hard, 1),          INT(thin, 1),           INT(falloff, 1),       INT(kernel, 1),
+             INT(fade, 2),          INT(range, 1),          INT(layers, 8),        INT(views, 4),
+             INT(view_layers, 8),   INT(receiver, 7),       INT(environment, 2),   INT(bounce, 2),
+             INT(bands, 4),         INT(packed, 1),         INT(transfer, 2),      INT(shaded, 1),
+             INT(shading, 3),       INT(lights, 1),         INT(albedo, 1),        INT(residual, 1),
+             INT(two_sided, 1),     INT(shadow, 3),         INT(accumulate, 1),    INT(radiance, 3),
+             INT(storage, 1),       INT(measure, 1),        INT(eight_bits, 1),    INT(cap, 1),
+             INT(objects, 2),       INT(effect, 4),         INT(levels, 7),        INT(tessellate, 1),
+             INT(sends, 2),         INT(scale_radius, 1),   INT(near_samples, 16), INT(overlap, 1),
+             INT(axis, 1),          INT(half, 1),           INT(colour, 2),        INT(filter, 1),
+             INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
+};
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
 static void sentences(void)
 {
-    static const struct { const char *start; ssgi_gl_desc desc; } rules[] = {
-        { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } }, { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
-        { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } }, { "desc.environment:", { .pass = SSGI_GL_SSDO } },
-        { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } }, { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
-        { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
-        { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } }, { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
+    static const struct { const char *start; ssgi_gl_desc desc;
+    } rules[] = {
+        { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } },
+        { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
+        { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } },
+        { "desc.environment:", { .pass = SSGI_GL_SSDO } },
+        { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } },
+        { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
+        { "desc.receiver:",
+          { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
+        { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } },
+        { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
-        { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } }, { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
-        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .transfer = 1 } }, { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
-        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } }, { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
-        { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } }, { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
-        /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no matter */
-        { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } }, { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
-        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_320ES } }, { NULL, { .pass = SSGI_GL_SUM, .tessellate = 1 } },
-        { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } }, { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } } };
+        { "desc.packed:", { .pass = SSGI_GL_S3HO, .transfer = 1 } },
+        { "desc.packed:", { .pass = SSGI_GL_SHADE, .transfer = 2 } },
+        { "desc.packed:", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .transfer = 1 } },
+        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 1 } },
+        { "desc.shading:", { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .transfer = 1 } },
+        { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
+        { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } },
+        { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
+        /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no
+           matter */
+        { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } },
+        { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
+        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_320ES } },
+        { NULL, { .pass = SSGI_GL_SUM, .tessellate = 1 } },
+        { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } },
+        { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } }
+    };
     const char *why = "";
     CHECK(offsetof(ssgi_gl_desc, version) / sizeof(int) - INTS < 2, "desc has ints that this test does not know");
     CHECK(ssgi_gl_check(NULL, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "desc:"), "NULL: %s", why);
     for (size_t i = 0; i < INTS; ++i)
         for (int k = 0; k < 4; ++k) {
             const int value[4] = { -1, ints[i].most + 1, INT32_MIN, INT32_MAX };
-            ssgi_gl_desc d = { .search = SSGI_GL_MARCH, .layers = 8, .environment = SSGI_GL_ENVIRONMENT_SH, .fetch = FETCH }, was;
+            ssgi_gl_desc d = { .search = SSGI_GL_MARCH,
+                               .layers = 8,
+                               .environment = SSGI_GL_ENVIRONMENT_SH,
+                               .fetch = FETCH },
+                         was;
             if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
             set(&d, ints[i].offset, ints[i].most);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "%s %d is refused: %s", ints[i].start, ints[i].most, why);
             set(&d, ints[i].offset, value[k]);
             why = "";
-            CHECK(ssgi_gl_check(&d, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start) && ssgi_gl_check(&d, NULL) == SSGI_BAD_ARGUMENT, "%s %d: \"%s\"", ints[i].start, value[k], why);
+            CHECK(ssgi_gl_check(&d, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start)
+                      && ssgi_gl_check(&d, NULL) == SSGI_BAD_ARGUMENT,
+                  "%s %d: \"%s\"", ints[i].start, value[k], why);
             was = d;
             why = "";
-            CHECK(ssgi_gl_preset(&d, SSGI_GL_BEST, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start) && !memcmp(&d, &was, sizeof d), "preset: \"%s\"", why);
+            CHECK(ssgi_gl_preset(&d, SSGI_GL_BEST, &why) == SSGI_BAD_ARGUMENT && NAMES(why, ints[i].start)
+                      && !memcmp(&d, &was, sizeof d),
+                  "preset: \"%s\"", why);
         }
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; ++i) {
         const char *start = rules[i].start ? rules[i].start : "";
         why = "";
-        CHECK(ssgi_gl_check(&rules[i].desc, &why) == (*start ? SSGI_BAD_ARGUMENT : SSGI_OK) && (*start ? NAMES(why, start) : !*why), "rule %zu, %s \"%s\"", i, start, why);
+        CHECK(ssgi_gl_check(&rules[i].desc, &why) == (*start ? SSGI_BAD_ARGUMENT : SSGI_OK)
+                  && (*start ? NAMES(why, start) : !*why),
+              "rule %zu, %s \"%s\"", i, start, why);
     }
     for (int v = 0; v < variants; ++v)
         for (int preset = -1; preset < 4; ++preset) {
             ssgi_gl_desc d = variant[v];
-            ssgi_result r = ssgi_gl_preset(&d, preset, &why), want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
-            CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:")) && ((r == SSGI_OK && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR)) || !memcmp(&d, &variant[v], sizeof d)), "preset %d: \"%s\"", preset, why);
-            CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset, describe(&variant[v]), why);
+            ssgi_result r = ssgi_gl_preset(&d, preset, &why),
+                        want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
+            CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:"))
+                      && ((r == SSGI_OK && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR))
+                          || !memcmp(&d, &variant[v], sizeof d)),
+                  "preset %d: \"%s\"", preset, why);
+            CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset,
+                  describe(&variant[v]), why);
         }
 
-    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 }, radii[] = { 0, -1, NAN, INFINITY, -INFINITY, 2e18f };
+    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 },
+                       radii[] = { 0, -1, NAN, INFINITY, -INFINITY, 2e18f };
     ssgi_view view, none;
     ssgi_gl_frame frame, was;
     float light = 0;
@@ -857,14 +1087,18 @@ static void sentences(void)
     CHECK(ssgi_gl_frame_init(&frame, NULL, 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "view:"), "%s", why);
     CHECK(ssgi_gl_frame_init(&frame, &none, 1, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "view:"), "%s", why);
     for (size_t i = 0; i < sizeof radii / sizeof radii[0]; ++i)
-        CHECK(ssgi_gl_frame_init(&frame, &view, radii[i], &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:"), "radius %g: %s", (double)radii[i], why);
+        CHECK(ssgi_gl_frame_init(&frame, &view, radii[i], &why) == SSGI_BAD_ARGUMENT && NAMES(why, "radius:"),
+              "radius %g: %s", (double)radii[i], why);
     CHECK(!memcmp(&frame, &was, sizeof frame), "a refused frame was written to");
-    CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f && frame.thickness == 0.5f && frame.offset == 1.5f && frame.phase == 0.0f
-          && frame.fade == 0.3f * 0.5f && frame.distance_clamp == 0.25f && frame.gain == 1.0f && frame.max_slope == 20.0f && !frame.lights && frame.lambda == 4.0f
-          && frame.window[0] == 1.0f && fabsf(frame.window[1] - 0.8535534f) < 1e-6f && fabsf(frame.window[3] - 0.1464466f) < 1e-6f
-          && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32
-          && frame.mesh[0] == 1.0f && frame.mesh[5] == 1.0f && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f && frame.near_depth == ssgi_view_near(&view) && frame.epsilon == 0.1f
-          && frame.exponent == 32.0f, "the frame's defaults");
+    CHECK(ssgi_gl_frame_init(&frame, &view, 0.5f, NULL) == SSGI_OK && frame.radius == 0.5f && frame.thickness == 0.5f
+              && frame.offset == 1.5f && frame.phase == 0.0f && frame.fade == 0.3f * 0.5f
+              && frame.distance_clamp == 0.25f && frame.gain == 1.0f && frame.max_slope == 20.0f && !frame.lights
+              && frame.lambda == 4.0f && frame.window[0] == 1.0f && fabsf(frame.window[1] - 0.8535534f) < 1e-6f
+              && fabsf(frame.window[3] - 0.1464466f) < 1e-6f && frame.rotation[0] == 1.0f && frame.rotation[5] == 1.0f
+              && frame.rotation[10] == 1.0f && frame.size[0] == 64 && frame.size[1] == 32 && frame.mesh[0] == 1.0f
+              && frame.mesh[5] == 1.0f && frame.mesh[10] == 1.0f && frame.mesh[15] == 1.0f
+              && frame.near_depth == ssgi_view_near(&view) && frame.epsilon == 0.1f && frame.exponent == 32.0f,
+          "the frame's defaults");
     for (int i = 0; i < 48; ++i) light += fabsf(frame.harmonics[i]);
     CHECK(light == 0.0f, "a frame's light is not black");
 }
@@ -873,57 +1107,93 @@ static void defaults(void)
 {
 #define LIST(...) __VA_ARGS__
 #define ROW(fetches, plain, more) { { LIST plain }, { LIST plain, LIST more }, fetches }
-    static const struct { ssgi_gl_desc plain, whole; int fetches; } rows[] = {
+    static const struct { ssgi_gl_desc plain, whole; int fetches;
+    } rows[] = {
         ROW(2 + 16, (.pass = SSGI_GL_SSAO), (.samples = 16, .steps = 1, .layers = 1, .view_layers = 1)),
         ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.directions = 1, .steps = 6)),
-        ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1), (.directions = 6, .steps = 6, .view_layers = 1)),
-        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP), (.samples = 16, .steps = 1, .layers = 1)),
-        ROW(3 + 16 * (2 * (2 + 2 * 3) + 1), (.pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH, .kernel = 1, .layers = 2, .views = 2, .view_layers = 3, .steps = 2,
-            .noise = SSGI_GL_NOISE_TEXTURE), (.samples = 16)),
+        ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
+            (.directions = 6, .steps = 6, .view_layers = 1)),
+        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP),
+            (.samples = 16, .steps = 1, .layers = 1)),
+        ROW(3 + 16 * (2 * (2 + 2 * 3) + 1),
+            (.pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH, .kernel = 1, .layers = 2, .views = 2,
+             .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
+            (.samples = 16)),
         ROW(2 + 3 + 8, (.pass = SSGI_GL_LIGHTS), (.samples = 8, .layers = 1)),
-        ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1), (.samples = 8)),
-        ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE), (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thin = 1)),
+        ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1),
+            (.samples = 8)),
+        ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE),
+            (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thin = 1)),
         ROW(2 + 2 + 1, (.pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH), (.layers = 1)),
         ROW(2 + 16, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH), (.bands = 3)),
         ROW(2 + 16, (.pass = SSGI_GL_S3HO), (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
-        ROW(3 + 16 * (2 * (3 + 2) + 1), (.pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2, .steps = 2,
-            .noise = SSGI_GL_NOISE_TEXTURE), (.samples = 16)),
+        ROW(3 + 16 * (2 * (3 + 2) + 1),
+            (.pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2,
+             .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
+            (.samples = 16)),
         ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .shaded = 1, .residual = 1), (.bands = 4)),
         ROW(1 + 4, (.pass = SSGI_GL_SHADE), (.bands = 4)),
         ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .residual = 1, .lights = 1), (.bands = 4)),
         ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lights = 1), (.samples = 1)),
-        { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 }, 1 + 6 + 1 },
+        { { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 1, .albedo = 1 },
+          { .pass = SSGI_GL_SHADE, .packed = 1, .transfer = 2, .albedo = 1, .bands = 4 },
+          1 + 6 + 1 },
         ROW(1 + 1 + 8, (.pass = SSGI_GL_SHADE, .shading = 2), (.bands = 2)),
         ROW(1 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .shading = 1, .lights = 1), (.bands = 4)),
-        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lights = 1, .albedo = 1 }, { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 }, 1 + 1 },
+        { { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .lights = 1, .albedo = 1 },
+          { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 },
+          1 + 1 },
         ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
-        ROW(5 + 2 + 1 + 1, (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.eight_bits = 1)),
-        ROW(0, (.pass = SSGI_GL_SURFELS), (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
-        ROW(3 + 6 + 4, (.pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .sends = SSGI_GL_SENDS_LIGHTS, .shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_SH), (.half = 1)),
+        ROW(5 + 2 + 1 + 1,
+            (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE,
+             .normal = SSGI_GL_NORMAL_FROM_DEPTH),
+            (.eight_bits = 1)),
+        ROW(0, (.pass = SSGI_GL_SURFELS),
+            (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
+        ROW(3 + 6 + 4,
+            (.pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_410, .tessellate = 1, .sends = SSGI_GL_SENDS_LIGHTS,
+             .shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_SH),
+            (.half = 1)),
         ROW(5, (.pass = SSGI_GL_SHUFFLE, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.levels = 5)),
         ROW(1, (.pass = SSGI_GL_SPLAT), (.levels = 5, .near_samples = 1, .sends = SSGI_GL_SENDS_LIGHTS)),
         ROW(1 + 1, (.pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT), (.levels = 5, .hard = 1)),
         ROW(1, (.pass = SSGI_GL_UNSHUFFLE, .effect = SSGI_GL_EFFECT_SCATTER), (.levels = 7)),
         ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
-        ROW(5 + 1 + 2 * (1 + 1 + 4), (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH), (.overlap = 1)),
+        ROW(5 + 1 + 2 * (1 + 1 + 4),
+            (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
+            (.overlap = 1)),
         ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
         ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
         ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS), (.bands = 4, .filter_radius = 1)),
-        ROW(2 + 9 * (1 + 3 + 1), (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .half = 1, .bands = 3, .filter_normals = 1), (.filter_radius = 1)),
-        { { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .transfer = 2, .filter = SSGI_GL_GAUSSIAN },
-          { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .transfer = 1, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2 }, 1 + 6 + 24 * 7 },
+        ROW(2 + 9 * (1 + 3 + 1),
+            (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .half = 1, .bands = 3, .filter_normals = 1),
+            (.filter_radius = 1)),
+        { { .pass = SSGI_GL_BLUR,
+            .colour = SSGI_GL_COEFFICIENTS,
+            .packed = 1,
+            .transfer = 2,
+            .filter = SSGI_GL_GAUSSIAN },
+          { .pass = SSGI_GL_BLUR,
+            .colour = SSGI_GL_COEFFICIENTS,
+            .packed = 1,
+            .transfer = 1,
+            .filter = SSGI_GL_GAUSSIAN,
+            .filter_radius = 2 },
+          1 + 6 + 24 * 7 },
         ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
         ROW(2 + 32, (.pass = SSGI_GL_STATISTICS), (.samples = 32)),
-        ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2)) };
+        ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2))
+    };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
-        CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole), "row %zu, %s: its defaults written out give another text", i, ssgi_gl_pass_name(rows[i].plain.pass));
+        CHECK(ssgi_gl_key(&rows[i].plain) == ssgi_gl_key(&rows[i].whole),
+              "row %zu, %s: its defaults written out give another text", i, ssgi_gl_pass_name(rows[i].plain.pass));
         const int read[2] = { kit_fetches(&rows[i].plain), kit_fetches(&rows[i].whole) };
         CHECK(read[0] == rows[i].fetches && read[1] == rows[i].fetches, "row %zu, %s: %d, %d fetches, by hand %d", i,
               ssgi_gl_pass_name(rows[i].plain.pass), read[0], read[1], rows[i].fetches);
     }
 }
 
-/* ---- >>fuzz, >>speed ----------------------------------------------------------------------------------------------- */
+/* ---- >>fuzz, >>speed --------------------------------------------------------------------------------------------- */
 
 static void fuzz(void)
 {
@@ -938,11 +1208,13 @@ static void fuzz(void)
         const char *why = NULL;
         for (int k = 0; k < INTS; ++k) set(&d, ints[k].offset, (int)uniform(0, (float)ints[k].most + 0.999f));
         if (broken) {
-            const int k = (int)uniform(0, (float)INTS - 0.01f), wrong = (int)((uint32_t)uniform(0, 65535) << 16 | (uint32_t)uniform(0, 65535));
+            const int k = (int)uniform(0, (float)INTS - 0.01f),
+                      wrong = (int)((uint32_t)uniform(0, 65535) << 16 | (uint32_t)uniform(0, 65535));
             set(&d, ints[k].offset, wrong >= 0 && wrong <= ints[k].most ? ints[k].most + 1 : wrong);
         }
         ssgi_result r = ssgi_gl_check(&d, &why);
-        CHECK(r == SSGI_OK ? !broken && !why : why && NAMES(why, "desc."), "check: %d, %s", (int)r, why ? why : "no sentence");
+        CHECK(r == SSGI_OK ? !broken && !why : why && NAMES(why, "desc."), "check: %d, %s", (int)r,
+              why ? why : "no sentence");
         accepted += r == SSGI_OK;
         if (i % EVERY) continue;
         int rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO), bad = r != SSGI_OK, stages = 0, there = 0, whole = 1;
@@ -950,24 +1222,46 @@ static void fuzz(void)
             const size_t n = ssgi_gl_emit(text, TEXT, &d, stage);
             stages |= (n > 0) << stage;
             there |= (!bad && (stages_of(&d) >> stage & 1)) << stage;
-            whole &= !n || (n > (stage == SSGI_GL_VERTEX ? 150 : d.pass == SSGI_GL_SURFELS && stage == SSGI_GL_FRAGMENT ? 60 : 500) && n < TEXT && strlen(text) == n);
+            whole &= !n
+                     || (n > (stage == SSGI_GL_VERTEX                                  ? 150
+                              : d.pass == SSGI_GL_SURFELS && stage == SSGI_GL_FRAGMENT ? 60
+                                                                                       : 500)
+                         && n < TEXT && strlen(text) == n);
         }
         emitted += !bad;
-        CHECK(bad ? !rows && !ssgi_gl_key(&d) && !ssgi_gl_field(NULL, 0, &d) : rows > 3 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
+        CHECK(bad ? !rows && !ssgi_gl_key(&d) && !ssgi_gl_field(NULL, 0, &d)
+                  : rows > 3 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
               "%s: %d rows", bad ? "refused" : describe(&d), rows);
-        CHECK(stages == there && whole, "%s: stages %x, of the pass %x, whole: %d", bad ? "refused" : describe(&d), (unsigned)stages, (unsigned)there, whole);
+        CHECK(stages == there && whole, "%s: stages %x, of the pass %x, whole: %d", bad ? "refused" : describe(&d),
+              (unsigned)stages, (unsigned)there, whole);
     }
     t_note("%d descs, %d accepted, %d emitted", TRIES, accepted, emitted);
 }
 
-/* Against a plain loop over the text on the same machine, which nobody can do without who makes it: its hash, byte by byte. The fastest of many, by turns. */
+/* Against a plain loop over the text on the same machine, which nobody can do without who makes it: its hash, byte by
+   byte. The fastest of many, by turns. */
 static void speed(void)
 {
     enum { RUNS = 400 };
     static char text[TEXT];
-    static const ssgi_gl_desc descs[] = { { .samples = 64 }, { .pass = SSGI_GL_HSAO }, { .pass = SSGI_GL_BLUR },
-        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_PATCH, .layers = 2, .views = 2, .fade = 1, .samples = 64 },
-        { .pass = SSGI_GL_S3HO, .transfer = SSGI_GL_TRANSFER_BOTH, .packed = 1, .layers = 2, .views = 2, .fade = 2, .range = 1, .samples = 64 } };
+    static const ssgi_gl_desc descs[] = { { .samples = 64 },
+                                          { .pass = SSGI_GL_HSAO },
+                                          { .pass = SSGI_GL_BLUR },
+                                          { .pass = SSGI_GL_SSDO,
+                                            .environment = SSGI_GL_ENVIRONMENT_MAP,
+                                            .bounce = SSGI_GL_BOUNCE_PATCH,
+                                            .layers = 2,
+                                            .views = 2,
+                                            .fade = 1,
+                                            .samples = 64 },
+                                          { .pass = SSGI_GL_S3HO,
+                                            .transfer = SSGI_GL_TRANSFER_BOTH,
+                                            .packed = 1,
+                                            .layers = 2,
+                                            .views = 2,
+                                            .fade = 2,
+                                            .range = 1,
+                                            .samples = 64 } };
     double times[5];
     uint64_t sum = 0;
     for (int k = 0; k < 5; ++k) {
@@ -981,9 +1275,12 @@ static void speed(void)
             best[1] = fmin(best[1], kit_seconds() - made);
         }
         times[k] = best[0] / best[1];
-        CHECK(times[k] < 14 && sum, "%s: its emission takes %.2f times as long as its hash", ssgi_gl_pass_name(descs[k].pass), times[k]);
+        CHECK(times[k] < 14 && sum, "%s: its emission takes %.2f times as long as its hash",
+              ssgi_gl_pass_name(descs[k].pass), times[k]);
     }
-    t_note("times as long as their hash take ssao of 64 points %.2f, hsao %.2f, blur %.2f; of 64 with all they have: ssdo %.2f, s3ho %.2f", times[0], times[1], times[2], times[3], times[4]);
+    t_note("times as long as their hash take ssao of 64 points %.2f, hsao %.2f, blur %.2f; of 64 with all they have: "
+           "ssdo %.2f, s3ho %.2f",
+           times[0], times[1], times[2], times[3], times[4]);
 }
 
 static void golden(void)
@@ -999,11 +1296,14 @@ void test_text(void)
 {
     make_variants();
     speak();
-    RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its own links", compilers);
+    RUN("every text compiles: each pass, dialect and choice, with Khronos' compiler and Mesa's; a vertex stage of its "
+        "own links",
+        compilers);
     RUN("emit keeps snprintf's law at every capacity", law);
     RUN("the same desc gives the same bytes, under any locale", same_bytes);
     RUN("rows and declarations agree both ways, and with GL's own places", reflection);
-    RUN("what is off leaves nothing: every name that a text uses is declared there, and every one declared is used", closed);
+    RUN("what is off leaves nothing: every name that a text uses is declared there, and every one declared is used",
+        closed);
     RUN("the functions of fields alone are those of the pass, and declare what they use", toolboxes);
     RUN("text is plain: ASCII, our own names, nothing reserved in any dialect", lint);
     RUN("every bad field is named, and what was given stays untouched", sentences);

@@ -19,7 +19,10 @@ static int build(ssgi_trace *trace, void **memory, const float *position, size_t
     const char *why = "";
     const size_t size = ssgi_trace_size(triangles);
     *memory = malloc(size + 1);
-    const int ok = *memory && ssgi_trace_build(trace, (char *)*memory + 1, size, position, 3 * sizeof(float), NULL, triangles, &why) == SSGI_OK;
+    const int ok =
+        *memory
+        && ssgi_trace_build(trace, (char *)*memory + 1, size, position, 3 * sizeof(float), NULL, triangles, &why)
+               == SSGI_OK;
     CHECK(ok, "the tree of %zu triangles was not built: %s", triangles, why);
     return ok;
 }
@@ -44,7 +47,8 @@ static double brute(const float *c, const float o[3], const float d[3], double w
     }
     const double det = e[0] * p[0] + e[1] * p[1] + e[2] * p[2];
     if (det == 0) return -1;
-    const double u = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) / det, v = ((double)d[0] * q[0] + (double)d[1] * q[1] + (double)d[2] * q[2]) / det;
+    const double u = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) / det,
+                 v = ((double)d[0] * q[0] + (double)d[1] * q[1] + (double)d[2] * q[2]) / det;
     if (u < -wide || v < -wide || u + v > 1 + wide) return -1;
     return (f[0] * q[0] + f[1] * q[1] + f[2] * q[2]) / det;
 }
@@ -61,13 +65,16 @@ static void against_brute_force(void)
     for (int t = 0; t < SOUP; ++t) {
         const float size = expf(uniform(-5, 0));
         for (int k = 0; k < 3; ++k)
-            for (int i = 0; i < 3; ++i) soup[t][3 * k + i] = (k ? soup[t][i] : uniform(-1, 1)) + (k ? uniform(-size, size) : 0);
+            for (int i = 0; i < 3; ++i)
+                soup[t][3 * k + i] = (k ? soup[t][i] : uniform(-1, 1)) + (k ? uniform(-size, size) : 0);
         if (t % 50 == 1) soup[t][t % 9] = NAN;
         if (t % 50 == 2) soup[t][t % 9] = t & 1 ? INFINITY : -2e12f;
-        if (t % 50 == 3) memcpy(&soup[t][3], soup[t], 3 * sizeof(float));                       /* two corners the same */
+        /* two corners the same */
+        if (t % 50 == 3) memcpy(&soup[t][3], soup[t], 3 * sizeof(float));
         if (t % 50 == 4) for (int i = 0; i < 3; ++i) soup[t][6 + i] = soup[t][i];
         if (t % 50 == 5) memcpy(soup[t], soup[t - 5], sizeof soup[t]);                          /* the same again */
-        if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : uniform(-100, 100) * 1e6f;    /* huge, below the rest */
+        /* huge, below the rest */
+        if (t % 50 == 6) for (int i = 0; i < 9; ++i) soup[t][i] = i % 3 == 1 ? -1.5f : uniform(-100, 100) * 1e6f;
     }
     if (!build(&trace, &memory, soup[0], SOUP)) return;
     CHECK(trace.skipped == 4 * SOUP / 50, "%u triangles were skipped, %d cannot be hit", trace.skipped, 4 * SOUP / 50);
@@ -85,20 +92,26 @@ static void against_brute_force(void)
             if (wide > (double)tmin - 1e-4 && wide < (double)tmax + 1e-4) possible = fmin(possible, wide);
         }
         ssgi_hit hit = { -1, -1, -1, 0 };
-        const int found = ssgi_trace_closest(&trace, o, d, tmin, tmax, &hit), any = ssgi_trace_any(&trace, o, d, tmin, tmax);
+        const int found = ssgi_trace_closest(&trace, o, d, tmin, tmax, &hit),
+                  any = ssgi_trace_any(&trace, o, d, tmin, tmax);
         CHECK(found == any, "ray %d: closest says %d, any says %d", r, found, any);
         CHECK(found || sure > 1e29, "ray %d: the hit at %g was missed", r, sure);
         CHECK(found || hit.t == -1, "ray %d: hit was written without a hit", r);
         hits += found;
         if (!found) continue;
         const double t = (double)hit.t;
-        CHECK(t >= possible - 1e-4 * (1 + possible) && t <= sure + 1e-4 * (1 + sure), "ray %d: hit at %g, brute force between %g and %g", r, t, possible, sure);
-        CHECK(t > (double)tmin && t < (double)tmax, "ray %d: hit at %g outside (%g, %g)", r, t, (double)tmin, (double)tmax);
-        CHECK(hit.u >= 0 && hit.v >= 0 && hit.u + hit.v <= 1.000001f, "ray %d: weights %g %g", r, (double)hit.u, (double)hit.v);
+        CHECK(t >= possible - 1e-4 * (1 + possible) && t <= sure + 1e-4 * (1 + sure),
+              "ray %d: hit at %g, brute force between %g and %g", r, t, possible, sure);
+        CHECK(t > (double)tmin && t < (double)tmax, "ray %d: hit at %g outside (%g, %g)", r, t, (double)tmin,
+              (double)tmax);
+        CHECK(hit.u >= 0 && hit.v >= 0 && hit.u + hit.v <= 1.000001f, "ray %d: weights %g %g", r, (double)hit.u,
+              (double)hit.v);
         for (int i = 0; i < 3 && hit.triangle < SOUP; ++i) {
             const float *c = soup[hit.triangle];
-            const double on = (double)((1 - hit.u - hit.v) * c[i] + hit.u * c[3 + i] + hit.v * c[6 + i]), size = fabs((double)c[i]) + fabs((double)c[3 + i]);
-            CHECK(fabs(on - ((double)o[i] + t * (double)d[i])) < 1e-4 + 1e-5 * size, "ray %d: the weights lead to %g, the distance to %g", r, on, (double)o[i] + t * (double)d[i]);
+            const double on = (double)((1 - hit.u - hit.v) * c[i] + hit.u * c[3 + i] + hit.v * c[6 + i]),
+                         size = fabs((double)c[i]) + fabs((double)c[3 + i]);
+            CHECK(fabs(on - ((double)o[i] + t * (double)d[i])) < 1e-4 + 1e-5 * size,
+                  "ray %d: the weights lead to %g, the distance to %g", r, on, (double)o[i] + t * (double)d[i]);
         }
     }
     CHECK(hits > RAYS / 4 && hits < RAYS, "%d of %d rays hit: no test", hits, RAYS);
@@ -108,7 +121,8 @@ static void against_brute_force(void)
     free(memory);
 }
 
-/* Nested shells shrink by a factor each: area would peel them off one by one. Then thousands that nothing can tell apart. */
+/* Nested shells shrink by a factor each: area would peel them off one by one. Then thousands that nothing can tell
+   apart. */
 static void deep_trees(void)
 {
     enum { SHELLS = 6000, SAME = 20000 };
@@ -136,7 +150,8 @@ static void deep_trees(void)
     CHECK(ssgi_trace_closest(&trace, o, back, 0, 2, &hit) && hit.t == 1.0f, "coincident triangles: not hit at 1");
     free(memory);
     for (int i = 0; i < 9 * SAME; ++i) soup[i] = NAN;
-    if (build(&trace, &memory, soup, SAME)) CHECK(!ssgi_trace_any(&trace, o, back, 0, 2), "nothing but bad triangles, and a hit");
+    if (build(&trace, &memory, soup, SAME))
+        CHECK(!ssgi_trace_any(&trace, o, back, 0, 2), "nothing but bad triangles, and a hit");
     free(memory);
     free(soup);
 }
@@ -152,12 +167,17 @@ static void ball(kit_mesh *mesh, int rings, const float centre[3], float radius,
         for (int x = 0; x < around; ++x)
             for (int k = 0; k < 6; ++k) {
                 static const int dx[6] = { 0, 1, 1, 0, 1, 0 }, dy[6] = { 0, 0, 1, 0, 1, 1 };
-                const double a = 6.283185307179586 * ((x + dx[k]) % around) / around, b = 3.141592653589793 * (y + dy[k]) / rings;
+                const double a = 6.283185307179586 * ((x + dx[k]) % around) / around,
+                             b = 3.141592653589793 * (y + dy[k]) / rings;
                 const double n[3] = { sin(b) * cos(a), cos(b), sin(b) * sin(a) };
                 for (int i = 0; i < 3; ++i) {
-                    const size_t at = 9 * (mesh->triangles + (size_t)(2 * (y * around + x) + k / 3)) + (size_t)(3 * (k % 3) + i);
+                    const size_t at =
+                        9 * (mesh->triangles + (size_t)(2 * (y * around + x) + k / 3)) + (size_t)(3 * (k % 3) + i);
                     mesh->normal[at] = (float)n[i];
-                    mesh->position[at] = centre[i] + (float)((double)radius * n[i] * (1 + (double)lumpy * sin(40 * n[0]) * sin(37 * n[1]) * sin(31 * n[2])));
+                    mesh->position[at] =
+                        centre[i]
+                        + (float)((double)radius * n[i]
+                                  * (1 + (double)lumpy * sin(40 * n[0]) * sin(37 * n[1]) * sin(31 * n[2])));
                 }
             }
     mesh->triangles += (size_t)(2 * rings * around);
@@ -233,17 +253,28 @@ static void bad_arguments(void)
     memset(&trace, 0x5a, sizeof trace);
     memcpy(&same, &trace, sizeof trace);
     for (int k = 0; k < 8; ++k) {
-        static const char *const names[8] = { "trace", "memory", "position", "stride_bytes", "stride_bytes", "triangles", "triangles", "size" };
+        static const char *const names[8] = { "trace",        "memory",    "position",  "stride_bytes",
+                                              "stride_bytes", "triangles", "triangles", "size" };
         const char *why = "";
         const size_t many = SSGI_TRACE_MAX_TRIANGLES;
-        const ssgi_result result = ssgi_trace_build(k == 0 ? NULL : &trace, k == 1 ? NULL : memory, k == 7 ? size - 1 : size, k == 2 ? NULL : triangle,
-                                                    k == 3 ? 8 : k == 4 ? 14 : 12, NULL, k == 5 ? 0 : k == 6 ? many + 1 : 1, &why);
+        const ssgi_result result = ssgi_trace_build(k == 0 ? NULL : &trace, k == 1 ? NULL : memory,
+                                                    k == 7 ? size - 1 : size, k == 2 ? NULL : triangle,
+                                                    k == 3   ? 8
+                                                    : k == 4 ? 14
+                                                             : 12,
+                                                    NULL,
+                                                    k == 5   ? 0
+                                                    : k == 6 ? many + 1
+                                                             : 1,
+                                                    &why);
         CHECK(result == (k == 7 ? SSGI_TOO_SMALL : SSGI_BAD_ARGUMENT), "bad %s: result %d", names[k], (int)result);
         CHECK(!strncmp(why, names[k], strlen(names[k])), "bad %s: \"%s\"", names[k], why);
     }
-    CHECK(!memcmp(memory, before, sizeof memory) && !memcmp(&trace, &same, sizeof trace), "a refused build wrote something");
+    CHECK(!memcmp(memory, before, sizeof memory) && !memcmp(&trace, &same, sizeof trace),
+          "a refused build wrote something");
     CHECK(ssgi_trace_size(0) == 0 && ssgi_trace_size((size_t)-1) == 0, "sizes that cannot be have a size");
-    for (size_t n = 1; n < 40; ++n) {                                       /* the size named suffices: nothing is written beyond it */
+    /* the size named suffices: nothing is written beyond it */
+    for (size_t n = 1; n < 40; ++n) {
         static float soup[40][9];
         for (size_t t = 0; t < n; ++t)
             for (int i = 0; i < 9; ++i) soup[t][i] = triangle[i] + (i % 3 ? 0 : (float)(t * t));
@@ -251,8 +282,10 @@ static void bad_arguments(void)
         unsigned char *exact = malloc(all + 64);
         if (!exact) return;
         memset(exact, 0x5a, all + 64);
-        CHECK(ssgi_trace_build(&trace, exact, all, soup[0], 12, NULL, n, NULL) == SSGI_OK, "%zu triangles were refused", n);
-        for (size_t i = all; i < all + 64; ++i) CHECK(exact[i] == 0x5a, "%zu triangles: byte %zu of %zu was written", n, i, all);
+        CHECK(ssgi_trace_build(&trace, exact, all, soup[0], 12, NULL, n, NULL) == SSGI_OK, "%zu triangles were refused",
+              n);
+        for (size_t i = all; i < all + 64; ++i)
+            CHECK(exact[i] == 0x5a, "%zu triangles: byte %zu of %zu was written", n, i, all);
         free(exact);
     }
 }
@@ -261,15 +294,27 @@ static void bad_arguments(void)
 
 static void transform(const float m[16], const double in[4], double out[4])
 {
-    for (int r = 0; r < 4; ++r) out[r] = (double)m[r] * in[0] + (double)m[4 + r] * in[1] + (double)m[8 + r] * in[2] + (double)m[12 + r] * in[3];
+    for (int r = 0; r < 4; ++r)
+        out[r] = (double)m[r] * in[0] + (double)m[4 + r] * in[1] + (double)m[8 + r] * in[2] + (double)m[12 + r] * in[3];
 }
 
 static void cameras(void)
 {
     for (int k = 0; k < 24; ++k) {
-        kit_camera camera = { .eye = { 3, 2, 5 }, .target = { -0.5f, 0.25f, 1 }, .up = { 0.1f, 1, 0.2f }, .fovy = k & 1 ? 0.0f : 55.0f, .ortho_height = 4, .znear = 0.5f,
-                              .zfar = 20, .width = 97, .height = 64, .shift = { k & 2 ? 20.25f : 0.0f, k & 2 ? 11.5f : 0.0f }, .depth = k / 4 % 3 };
-        if (k >= 12) camera.up[0] = camera.eye[0] - camera.target[0], camera.up[1] = camera.eye[1] - camera.target[1], camera.up[2] = camera.eye[2] - camera.target[2];
+        kit_camera camera = { .eye = { 3, 2, 5 },
+                              .target = { -0.5f, 0.25f, 1 },
+                              .up = { 0.1f, 1, 0.2f },
+                              .fovy = k & 1 ? 0.0f : 55.0f,
+                              .ortho_height = 4,
+                              .znear = 0.5f,
+                              .zfar = 20,
+                              .width = 97,
+                              .height = 64,
+                              .shift = { k & 2 ? 20.25f : 0.0f, k & 2 ? 11.5f : 0.0f },
+                              .depth = k / 4 % 3 };
+        if (k >= 12)
+            camera.up[0] = camera.eye[0] - camera.target[0], camera.up[1] = camera.eye[1] - camera.target[1],
+            camera.up[2] = camera.eye[2] - camera.target[2];
         float view[16], projection[16], o[3], d[3];
         const double top = camera.depth == KIT_DEPTH_NORMAL ? -1 : 1, bottom = camera.depth == KIT_DEPTH_NORMAL ? 1 : 0;
         const int endless = camera.depth == KIT_DEPTH_INFINITE && camera.fovy > 0;
@@ -287,18 +332,23 @@ static void cameras(void)
                 p[3] = 1;
                 transform(view, p, v);
                 transform(projection, v, c);
-                const double px = (c[0] / c[3] * 0.5 + 0.5) * camera.width, py = (0.5 - c[1] / c[3] * 0.5) * camera.height, z = c[2] / c[3];
-                CHECK(fabs(px - x - 0.5) < 1e-3 && fabs(py - y - 0.5) < 1e-3, "camera %d: the ray of pixel %d, %d comes out at %.4f, %.4f", k, x, y, px, py);
-                CHECK(fabs(z - (plane ? bottom : top)) < 1e-4, "camera %d: the %s plane has depth %g", k, plane ? "far" : "near", z);
+                const double px = (c[0] / c[3] * 0.5 + 0.5) * camera.width,
+                             py = (0.5 - c[1] / c[3] * 0.5) * camera.height, z = c[2] / c[3];
+                CHECK(fabs(px - x - 0.5) < 1e-3 && fabs(py - y - 0.5) < 1e-3,
+                      "camera %d: the ray of pixel %d, %d comes out at %.4f, %.4f", k, x, y, px, py);
+                CHECK(fabs(z - (plane ? bottom : top)) < 1e-4, "camera %d: the %s plane has depth %g", k,
+                      plane ? "far" : "near", z);
             }
-            CHECK(fabs((double)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - 1) < 1e-6, "camera %d: direction is not unit", k);
+            CHECK(fabs((double)(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - 1) < 1e-6,
+                  "camera %d: direction is not unit", k);
         }
         const double target[4] = { -0.5, 0.25, 1, 1 };
         double v[4], c[4];
         transform(view, target, v);
         transform(projection, v, c);
         const double px = (c[0] / c[3] * 0.5 + 0.5) * 97, py = (0.5 - c[1] / c[3] * 0.5) * 64;
-        CHECK(fabs(px - 48.5 - (double)camera.shift[0]) < 1e-3 && fabs(py - 32 + (double)camera.shift[1]) < 1e-3, "camera %d: the target is seen at %g, %g", k, px, py);
+        CHECK(fabs(px - 48.5 - (double)camera.shift[0]) < 1e-3 && fabs(py - 32 + (double)camera.shift[1]) < 1e-3,
+              "camera %d: the target is seen at %g, %g", k, px, py);
     }
 }
 
@@ -312,7 +362,8 @@ static double corner_occlusion(double c, int attenuation)      /* of a wall at t
     return (acos(c) + c * s - (c > 0 ? 2 * c * log((1 + s) / c) : 0)) / 3.141592653589793;
 }
 
-static void compare(const char *what, const kit_image *y, const double *expected, double rmse, double most)    /* expected < 0: not counted */
+/* expected < 0: not counted */
+static void compare(const char *what, const kit_image *y, const double *expected, double rmse, double most)
 {
     double sum = 0, worst = 0;
     int n = 0;
@@ -325,7 +376,8 @@ static void compare(const char *what, const kit_image *y, const double *expected
         }
     const double found = sqrt(sum / (n + !n));
     CHECK(n > y->width * y->height / 10, "%s: only %d pixels count", what, n);
-    CHECK(found <= rmse && worst <= most, "%s: RMSE %.4f (at most %.4f), worst pixel %.4f (at most %.4f)", what, found, rmse, worst, most);
+    CHECK(found <= rmse && worst <= most, "%s: RMSE %.4f (at most %.4f), worst pixel %.4f (at most %.4f)", what, found,
+          rmse, worst, most);
     t_note("%s: RMSE %.5f, worst pixel %.4f", what, found, worst);
 }
 
@@ -336,8 +388,21 @@ static void bare_plane(void)
         kit_scene scene = { 0 };
         kit_image y;
         kit_error err = { "" };
-        kit_camera camera = { .eye = { 104, 199.5f, -48 }, .target = { 103.5f, 199.4f, -48.3f }, .up = { 0, 1, 0 }, .fovy = k & 2 ? 0.0f : 60.0f, .ortho_height = 2, .width = 48, .height = 32 };
-        for (int i = 0; i < 3; ++i) camera.eye[i] = p[i] + 0.5f * (a[i] + b[i]) + 0.3f * (i == 0 ? 10.0f : i == 1 ? -44.0f : -31.0f) / 54.7f, camera.target[i] = p[i] + 0.55f * (a[i] + b[i]);
+        kit_camera camera = { .eye = { 104, 199.5f, -48 },
+                              .target = { 103.5f, 199.4f, -48.3f },
+                              .up = { 0, 1, 0 },
+                              .fovy = k & 2 ? 0.0f : 60.0f,
+                              .ortho_height = 2,
+                              .width = 48,
+                              .height = 32 };
+        for (int i = 0; i < 3; ++i)
+            camera.eye[i] = p[i] + 0.5f * (a[i] + b[i])
+                            + 0.3f
+                                  * (i == 0   ? 10.0f
+                                     : i == 1 ? -44.0f
+                                              : -31.0f)
+                                  / 54.7f,
+            camera.target[i] = p[i] + 0.55f * (a[i] + b[i]);
         sheet(&scene.mesh, k & 1 ? 40 : 1, p, a, b);
         bounds(&scene.mesh);
         if (!CHECK(!kit_truth_ao(&y, &scene, &camera, 2, k & 1, 64, 1, &err), "%s", err.text)) return;
@@ -352,7 +417,8 @@ static void bare_plane(void)
 /* the plane y = 0 or x = 0 of the corner that a ray meets first: 1 floor, 2 wall, 0 none; at: where */
 static int corner_hit(const float o[3], const float d[3], double at[3])
 {
-    const double down = d[1] < 0 ? (double)-o[1] / (double)d[1] : 1e30, side = d[0] < 0 ? (double)-o[0] / (double)d[0] : 1e30, t = fmin(down, side);
+    const double down = d[1] < 0 ? (double)-o[1] / (double)d[1] : 1e30,
+                 side = d[0] < 0 ? (double)-o[0] / (double)d[0] : 1e30, t = fmin(down, side);
     for (int i = 0; i < 3; ++i) at[i] = (double)o[i] + t * (double)d[i];
     return t > 40 ? 0 : down < side ? 1 : 2;
 }
@@ -366,7 +432,13 @@ static void corner(void)
     sheet(&scene.mesh, 1, p, y, z);
     bounds(&scene.mesh);
     for (int k = 0; k < 4; ++k) {
-        kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.3f, 0.3f, 0 }, .up = { 0, 1, 0 }, .fovy = k & 2 ? 0.0f : 40.0f, .ortho_height = 4, .width = 80, .height = 60 };
+        kit_camera camera = { .eye = { 4, 3, 2 },
+                              .target = { 0.3f, 0.3f, 0 },
+                              .up = { 0, 1, 0 },
+                              .fovy = k & 2 ? 0.0f : 40.0f,
+                              .ortho_height = 4,
+                              .width = 80,
+                              .height = 60 };
         kit_image out;
         kit_error err = { "" };
         for (int i = 0; i < 80 * 60; ++i) {
@@ -411,7 +483,13 @@ static void threads(void)
     const char *old = getenv("KIT_THREADS");
     char kept[32] = "";
     kit_scene scene = { 0 };
-    kit_camera camera = { .eye = { 3, 3, 4 }, .target = { 0, 0.5f, 0 }, .up = { 0, 1, 0 }, .fovy = 40, .width = 61, .height = 47, .depth = KIT_DEPTH_INFINITE };
+    kit_camera camera = { .eye = { 3, 3, 4 },
+                          .target = { 0, 0.5f, 0 },
+                          .up = { 0, 1, 0 },
+                          .fovy = 40,
+                          .width = 61,
+                          .height = 47,
+                          .depth = KIT_DEPTH_INFINITE };
     kit_image out[3];
     if (old) snprintf(kept, sizeof kept, "%s", old);
     sheet(&scene.mesh, 3, p, z, x);
@@ -434,12 +512,14 @@ static void threads(void)
     }
     CHECK(shaded > 100, "only %d pixels are shaded: no test", shaded);
     CHECK(wrong == 0, "stride 4: %d pixels are neither the full picture's nor NaN where they should be", wrong);
-    CHECK(kit_truth_ao(&out[0], &scene, &camera, -1, KIT_ATTENUATION_LINEAR, 16, 1, NULL) == -1, "a negative radius passes");
+    CHECK(kit_truth_ao(&out[0], &scene, &camera, -1, KIT_ATTENUATION_LINEAR, 16, 1, NULL) == -1,
+          "a negative radius passes");
     for (int k = 0; k < 3; ++k) kit_image_free(&out[k]);
     kit_mesh_free(&scene.mesh);
 }
 
-/* Every edge of a closed solid is some other triangle's, the other way round; a bit of the picture lies in contact shadow. */
+/* Every edge of a closed solid is some other triangle's, the other way round; a bit of the picture lies in contact
+   shadow. */
 static void solids(void)
 {
     static const struct { const char *name; size_t boxes; } scenes[] = { { "boxes", 4 }, { "blocks", 13 } };
@@ -454,7 +534,9 @@ static void solids(void)
         for (size_t i = 0; i < edges; ++i) {
             int others = 0;
             for (size_t j = 0; j < edges; ++j) {
-                const float *a = s.mesh.position + 3 * i, *b = s.mesh.position + 3 * j, *a2 = s.mesh.position + 3 * (i - i % 3 + (i + 1) % 3), *b2 = s.mesh.position + 3 * (j - j % 3 + (j + 1) % 3);
+                const float *a = s.mesh.position + 3 * i, *b = s.mesh.position + 3 * j,
+                            *a2 = s.mesh.position + 3 * (i - i % 3 + (i + 1) % 3),
+                            *b2 = s.mesh.position + 3 * (j - j % 3 + (j + 1) % 3);
                 others += !memcmp(a, b2, 3 * sizeof *a) && !memcmp(a2, b, 3 * sizeof *a);
             }
             open_edges += others != 1;
@@ -462,9 +544,11 @@ static void solids(void)
         CHECK(open_edges == 0, "%s: %zu of %zu edges are not shared by two triangles", s.name, open_edges, edges);
         s.camera.width = 64;
         s.camera.height = 36;
-        if (!CHECK(!kit_truth_ao(&y, &s, &s.camera, s.radius, KIT_ATTENUATION_LINEAR, 16, 1, &err), "%s", err.text)) return;
+        if (!CHECK(!kit_truth_ao(&y, &s, &s.camera, s.radius, KIT_ATTENUATION_LINEAR, 16, 1, &err), "%s", err.text))
+            return;
         for (size_t i = 0; i < pixels; ++i) dark += y.data[i] < 0.8f;
-        CHECK(dark > pixels / 50 && dark < pixels / 3, "%s: %zu of %zu pixels lie in contact shadow", s.name, dark, pixels);
+        CHECK(dark > pixels / 50 && dark < pixels / 3, "%s: %zu of %zu pixels lie in contact shadow", s.name, dark,
+              pixels);
         t_note("%s: %.1f %% of the picture in contact shadow", s.name, 100.0 * (double)dark / (double)pixels);
         kit_image_free(&y);
         kit_scene_free(&s);
@@ -483,15 +567,23 @@ static double ball_hit(const float o[3], const float d[3], const double middle[3
     return b * b < c ? 1e30 : -b - sqrt(b * b - c);
 }
 
-/* Frames worked out by hand: 0 a plane to the horizon, 1 a corner, 2 a corner with its floor seen at a grazing angle, 3 a ball far before a wall. */
+/* Frames worked out by hand: 0 a plane to the horizon, 1 a corner, 2 a corner with its floor seen at a grazing angle, 3
+   a ball far before a wall. */
 static void floors(void)
 {
     enum { W = 160, H = 120 };
     static double expected[W * H];
     for (int k = 0; k < 8; ++k) {
         const int what = k % 4, flat = k / 4;
-        kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.3f, 0.3f, 0 }, .up = { 0, 1, 0 }, .fovy = flat ? 0.0f : 40.0f, .ortho_height = 3, .width = W, .height = H };
-        const float eyes[4][3] = { { 4, 3, 2 }, { 4, 3, 2 }, { 5, 0.9f, 1 }, { 0, 0, 10 } }, targets[4][3] = { { 0, 2.8f, 0 }, { 0.3f, 0.3f, 0 }, { 0, 0.5f, 0 }, { 0, 0, 0 } };
+        kit_camera camera = { .eye = { 4, 3, 2 },
+                              .target = { 0.3f, 0.3f, 0 },
+                              .up = { 0, 1, 0 },
+                              .fovy = flat ? 0.0f : 40.0f,
+                              .ortho_height = 3,
+                              .width = W,
+                              .height = H };
+        const float eyes[4][3] = { { 4, 3, 2 }, { 4, 3, 2 }, { 5, 0.9f, 1 }, { 0, 0, 10 } },
+                    targets[4][3] = { { 0, 2.8f, 0 }, { 0.3f, 0.3f, 0 }, { 0, 0.5f, 0 }, { 0, 0, 0 } };
         const double middle[3] = { 0, 0, 5 };
         kit_image frame, out;
         kit_error err = { "" };
@@ -525,7 +617,8 @@ static void floors(void)
             transform(view, n, v);
             for (int j = 0; j < 3; ++j) frame.data[(j + 1) * W * H + i] = (float)v[j];
             /* what occludes must be in view, a radius around */
-            if (what && what < 3 && (i % W < W / 3 || i % W > 2 * W / 3 || i / W < H / 4 || i / W > 3 * H / 4)) expected[i] = -1;
+            if (what && what < 3 && (i % W < W / 3 || i % W > 2 * W / 3 || i / W < H / 4 || i / W > 3 * H / 4))
+                expected[i] = -1;
         }
         const float radius = what == 3 ? 3.5f : what == 0 ? 2 : 0.5f;
         if (what == 1 || what == 2)
@@ -535,10 +628,15 @@ static void floors(void)
                     double at[3];
                     kit_camera_ray(&camera, i % W, i / W, o, d);
                     const int hit = corner_hit(o, d, at);
-                    expected[i] = hit ? 1 - corner_occlusion(at[hit == 1 ? 0 : 1] / (double)radius, KIT_ATTENUATION_LINEAR) : -1;
+                    expected[i] =
+                        hit ? 1 - corner_occlusion(at[hit == 1 ? 0 : 1] / (double)radius, KIT_ATTENUATION_LINEAR) : -1;
                 }
-        if (CHECK(!kit_floor_ao(&out, &frame, &camera, radius, KIT_ATTENUATION_LINEAR, what == 1 || what == 2 ? 128 : 32, 1, &err), "%s", err.text)) {
-            static const char *const names[4] = { "floor: a plane to the horizon", "floor: a corner", "floor: a corner at a grazing angle", "floor: a ball far before a wall" };
+        if (CHECK(!kit_floor_ao(&out, &frame, &camera, radius, KIT_ATTENUATION_LINEAR,
+                                what == 1 || what == 2 ? 128 : 32, 1, &err),
+                  "%s", err.text)) {
+            static const char *const names[4] = { "floor: a plane to the horizon", "floor: a corner",
+                                                  "floor: a corner at a grazing angle",
+                                                  "floor: a ball far before a wall" };
             compare(names[what], &out, expected, what == 0 || what == 3 ? 0 : 0.015, what == 0 || what == 3 ? 0 : 0.1);
             kit_image_free(&out);
         }

@@ -1,5 +1,6 @@
-/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to read: extra cameras, those of shadow maps,
-   the light of a frame; and what a weight or a limit that no formula gives does in GLSL, by cases worked out by hand. */
+/* test_twins.c - functions of the emitted GLSL against the same in C, drawn by OSMesa; and what C writes for GLSL to
+   read: extra cameras, those of shadow maps, the light of a frame; and what a weight or a limit that no formula gives
+   does in GLSL, by cases worked out by hand. */
 #include "t.h"
 #include "../ssgi_gl.h"
 #include "../examples/kit/kit_gl.h"
@@ -21,14 +22,30 @@ static float uniform(float lower, float upper)
     return lower + (upper - lower) * (float)(z >> 40) * (1.0f / 16777216.0f);
 }
 
-/* ---- >>cameras: extra ones and those of shadow maps ---------------------------------------------------------------- */
+/* ---- >>cameras: extra ones and those of shadow maps -------------------------------------------------------------- */
 
-/* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth, cos(angle/2) at another. */
+/* The rotation that takes +z an angle from it, between two about z: quaternion of sin(angle/2) at one azimuth,
+   cos(angle/2) at another. */
 static void rotation(float m[16], double angle, double a, double b)
 {
-    const double x = sin(angle / 2) * cos(a), y = sin(angle / 2) * sin(a), z = cos(angle / 2) * sin(b), w = cos(angle / 2) * cos(b);
-    const double turn[16] = { 1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (z * x - y * w), 0, 2 * (x * y - z * w), 1 - 2 * (z * z + x * x), 2 * (y * z + x * w), 0,
-                              2 * (z * x + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0, 0, 0, 0, 1 };
+    const double x = sin(angle / 2) * cos(a), y = sin(angle / 2) * sin(a), z = cos(angle / 2) * sin(b),
+                 w = cos(angle / 2) * cos(b);
+    const double turn[16] = { 1 - 2 * (y * y + z * z),
+                              2 * (x * y + z * w),
+                              2 * (z * x - y * w),
+                              0,
+                              2 * (x * y - z * w),
+                              1 - 2 * (z * z + x * x),
+                              2 * (y * z + x * w),
+                              0,
+                              2 * (z * x + y * w),
+                              2 * (y * z - x * w),
+                              1 - 2 * (x * x + y * y),
+                              0,
+                              0,
+                              0,
+                              0,
+                              1 };
     for (int i = 0; i < 16; ++i) m[i] = (float)turn[i];
 }
 
@@ -44,7 +61,10 @@ static double row_of(const float m[16], int r, const double p[4], double *lost)
 {
     double sum = 0;
     *lost = 0;
-    for (int c = 0; c < 4; ++c) { sum += (double)m[4 * c + r] * p[c]; *lost += 4e-6 * fabs((double)m[4 * c + r] * p[c]); }
+    for (int c = 0; c < 4; ++c) {
+        sum += (double)m[4 * c + r] * p[c];
+        *lost += 4e-6 * fabs((double)m[4 * c + r] * p[c]);
+    }
     return sum;
 }
 
@@ -52,7 +72,8 @@ static double row_of(const float m[16], int r, const double p[4], double *lost)
 static int any_view(ssgi_view *view, int ortho)
 {
     const float x = uniform(-0.3f, 0.3f), y = uniform(-0.3f, 0.3f), wide = uniform(0.5f, 3), high = uniform(-3, -0.5f);
-    const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 }, { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
+    const float m[2][16] = { { wide, 0, 0, 0, 0, high, 0, 0, x, y, -1.002f, -1, 0, 0, -0.2f, 0 },
+                             { wide, 0, 0, 0, 0, high, 0, 0, 0, 0, -0.02f, 0, x, y, -1, 1 } };
     const char *why = "";
     return CHECK(ssgi_view_from_projection(view, m[ortho], SSGI_CLIP_GL, 640, 480, &why) == SSGI_OK, "%s", why);
 }
@@ -69,7 +90,8 @@ static void cameras(void)
         ssgi_gl_views v, was;
         ssgi_gl_light light, bare;
         const char *why = "";
-        double p[4] = { (double)uniform(-5, 5), (double)uniform(-5, 5), -(double)uniform(0.2f, 30), 1 }, q[4] = { 0, 0, 0, 1 }, lost, at[4];
+        double p[4] = { (double)uniform(-5, 5), (double)uniform(-5, 5), -(double)uniform(0.2f, 30), 1 },
+               q[4] = { 0, 0, 0, 1 }, lost, at[4];
         const float spot[3] = { (float)p[0], (float)p[1], (float)p[2] };
         if (!any_view(&view, ortho)) return;
         rigid(picture);
@@ -78,8 +100,12 @@ static void cameras(void)
         memset(&bare, 0x5a, sizeof bare);
         v = was;
         light = bare;
-        if (!CHECK(ssgi_gl_views_set(&v, slot, &view, picture, other, &why) == SSGI_OK && ssgi_gl_light_map(&light, &view, 7, 9, picture, other, &why) == SSGI_OK, "%s", why)) return;
-        for (int k = 0; k < 3; ++k) {                      /* p is in the other camera's space: to the world, then to the picture's */
+        if (!CHECK(ssgi_gl_views_set(&v, slot, &view, picture, other, &why) == SSGI_OK
+                       && ssgi_gl_light_map(&light, &view, 7, 9, picture, other, &why) == SSGI_OK,
+                   "%s", why))
+            return;
+        /* p is in the other camera's space: to the world, then to the picture's */
+        for (int k = 0; k < 3; ++k) {
             double world = 0;
             for (int c = 0; c < 3; ++c) world += (double)other[4 * k + c] * (p[c] - (double)other[12 + c]);
             at[k] = world;
@@ -89,21 +115,27 @@ static void cameras(void)
         ssgi_view_project(&view, spot, seen);
         for (int k = 0; k < 3; ++k) {
             const double want = (double)seen[k] * (ortho || k == 2 ? 1 : -p[2]), got = row_of(v.to[slot], k, q, &lost);
-            CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g", ortho ? "orthographic" : "perspective", k, got, want);
+            CHECK(fabs(got - want) <= lost + 4e-7 * fabs(want), "to, %s, row %d: %.9g, ssgi_view_project says %.9g",
+                  ortho ? "orthographic" : "perspective", k, got, want);
             worst[0] = fmax(worst[0], fabs(got - want) / (lost + 4e-7 * fabs(want)));
             at[k] = want;
-            for (int c = 0; c < 4; ++c) CHECK(light.map[k][c] == v.to[slot][4 * c + k], "a light's map and an extra camera differ in row %d", k);
+            for (int c = 0; c < 4; ++c)
+                CHECK(light.map[k][c] == v.to[slot][4 * c + k], "a light's map and an extra camera differ in row %d",
+                      k);
         }
         for (int k = 0; k < 3; ++k) {
             const double got = row_of(v.from[slot], k, at, &lost);
-            CHECK(fabs(got - q[k]) <= lost + 4e-7 * fabs(q[k]), "from, %s, row %d: %.9g, the point is at %.9g", ortho ? "orthographic" : "perspective", k, got, q[k]);
+            CHECK(fabs(got - q[k]) <= lost + 4e-7 * fabs(q[k]), "from, %s, row %d: %.9g, the point is at %.9g",
+                  ortho ? "orthographic" : "perspective", k, got, q[k]);
             worst[1] = fmax(worst[1], fabs(got - q[k]) / (lost + 4e-7 * fabs(q[k])));
         }
-        const float decode[4] = { view.depth[0], view.depth[1], view.clear, (float)ortho }, tile[4] = { 7, 9, 640, 480 };
+        const float decode[4] = { view.depth[0], view.depth[1], view.clear, (float)ortho },
+                    tile[4] = { 7, 9, 640, 480 };
         CHECK(!memcmp(decode, v.decode[slot], sizeof decode) && !memcmp(decode, light.decode, sizeof decode)
               && !memcmp(tile, light.tile, sizeof tile) && v.size[slot][0] == 640 && v.size[slot][1] == 480,
               "decode, size or tile of %s", ortho ? "orthographic" : "perspective");
-        CHECK(light.patch == ssgi_pixel_footprint(&view, 1) && !memcmp(&light, &bare, offsetof(ssgi_gl_light, patch)), "a light's patch, or what is not of its map");
+        CHECK(light.patch == ssgi_pixel_footprint(&view, 1) && !memcmp(&light, &bare, offsetof(ssgi_gl_light, patch)),
+              "a light's patch, or what is not of its map");
         memcpy(was.to[slot], v.to[slot], sizeof was.to[slot]);
         memcpy(was.from[slot], v.from[slot], sizeof was.from[slot]);
         memcpy(was.decode[slot], v.decode[slot], sizeof was.decode[slot]);
@@ -131,25 +163,37 @@ static void refused_cameras(void)
     memcpy(odd[1], right, sizeof right);
     odd[0][5] = NAN;
     odd[1][14] = INFINITY;
-    const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other; } cases[] = {
-        { { "i:", "x:" }, &view, -1, right, right }, { { "i:", NULL }, &view, 4, right, right },
-        { { "view:", "view:" }, NULL, 0, right, right }, { { "view:", "view:" }, &none, 0, right, right },
-        { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, NULL, right }, { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
-        { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, odd[0], right }, { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, right, odd[1] } };
-    CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:") && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT
-          && NAMES(why, "light:"), "NULL: %s", why);
+    const struct { const char *start[2]; const ssgi_view *view; int i; const float *picture, *other;
+    } cases[] = { { { "i:", "x:" }, &view, -1, right, right },
+                  { { "i:", NULL }, &view, 4, right, right },
+                  { { "view:", "view:" }, NULL, 0, right, right },
+                  { { "view:", "view:" }, &none, 0, right, right },
+                  { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, NULL, right },
+                  { { "extra_world_to_view:", "light_world_to_view:" }, &view, 0, right, NULL },
+                  { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, odd[0], right },
+                  { { "main_world_to_view:", "main_world_to_view:" }, &view, 0, right, odd[1] } };
+    CHECK(ssgi_gl_views_set(NULL, 0, &view, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "views:")
+              && ssgi_gl_light_map(NULL, &view, 0, 0, right, right, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "light:"),
+          "NULL: %s", why);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        CHECK(ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, &why) == SSGI_BAD_ARGUMENT && NAMES(why, cases[i].start[0])
-              && ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, NULL) == SSGI_BAD_ARGUMENT, "views, case %zu: %s", i, why);
+        CHECK(ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, &why)
+                      == SSGI_BAD_ARGUMENT
+                  && NAMES(why, cases[i].start[0])
+                  && ssgi_gl_views_set(&v, cases[i].i, cases[i].view, cases[i].picture, cases[i].other, NULL)
+                         == SSGI_BAD_ARGUMENT,
+              "views, case %zu: %s", i, why);
         for (int y = 0; y < 2 && cases[i].start[1]; ++y)
-            CHECK(ssgi_gl_light_map(&light, cases[i].view, y ? 0 : cases[i].i, y ? cases[i].i : 0, cases[i].picture, cases[i].other, &why) == SSGI_BAD_ARGUMENT
-                  && NAMES(why, cases[i].start[1]),
+            CHECK(ssgi_gl_light_map(&light, cases[i].view, y ? 0 : cases[i].i, y ? cases[i].i : 0, cases[i].picture,
+                                    cases[i].other, &why)
+                          == SSGI_BAD_ARGUMENT
+                      && NAMES(why, cases[i].start[1]),
                   "light, case %zu: %s", i, why);
     }
-    CHECK(!memcmp(&v, &v_was, sizeof v) && !memcmp(&light, &light_was, sizeof light), "what was refused was written to");
+    CHECK(!memcmp(&v, &v_was, sizeof v) && !memcmp(&light, &light_was, sizeof light),
+          "what was refused was written to");
 }
 
-/* ---- >>twins: GLSL against C --------------------------------------------------------------------------------------- */
+/* ---- >>twins: GLSL against C ------------------------------------------------------------------------------------- */
 
 enum { SIDE = 64, MANY = SIDE * SIDE };
 static float in[MANY][4], out[MANY][4];
@@ -158,33 +202,43 @@ static float *const ins = &in[0][0], *const outs = &out[0][0];    /* the same, f
 static ssgi_gl_views probed;               /* extra cameras that probes see, */
 static GLuint probed_layers;               /* and what these see */
 
-/* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input, a: its own; Y(k): the same of maps,
-   which all textures of the text read too. */
+/* A text up to its main, and a main that makes o of inputs: in to out. X(k): texel k of the pixel's four of the input,
+   a: its own; Y(k): the same of maps, which all textures of the text read too. */
 static int probe_text(char *text, int dialect, const ssgi_gl_frame *frame, GLuint maps, const char *statements)
 {
-    static const GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
+    static const GLenum buffers[8] = { GL_NONE, GL_NONE, GL_NONE, GL_NONE,
+                                       GL_NONE, GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT7 };
     static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
     static char triangle[TEXT];
     const ssgi_gl_desc plain = { .dialect = dialect };
     const char *const source[2] = { triangle, text };
     kit_error err = { "" };
     char *end = strstr(text, "void main");
-    GLuint program, block[2], framebuffer, target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL), input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]);
+    GLuint program, block[2], framebuffer, target = kit_texture(SIDE, SIDE, GL_RGBA32F, NULL),
+                                           input = kit_texture(SIDE, SIDE, GL_RGBA32F, in[0]);
     int read;
     if (!end) end = text + strlen(text);
-    snprintf(end, TEXT - (size_t)(end - text), "layout(location = 7) out highp vec4 o;\nuniform highp sampler2D t_in, t_maps;\n"
-             "#define AT(t, k) texelFetch(t, ivec2((texel.x & ~3) + (k), texel.y), 0)\n#define X(k) AT(t_in, k)\n#define Y(k) AT(t_maps, k)\n"
-             "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n", statements);
+    snprintf(end, TEXT - (size_t)(end - text),
+             "layout(location = 7) out highp vec4 o;\nuniform highp sampler2D t_in, t_maps;\n"
+             "#define AT(t, k) texelFetch(t, ivec2((texel.x & ~3) + (k), texel.y), 0)\n#define X(k) AT(t_in, "
+             "k)\n#define Y(k) AT(t_maps, k)\n"
+             "void main()\n{\n    ivec2 texel = ivec2(gl_FragCoord.xy);\n    vec4 a = X(texel.x & 3);\n    %s\n}\n",
+             statements);
     ssgi_gl_emit(triangle, TEXT, &plain, SSGI_GL_VERTEX);
     program = kit_program(source, stages, 2, &err);
     if (!CHECK(program, "%s: %s", statements, err.text)) return 0;
     glGenBuffers(2, block);
     for (GLuint b = 0; b < 2; ++b) {
         glBindBuffer(GL_UNIFORM_BUFFER, block[b]);
-        glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame, b ? (const void *)&probed : frame, GL_STATIC_DRAW);
+        glBufferData(GL_UNIFORM_BUFFER, b ? (GLsizeiptr)sizeof probed : (GLsizeiptr)sizeof *frame,
+                     b ? (const void *)&probed : frame, GL_STATIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, b, block[b]);
     }
-    for (GLenum unit = 0; unit < 16; ++unit) { glActiveTexture(GL_TEXTURE0 + unit); glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : maps); glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers); }
+    for (GLenum unit = 0; unit < 16; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, unit == 15 ? input : maps);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, probed_layers);
+    }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT7, GL_TEXTURE_2D, target, 0);
@@ -208,46 +262,69 @@ static int probe(const ssgi_gl_desc *d, const ssgi_gl_frame *frame, GLuint maps,
 {
     static char text[TEXT];
     const size_t n = ssgi_gl_emit(text, TEXT, d, SSGI_GL_FRAGMENT);
-    return CHECK(n && n < TEXT, "%s: a text of %zu characters", ssgi_gl_pass_name(d->pass), n) && probe_text(text, d->dialect, frame, maps, statements);
+    return CHECK(n && n < TEXT, "%s: a text of %zu characters", ssgi_gl_pass_name(d->pass), n)
+           && probe_text(text, d->dialect, frame, maps, statements);
 }
 
-#define NEAR(got, want, within, what) CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, (double)(got), (double)(want))
+#define NEAR(got, want, within, what) \
+    CHECK(fabs((double)(got) - (double)(want)) <= (double)(within), "%s at %d: %.9g, in C %.9g", what, i, \
+          (double)(got), (double)(want))
 
 static void twin_views(void)
 {
     enum { LAYOUTS = 6 };
     static const double n = 0.1, f = 1000;                /* planes */
-    for (int k = 0; k < LAYOUTS; ++k) {                   /* perspective: GL, reversed, reversed infinite, GL infinite; orthographic: GL, reversed */
-        const double z[LAYOUTS][2] = { { -(f + n) / (f - n), -2 * f * n / (f - n) }, { n / (f - n), f * n / (f - n) }, { 0, n }, { -1, -2 * n },
-                                       { -2 / (f - n), -(f + n) / (f - n) }, { 1 / (f - n), f / (f - n) } };
-        float m[16] = { 1.3f, 0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0, (float)z[k][1], 0 };
+    /* perspective: GL, reversed, reversed infinite, GL infinite; orthographic: GL, reversed */
+    for (int k = 0; k < LAYOUTS; ++k) {
+        const double z[LAYOUTS][2] = {
+            { -(f + n) / (f - n), -2 * f * n / (f - n) }, { n / (f - n), f * n / (f - n) }, { 0, n }, { -1, -2 * n },
+            { -2 / (f - n), -(f + n) / (f - n) },         { 1 / (f - n), f / (f - n) }
+        };
+        float m[16] = { 1.3f,           0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0,
+                        (float)z[k][1], 0 };
         int ortho = k >= 4, clip = k == 1 || k == 2 || k == 5 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL;
         ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho };
         ssgi_gl_frame frame;
         ssgi_view view;
         const char *why = "";
         if (ortho) { m[8] = m[9] = m[11] = 0; m[12] = 0.07f; m[13] = -0.03f; m[15] = 1; }
-        if (!CHECK(ssgi_view_from_projection(&view, m, clip, 1280, 720, &why) == SSGI_OK && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK, "%s", why)) continue;
+        if (!CHECK(ssgi_view_from_projection(&view, m, clip, 1280, 720, &why) == SSGI_OK
+                       && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK,
+                   "%s", why))
+            continue;
         frame.offset = 1;
         for (int i = 0; i < MANY; ++i) {                  /* window depth; a pixel; view depth */
-            float a[4] = { i < 2 ? (float)i : i & 1 ? uniform(0, 1) : 1 - powf(10, uniform(-7, 0)), uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
+            float a[4] = { i < 2   ? (float)i
+                           : i & 1 ? uniform(0, 1)
+                                   : 1 - powf(10, uniform(-7, 0)),
+                           uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
             memcpy(in[i], a, sizeof a);
         }
         if (!probe(&d, &frame, 0, "o = vec4(ssgi_decode(a.x), ssgi_position(a.yz, a.w));")) break;
         for (int i = 0; i < MANY; ++i) {
-            double depth = (double)ssgi_view_depth(&view, in[i][0]), x = fabs((double)in[i][1] * (double)view.unproject[0]) + fabs((double)view.unproject[2]);
-            double y = fabs((double)in[i][2] * (double)view.unproject[1]) + fabs((double)view.unproject[3]), scale = ortho ? 1 : (double)in[i][3];
-            double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));      /* a rounding of the sum's terms */
+            double depth = (double)ssgi_view_depth(&view, in[i][0]),
+                   x = fabs((double)in[i][1] * (double)view.unproject[0]) + fabs((double)view.unproject[2]);
+            double y = fabs((double)in[i][2] * (double)view.unproject[1]) + fabs((double)view.unproject[3]),
+                   scale = ortho ? 1 : (double)in[i][3];
+            /* a rounding of the sum's terms */
+            double lost = 1.2e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]));
             float p[3];
             ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], p);
-            if (depth >= 1e17) CHECK(out[i][0] >= 1e17f, "ssgi_decode(%.9g), layout %d: %g, in C %g", (double)in[i][0], k, (double)out[i][0], depth);
-            else NEAR(out[i][0], depth, ortho ? lost : depth * (3e-7 + depth * lost) * (1 + depth * lost), "ssgi_decode");
+            if (depth >= 1e17)
+                CHECK(out[i][0] >= 1e17f, "ssgi_decode(%.9g), layout %d: %g, in C %g", (double)in[i][0], k,
+                      (double)out[i][0], depth);
+            else
+                NEAR(out[i][0], depth, ortho ? lost : depth * (3e-7 + depth * lost) * (1 + depth * lost),
+                     "ssgi_decode");
             NEAR(out[i][1], p[0], 3e-7 * x * scale, "ssgi_position.x");
             NEAR(out[i][2], p[1], 3e-7 * y * scale, "ssgi_position.y");
             NEAR(out[i][3], p[2], 0, "ssgi_position.z");
         }
         for (int i = 0; i < MANY; ++i) ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], in[i]);
-        if (!probe(&d, &frame, 0, "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, 0.0)).x);")) break;
+        if (!probe(&d, &frame, 0,
+                   "o = vec4(ssgi_project(a.xyz), ssgi_footprint(a.w), ssgi_lift(vec3(0.0, 0.0, -a.w), vec3(1.0, 0.0, "
+                   "0.0)).x);"))
+            break;
         for (int i = 0; i < MANY; ++i) {
             float p[3];
             ssgi_view_project(&view, in[i], p);
@@ -264,7 +341,12 @@ static void twin_noise_and_kernel(void)
     float kernel[4 * 64];
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
-    for (int i = 0; i < MANY; ++i) { in[i][0] = (float)(i % SIDE * 37); in[i][1] = (float)(i / SIDE * 21); in[i][2] = (float)(i % SIDE); in[i][3] = (float)(i / SIDE); }
+    for (int i = 0; i < MANY; ++i) {
+        in[i][0] = (float)(i % SIDE * 37);
+        in[i][1] = (float)(i / SIDE * 21);
+        in[i][2] = (float)(i % SIDE);
+        in[i][3] = (float)(i / SIDE);
+    }
     ssgi_gl_desc d = { .dialect = SSGI_GL_450, .samples = 64 };
     ssgi_kernel(kernel, 1, 64, NULL);
     if (probe(&d, &frame, 0, "o = vec4(ssgi_noise(ivec2(a.xy)), ssgi_noise(ivec2(a.zw)));"))
@@ -273,9 +355,12 @@ static void twin_noise_and_kernel(void)
                 double x = (double)in[i][2 * k], y = (double)in[i][2 * k + 1], e = 0.06711056 * x + 0.00583715 * y;
                 e = (double)out[i][2 * k] - 52.9829189 * (e - floor(e));
                 double f = (double)out[i][2 * k + 1] - (0.75487766624669276 * x + 0.56984029099805327 * y);
-                CHECK(fabs(e - floor(e + 0.5)) <= 53 * 1.2e-7 * (0.0671 * x + 0.0059 * y + 1), "ssgi_noise(%g, %g).x: off by %g", x, y, e);
-                CHECK(fabs(f - floor(f + 0.5)) <= 2.4e-7 * (x + y + 1), "ssgi_noise(%g, %g).y: not R2, off by %g", x, y, f);
-                CHECK(out[i][2 * k] >= 0 && out[i][2 * k] < 1 && out[i][2 * k + 1] >= 0 && out[i][2 * k + 1] < 1, "ssgi_noise(%g, %g) leaves [0,1)", x, y);
+                CHECK(fabs(e - floor(e + 0.5)) <= 53 * 1.2e-7 * (0.0671 * x + 0.0059 * y + 1),
+                      "ssgi_noise(%g, %g).x: off by %g", x, y, e);
+                CHECK(fabs(f - floor(f + 0.5)) <= 2.4e-7 * (x + y + 1), "ssgi_noise(%g, %g).y: not R2, off by %g", x, y,
+                      f);
+                CHECK(out[i][2 * k] >= 0 && out[i][2 * k] < 1 && out[i][2 * k + 1] >= 0 && out[i][2 * k + 1] < 1,
+                      "ssgi_noise(%g, %g) leaves [0,1)", x, y);
             }
     if (probe(&d, &frame, 0, "o = SSGI_KERNEL[(texel.y * 64 + texel.x) % 64];"))
         for (int i = 0; i < MANY; ++i)
@@ -310,7 +395,8 @@ static void twin_normals(void)
             GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, coded[0]);
             if (probe(&d, &frame, map, "o = vec4(ssgi_normal(texel, vec3(0.0, 0.0, -1.0)), 0.0);"))
                 for (int i = 0; i < MANY; ++i) {
-                    const float *n = in[i], want[3] = { world ? c * n[0] - s * n[1] : n[0], world ? s * n[0] + c * n[1] : n[1], n[2] };
+                    const float *n = in[i], want[3] = { world ? c * n[0] - s * n[1] : n[0],
+                                                        world ? s * n[0] + c * n[1] : n[1], n[2] };
                     for (int k = 0; k < 3; ++k) NEAR(out[i][k], want[k], 6e-7, "ssgi_normal");
                 }
             glDeleteTextures(1, &map);
@@ -322,7 +408,8 @@ static double arc(double top, double g)
 {
     enum { PARTS = 128 };
     double sum = 0;
-    for (int k = 0; k <= PARTS; ++k) sum += sin(top * k / PARTS) * cos(g - top * k / PARTS) * (k == 0 || k == PARTS ? 1 : k & 1 ? 4 : 2);
+    for (int k = 0; k <= PARTS; ++k)
+        sum += sin(top * k / PARTS) * cos(g - top * k / PARTS) * (k == 0 || k == PARTS ? 1 : k & 1 ? 4 : 2);
     return sum * top / (3 * PARTS);
 }
 
@@ -332,27 +419,37 @@ static void twin_arc(void)
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
-    for (int i = 0; i < MANY; ++i) {                      /* height over the tangent plane and distance along it: down to the plane, up to the normal */
-        float thin = powf(10, uniform(-12, 0)), a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, uniform(-1.57f, 1.57f), uniform(0.1f, 10) };
+    /* height over the tangent plane and distance along it: down to the plane, up to the normal */
+    for (int i = 0; i < MANY; ++i) {
+        float thin = powf(10, uniform(-12, 0)),
+              a[4] = { i & 1 ? 1 : thin, i & 1 ? thin : 1, uniform(-1.57f, 1.57f), uniform(0.1f, 10) };
         if (i % 16 == 0) a[i / 16 & 1] = 0;
         memcpy(in[i], a, sizeof a);
     }
-    if (probe(&d, &frame, 0, "a.xy *= a.w; float r = inversesqrt(a.x * a.x + a.y * a.y) * (1.0 + 2.4e-7 * float(texel.x & 2)), h = 0.5 * sin(a.z);"
+    if (probe(&d, &frame, 0,
+              "a.xy *= a.w; float r = inversesqrt(a.x * a.x + a.y * a.y) * (1.0 + 2.4e-7 * float(texel.x & 2)), h = "
+              "0.5 * sin(a.z);"
               "o = vec4(ssgi_arc(vec2(a.x, -a.x) * r, vec2(a.y) * r, 0.5 * cos(a.z), vec2(h, -h)), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             double x = (double)in[i][0], y = (double)in[i][1], g = (double)in[i][2], s = fabs(y) / hypot(x, y);
-            double lost = i & 2 ? 1.6e-6 : 4e-7, within = 0.5 * fabs(sin(g)) * (7e-5 + lost / fmax(s, sqrt(lost))) + 2e-6;   /* its acos, and how far c's error moves one: */
-            NEAR(out[i][0], arc(atan2(y, x), g), within, "ssgi_arc.x");          /* two roundings, or what GLSL grants an inversesqrt, so that |c| > 1 */
+            /* its acos, and how far c's error moves one: */
+            double lost = i & 2 ? 1.6e-6 : 4e-7,
+                   within = 0.5 * fabs(sin(g)) * (7e-5 + lost / fmax(s, sqrt(lost))) + 2e-6;
+            /* two roundings, or what GLSL grants an inversesqrt, so that |c| > 1 */
+            NEAR(out[i][0], arc(atan2(y, x), g), within, "ssgi_arc.x");
             NEAR(out[i][1], arc(atan2(y, -x), -g), within, "ssgi_arc.y");
-            worst = fmax(worst, fmax(fabs((double)out[i][0] - arc(atan2(y, x), g)), fabs((double)out[i][1] - arc(atan2(y, -x), -g))));
+            worst = fmax(worst, fmax(fabs((double)out[i][0] - arc(atan2(y, x), g)),
+                                     fabs((double)out[i][1] - arc(atan2(y, -x), -g))));
         }
     t_note("worst error of a horizon's occlusion: %.1e", worst);
 }
 
-/* What senders wrote, read back as its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of 6. */
+/* What senders wrote, read back as its format says: 9 9 9 bits and an exponent of 5; 6 bits of exponent and 14; two of
+   6. */
 static void unpack(const float halves[4], float rgb[3], float *z)
 {
-    const uint32_t a = (uint32_t)halves[0] | (uint32_t)halves[1] << 16, b = (uint32_t)halves[2] | (uint32_t)halves[3] << 16;
+    const uint32_t a = (uint32_t)halves[0] | (uint32_t)halves[1] << 16,
+                   b = (uint32_t)halves[2] | (uint32_t)halves[3] << 16;
     for (int c = 0; c < 3; ++c) rgb[c] = ldexpf((float)(a >> 9 * c & 511), (int)(a >> 27) - 24);
     *z = ldexpf(1 + (float)(b >> 12 & 0x3fff) / 16384, (int)(b >> 26) - 20);
 }
@@ -360,23 +457,33 @@ static void unpack(const float halves[4], float rgb[3], float *z)
 static void twin_senders(void)
 {
     static float rgbz[MANY][4], way[MANY][3];
-    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 }, read = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH };
+    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 },
+                       read = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH };
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);
     random_state = 9;
     for (int i = 0; i < MANY; ++i) {
         const float bright = powf(10, uniform(-7, 5.2f)), a = uniform(0, 6.2831853f), h = uniform(-1, 1);
-        for (int c = 0; c < 3; ++c) { rgbz[i][c] = i % 8 == c ? 0 : bright * uniform(0, 1); way[i][c] = c == 2 ? h : sqrtf(1 - h * h) * (c ? sinf(a) : cosf(a)); }
+        for (int c = 0; c < 3; ++c) {
+            rgbz[i][c] = i % 8 == c ? 0 : bright * uniform(0, 1);
+            way[i][c] = c == 2 ? h : sqrtf(1 - h * h) * (c ? sinf(a) : cosf(a));
+        }
         for (int c = 0; c < 3 && i < 6; ++c) way[i][c] = i / 2 == c ? i & 1 ? -1.0f : 1.0f : 0.0f;
-        if (i % 64 == 9) rgbz[i][i / 64 % 3] = ldexpf(511.0f + (float)(i / 192) / 21, i / 64 % 24 - 10);   /* where rounding needs the next exponent */
+        /* where rounding needs the next exponent */
+        if (i % 64 == 9) rgbz[i][i / 64 % 3] = ldexpf(511.0f + (float)(i / 192) / 21, i / 64 % 24 - 10);
         rgbz[i][3] = powf(10, uniform(-6, 13));
     }
     memcpy(in, rgbz, sizeof in);
-    if (!probe(&pack, &frame, 0, "uvec2 u = uvec2(ssgi_pack_radiance(a.xyz), ssgi_pack_place(a.w, vec3(0.0, 0.0, 1.0)));"
-               "o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);")) return;
+    if (!probe(&pack, &frame, 0,
+               "uvec2 u = uvec2(ssgi_pack_radiance(a.xyz), ssgi_pack_place(a.w, vec3(0.0, 0.0, 1.0)));"
+               "o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);"))
+        return;
     memcpy(in, out, sizeof in);
-    if (!probe(&read, &frame, 0, "uvec2 u = uvec2(a.xz) | uvec2(a.yw) << 16u; o = vec4(ssgi_unpack_radiance(u.x), ssgi_unpack_depth(u.y));")) return;
+    if (!probe(&read, &frame, 0,
+               "uvec2 u = uvec2(a.xz) | uvec2(a.yw) << 16u; o = vec4(ssgi_unpack_radiance(u.x), "
+               "ssgi_unpack_depth(u.y));"))
+        return;
     for (int i = 0; i < MANY; ++i) {
         float rgb[3], z, most = fmaxf(fmaxf(rgbz[i][0], rgbz[i][1]), rgbz[i][2]);
         unpack(in[i], rgb, &z);
@@ -388,12 +495,17 @@ static void twin_senders(void)
         NEAR(out[i][3], z, 0, "ssgi_unpack_depth");
         memcpy(in[i], way[i], sizeof way[i]);
     }
-    if (!probe(&pack, &frame, 0, "uint u = ssgi_pack_place(1.0, a.xyz); o = vec4(u & 65535u, u >> 16u, 0.0, 0.0);")) return;
+    if (!probe(&pack, &frame, 0, "uint u = ssgi_pack_place(1.0, a.xyz); o = vec4(u & 65535u, u >> 16u, 0.0, 0.0);"))
+        return;
     memcpy(in, out, sizeof in);
-    if (!probe(&read, &frame, 0, "o = vec4(ssgi_unpack_normal(uint(a.x) | uint(a.y) << 16u), ssgi_unpack_depth(0xffffffffu));")) return;
+    if (!probe(&read, &frame, 0,
+               "o = vec4(ssgi_unpack_normal(uint(a.x) | uint(a.y) << 16u), ssgi_unpack_depth(0xffffffffu));"))
+        return;
     for (int i = 0; i < MANY; ++i) {
         const double x = (double)out[i][0], y = (double)out[i][1], z = (double)out[i][2];
-        const double cosine = (x * (double)way[i][0] + y * (double)way[i][1] + z * (double)way[i][2]) / sqrt(x * x + y * y + z * z), degrees = acos(fmin(cosine, 1)) * 57.29577951;
+        const double cosine = (x * (double)way[i][0] + y * (double)way[i][1] + z * (double)way[i][2])
+                              / sqrt(x * x + y * y + z * z),
+                     degrees = acos(fmin(cosine, 1)) * 57.29577951;
         CHECK(degrees <= 4, "a sender's normal is off by %.2f degrees", degrees);
         NEAR(out[i][3], SSGI_FAR, 0, "the view depth of nothing");
         worst = fmax(worst, degrees);
@@ -404,7 +516,8 @@ static void twin_senders(void)
 /* Octahedral maps, and the point that an extra camera shows: the third of them, so that the block's strides matter. */
 static void twin_views_of_others(void)
 {
-    const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .fade = 1, .views = 3 }, map = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .environment = SSGI_GL_ENVIRONMENT_MAP };
+    const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .fade = 1, .views = 3 },
+                       map = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .environment = SSGI_GL_ENVIRONMENT_MAP };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     random_state = 11;
@@ -416,15 +529,26 @@ static void twin_views_of_others(void)
         rigid(other);
         memset(&probed, 0x5a, sizeof probed);
         ssgi_gl_views_set(&probed, 2, &view, picture, other, NULL);
-        for (int i = 0; i < MANY; ++i) { in[i][0] = floorf(uniform(0, 640)); in[i][1] = floorf(uniform(0, 480)); in[i][2] = uniform(0.5f, 30); in[i][3] = 0; }
+        for (int i = 0; i < MANY; ++i) {
+            in[i][0] = floorf(uniform(0, 640));
+            in[i][1] = floorf(uniform(0, 480));
+            in[i][2] = uniform(0.5f, 30);
+            in[i][3] = 0;
+        }
         if (!probe(&d, &frame, 0, "o = vec4(ssgi_point(2, ivec2(a.xy), a.z), u_ssgi_view_decode[2].x);")) return;
         for (int i = 0; i < MANY; ++i) {
-            const double scale = ortho ? 1 : (double)in[i][2], p[4] = { ((double)in[i][0] + 0.5) * scale, ((double)in[i][1] + 0.5) * scale, (double)in[i][2], 1 };
-            for (int k = 0; k < 3; ++k) { double lost, want = row_of(probed.from[2], k, p, &lost); NEAR(out[i][k], want, lost, "ssgi_point"); }
+            const double scale = ortho ? 1 : (double)in[i][2],
+                         p[4] = { ((double)in[i][0] + 0.5) * scale, ((double)in[i][1] + 0.5) * scale, (double)in[i][2],
+                                  1 };
+            for (int k = 0; k < 3; ++k) {
+                double lost, want = row_of(probed.from[2], k, p, &lost);
+                NEAR(out[i][k], want, lost, "ssgi_point");
+            }
             NEAR(out[i][3], view.depth[0], 0, "u_ssgi_view_decode");
         }
     }
-    for (int i = 0; i < MANY; ++i) for (int c = 0; c < 3; ++c) in[i][c] = i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1)) : uniform(-9, 9);
+    for (int i = 0; i < MANY; ++i)
+        for (int c = 0; c < 3; ++c) in[i][c] = i < 6 ? (float)((i == 2 * c) - (i == 2 * c + 1)) : uniform(-9, 9);
     if (!probe(&map, &frame, 0, "o = vec4(ssgi_octahedral(a.xyz), 0.0, 0.0);")) return;
     for (int i = 0; i < MANY; ++i) {
         float e[2];
@@ -438,10 +562,13 @@ static void twin_harmonics(void)
 {
     enum { BASIS, ZONAL, TURN, PRODUCT, SUMS, FUNCTIONS };
     static const char *const heads[] = { "#version 330 core\n", "#version 300 es\nprecision highp float;\n" };
-    static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c", "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
+    static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c",
+                                         "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
     static const char *const parts[] = { "", "", " s.b = b; s.c = c;", " s.b = b; s.c = c; s.d = d;" };
-    static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);", "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
-        "s = ssgi_sh_product(s, y);", "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
+    static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);",
+                                         "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
+                                         "s = ssgi_sh_product(s, y);",
+                                         "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
     static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
     static float others[4 * MANY];
     static char text[TEXT], body[600];
@@ -455,17 +582,24 @@ static void twin_harmonics(void)
             ins[i] = i % 16 < bands * bands || what == ZONAL ? uniform(-1, 1) : 0;
             others[i] = ins[i] * uniform(-1, 1);
         }
-        for (int i = 0; i < MANY / 4 && what < PRODUCT; ++i) {     /* rotations: none, half turns, the axis at a pole and near it, any */
+        /* rotations: none, half turns, the axis at a pole and near it, any */
+        for (int i = 0; i < MANY / 4 && what < PRODUCT; ++i) {
             const double tilt = tilts[i / 2 % 8], a = (double)uniform(0, 6.28f), b = (double)uniform(0, 6.28f);
             if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
             else rotation(&others[16 * i], i & 16 ? (double)uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
-            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += uniform(-1.2e-7f, 1.2e-7f);    /* as a product of matrices is rounded */
+            /* as a product of matrices is rounded */
+            for (int j = 0; j < 11 && i & 32; ++j) others[16 * i + j] += uniform(-1.2e-7f, 1.2e-7f);
         }
         GLuint map = kit_texture(SIDE, SIDE, GL_RGBA32F, others);
         size_t n = (size_t)snprintf(text, sizeof text, "%s", heads[es]);
         n += ssgi_gl_sh(text + n, sizeof text - n, bands);
-        snprintf(text + n, sizeof text - n, "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.a = a;%s return s; }\n", parts[bands - 1]);
-        snprintf(body, sizeof body, "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); %s o = %s;", calls[what], words[bands - 1]);
+        snprintf(text + n, sizeof text - n,
+                 "ssgi_sh given(vec4 a, vec4 b, vec4 c, vec4 d) { ssgi_sh s; s.a = a;%s return s; }\n",
+                 parts[bands - 1]);
+        snprintf(body, sizeof body,
+                 "int w = texel.x & 3; ssgi_sh s = given(X(0), X(1), X(2), X(3)), y = given(Y(0), Y(1), Y(2), Y(3)); "
+                 "%s o = %s;",
+                 calls[what], words[bands - 1]);
         if (!probe_text(text, es ? SSGI_GL_300ES : SSGI_GL_330, &frame, map, body)) return;
         for (int i = 0; i < MANY / 4; ++i) {
             const float *x = &ins[16 * i], *y = &others[16 * i], *got = &outs[16 * i];
@@ -475,7 +609,10 @@ static void twin_harmonics(void)
             if (what == ZONAL) ssgi_sh_zonal(want, bands, x, y + 8);
             if (what == TURN) ssgi_sh_rotate(want, bands, x, 1, y);
             if (what == PRODUCT) ssgi_sh_product(want, bands, x, y);
-            for (int j = 0; j < 16 && what == SUMS; ++j) { want[j] = x[j] + 0.5f * y[j]; both += (double)x[j] * (double)y[j]; }
+            for (int j = 0; j < 16 && what == SUMS; ++j) {
+                want[j] = x[j] + 0.5f * y[j];
+                both += (double)x[j] * (double)y[j];
+            }
             if (what == SUMS) want[0] = (float)both;
             for (int j = 0; j < (bands < 3 ? 4 : 4 * bands); ++j) {
                 NEAR(got[j], want[j], 1e-5, calls[what]);
@@ -484,7 +621,8 @@ static void twin_harmonics(void)
         }
         glDeleteTextures(1, &map);
     }
-    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, product %.1e, sums %.1e", worst[BASIS], worst[ZONAL], worst[TURN], worst[PRODUCT], worst[SUMS]);
+    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, product %.1e, sums %.1e", worst[BASIS], worst[ZONAL],
+           worst[TURN], worst[PRODUCT], worst[SUMS]);
 }
 
 /* A half's bits: to nearest, to even between two; and its value. */
@@ -501,59 +639,89 @@ static double value_of(int half)
     return ldexp(e ? m + 1024 : m, (e ? e : 1) - 25) * (half & 0x8000 ? -1 : 1);
 }
 
-/* Every half is read as it is, and floats are rounded to it, in languages that have halves and by our own code in those that have not. */
+/* Every half is read as it is, and floats are rounded to it, in languages that have halves and by our own code in those
+   that have not. */
 static void twin_halves(void)
 {
     static const int dialects[] = { SSGI_GL_330, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES };
-    static const float odd[] = { 0, -0.0f, 65504, 65519, 65520, 65536, 1e9f, 1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f, 1, 1e-40f };
+    static const float odd[] = {
+        0,     -0.0f,         65504,         65519,         65520,         65536,         1e9f,
+        1e30f, 5.9604645e-8f, 2.9802322e-8f, 2.9802326e-8f, 6.0975552e-5f, 6.1035156e-5f, 6.1005358e-5f,
+        1,     1e-40f
+    };
     const ssgi_gl_frame frame = { .radius = 1 };
     for (int k = 0; k < 4; ++k) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .dialect = dialects[k] };
+        const ssgi_gl_desc d = {
+            .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS, .packed = 1, .dialect = dialects[k]
+        };
         for (int round = 0; round < 4; ++round) {
             for (int i = 0; i < 4 * MANY; ++i) ins[i] = (float)(4 * MANY * round + i);
-            if (!probe(&d, &frame, 0, "uvec4 h = uvec4(a); uvec2 u = h.xz | h.yw << 16u; o = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));")) return;
+            if (!probe(&d, &frame, 0,
+                       "uvec4 h = uvec4(a); uvec2 u = h.xz | h.yw << 16u; o = vec4(ssgi_unpack_half(u.x), "
+                       "ssgi_unpack_half(u.y));"))
+                return;
             for (int i = 0; i < 4 * MANY; ++i)
-                if (((4 * MANY * round + i) & 0x7c00) != 0x7c00) NEAR(outs[i], value_of(4 * MANY * round + i), 0, "ssgi_unpack_half");
+                if (((4 * MANY * round + i) & 0x7c00) != 0x7c00)
+                    NEAR(outs[i], value_of(4 * MANY * round + i), 0, "ssgi_unpack_half");
         }
         random_state = 14;
-        for (int i = 0; i < 4 * MANY; ++i) {               /* halves, what lies between two and beside that, anything, the odd ones */
+        /* halves, what lies between two and beside that, anything, the odd ones */
+        for (int i = 0; i < 4 * MANY; ++i) {
             const int h = (int)uniform(0, 0x7bff);
             const float middle = (float)(0.5 * (value_of(h) + value_of(h + 1)));
-            const float x[4] = { (float)value_of(h), middle, nextafterf(middle, i & 4 ? 0.0f : 1e9f), powf(10, uniform(-9, 10)) };
+            const float x[4] = { (float)value_of(h), middle, nextafterf(middle, i & 4 ? 0.0f : 1e9f),
+                                 powf(10, uniform(-9, 10)) };
             ins[i] = (i < 64 ? odd[i % 16] : x[i & 3]) * (i & 16 ? -1.0f : 1.0f);
         }
-        if (!probe(&d, &frame, 0, "uvec2 u = uvec2(ssgi_pack_half(a.xy), ssgi_pack_half(a.zw)); o = vec4(u.x & 65535u, u.x >> 16u, u.y & 65535u, u.y >> 16u);")) return;
+        if (!probe(&d, &frame, 0,
+                   "uvec2 u = uvec2(ssgi_pack_half(a.xy), ssgi_pack_half(a.zw)); o = vec4(u.x & 65535u, u.x >> 16u, "
+                   "u.y & 65535u, u.y >> 16u);"))
+            return;
         for (int i = 0; i < 4 * MANY; ++i) {
             const float x = ins[i];
             const int got = (int)outs[i];
-            CHECK(got == half_of(x), "ssgi_pack_half(%.9g), %s: 0x%04x, to nearest even 0x%04x", (double)x, ssgi_gl_dialect_name(d.dialect), (unsigned)got, (unsigned)half_of(x));
+            CHECK(got == half_of(x), "ssgi_pack_half(%.9g), %s: 0x%04x, to nearest even 0x%04x", (double)x,
+                  ssgi_gl_dialect_name(d.dialect), (unsigned)got, (unsigned)half_of(x));
         }
     }
 }
 
-/* ---- >>figures: weights and limits that no formula gives, by cases worked out by hand ------------------------------- */
+/* ---- >>figures: weights and limits that no formula gives, by cases worked out by hand ---------------------------- */
 
-static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)      /* orthographic, 64 x 64 pixels, 16 a unit */
+/* orthographic, 64 x 64 pixels, 16 a unit */
+static int facing(ssgi_view *view, ssgi_gl_frame *frame, float radius)
 {
     static const float m[16] = { 0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, -0.02f, 0, 0, 0, -1, 1 };
     const char *why = "";
-    return CHECK(ssgi_view_from_projection(view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK && ssgi_gl_frame_init(frame, view, radius, &why) == SSGI_OK, "%s", why);
+    return CHECK(ssgi_view_from_projection(view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
+                     && ssgi_gl_frame_init(frame, view, radius, &why) == SSGI_OK,
+                 "%s", why);
 }
 
 /* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. */
 static void slices_limits(void)
 {
-    static const struct { double tilt, height; int beyond, counts; } row[] = {      /* degrees; sine of the elevation; is it beyond the normal? */
-        { 80, 0.39, 1, 0 }, { 80, 0.41, 1, 1 }, { 80, 0.2, 1, 0 }, { 60, 0.9, 1, 1 }, { 80, 0.0039, 0, 0 }, { 80, 0.0041, 0, 1 }, { 60, 0.3, 0, 1 }, { 20, 0.7, 0, 1 } };
+    /* degrees; sine of the elevation; is it beyond the normal? */
+    static const struct { double tilt, height; int beyond, counts;
+    } row[] = { { 80, 0.39, 1, 0 },   { 80, 0.41, 1, 1 },   { 80, 0.2, 1, 0 }, { 60, 0.9, 1, 1 },
+                { 80, 0.0039, 0, 0 }, { 80, 0.0041, 0, 1 }, { 60, 0.3, 0, 1 }, { 20, 0.7, 0, 1 } };
     static float map[MANY][4];
     const int centre = SIDE / 2 * SIDE + SIDE / 2;
-    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .directions = 1, .steps = 1, .hard = 1, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+    ssgi_gl_desc d = { .pass = SSGI_GL_HSAO,
+                       .dialect = SSGI_GL_450,
+                       .directions = 1,
+                       .steps = 1,
+                       .hard = 1,
+                       .orthographic = 1,
+                       .depth = SSGI_GL_DEPTH_LINEAR };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 2)) return;
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
-        const double tilt = row[k].tilt * 0.017453292519943, up = row[k].beyond ? 3.14159265358979 - asin(row[k].height) : asin(row[k].height);
-        const double away = tilt + 1.5707963267949 - up;   /* of the tap from the view direction: 4 pixels aside, so much nearer */
+        const double tilt = row[k].tilt * 0.017453292519943,
+                     up = row[k].beyond ? 3.14159265358979 - asin(row[k].height) : asin(row[k].height);
+        /* of the tap from the view direction: 4 pixels aside, so much nearer */
+        const double away = tilt + 1.5707963267949 - up;
         for (int i = 0; i < MANY; ++i) {
             const double from = hypot(i % SIDE - SIDE / 2, i / SIDE - SIDE / 2);
             map[i][0] = i == centre ? 10 : from > 2.5 && from < 6 ? (float)(10 - 0.25 * cos(away) / sin(away)) : 100;
@@ -562,55 +730,77 @@ static void slices_limits(void)
         in[centre][1] = (float)cos(tilt);
         in[centre][2] = 0.3666f;                           /* (0.3666)^2 of the radius: 4.3 pixels */
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
-        const int went = probe(&d, &frame, texture, "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = ssgi_basis(vec3(0.0, 0.0, 1.0));"
+        const int went = probe(&d, &frame, texture,
+                               "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = "
+                               "ssgi_basis(vec3(0.0, 0.0, 1.0));"
                                "o = vec4(ssgi_gather(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)));");
         glDeleteTextures(1, &texture);
         if (!went) return;
         const double want = row[k].counts ? arc(up, tilt) : 0;
-        CHECK(fabs((double)out[centre][0] - want) <= (row[k].counts ? 2e-4 + 1e-3 * want : 0) && (out[centre][0] > 0) == row[k].counts, "tilt %g, height %g%s: %g, not %g", row[k].tilt, row[k].height,
-              row[k].beyond ? " beyond the normal" : "", (double)out[centre][0], want);
+        CHECK(fabs((double)out[centre][0] - want) <= (row[k].counts ? 2e-4 + 1e-3 * want : 0)
+                  && (out[centre][0] > 0) == row[k].counts,
+              "tilt %g, height %g%s: %g, not %g", row[k].tilt, row[k].height, row[k].beyond ? " beyond the normal" : "",
+              (double)out[centre][0], want);
     }
 }
 
-/* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that is what rounding does. */
+/* A surface just before what a shadow map shows, which faces its light and whose texels are points: lit as long as that
+   is what rounding does. */
 static void shadow_slack(void)
 {
-    static const struct { float depth, scale; int flat; double slack; } row[] = {   /* of a far point, of a map that is deep; 3e-7 of the scale, times depth squared where 1/z is stored, and 2e-5 of the depth */
+    /* of a far point, of a map that is deep; 3e-7 of the scale, times depth squared where 1/z is stored, and 2e-5 of
+       the depth */
+    static const struct { float depth, scale; int flat; double slack; } row[] = {
         { 1000, 1, 1, 0.0200003 }, { 1, 1000, 1, 3.2e-4 }, { 10, 10, 0, 5e-4 }, { 1, 500, 0, 1.7e-4 } };
     static float map[MANY][4];
     const ssgi_gl_desc d = { .pass = SSGI_GL_LIGHTS, .dialect = SSGI_GL_450, .shadow = SSGI_GL_SHADOW_MAP };
     ssgi_gl_frame frame = { .radius = 1, .max_slope = 20 };
     for (int k = 0; k < (int)(sizeof row / sizeof row[0]); ++k) {
-        const float light[5][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, -1, 0 }, { 0, row[k].scale, -1, (float)row[k].flat }, { 0, 32, SIDE, 1 } };
+        const float light[5][4] = { { 1, 0, 0, 0 },
+                                    { 0, 1, 0, 0 },
+                                    { 0, 0, -1, 0 },
+                                    { 0, row[k].scale, -1, (float)row[k].flat },
+                                    { 0, 32, SIDE, 1 } };
         memset(map, 0, sizeof map);
         memcpy(map[3], light, sizeof light);
         for (int i = 0; i < SIDE; ++i) {
             const double shown = (double)row[k].depth - row[k].slack * i / 32, w = row[k].flat ? shown : 1 / shown;
-            const float to = row[k].flat ? 1 : row[k].depth, p[4] = { ((float)i + 0.5f) * to, 0.5f * to, -row[k].depth, 0 };
+            const float to = row[k].flat ? 1 : row[k].depth,
+                        p[4] = { ((float)i + 0.5f) * to, 0.5f * to, -row[k].depth, 0 };
             map[32 * SIDE + i][0] = (float)(w / (double)row[k].scale);
             memcpy(in[i], p, sizeof p);
         }
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
-        const int went = probe(&d, &frame, texture, "float bias; o = vec4(ssgi_shadow(0, a.xyz, vec3(0.0, 0.0, 1.0), length(a.xyz), 1.0, 0.0, bias));");
+        const int went =
+            probe(&d, &frame, texture,
+                  "float bias; o = vec4(ssgi_shadow(0, a.xyz, vec3(0.0, 0.0, 1.0), length(a.xyz), 1.0, 0.0, bias));");
         glDeleteTextures(1, &texture);
         if (!went) return;
         for (int i = 0; i < SIDE; ++i)
-            if (i != 32) CHECK(out[i][0] == (i > 32), "depth %g, scale %g, %s: %g of the slack before it is %s", (double)row[k].depth, (double)row[k].scale, row[k].flat ? "orthographic" : "perspective", i / 32.0, out[i][0] > 0 ? "dark" : "lit");
+            if (i != 32)
+                CHECK(out[i][0] == (i > 32), "depth %g, scale %g, %s: %g of the slack before it is %s",
+                      (double)row[k].depth, (double)row[k].scale, row[k].flat ? "orthographic" : "perspective",
+                      i / 32.0, out[i][0] > 0 ? "dark" : "lit");
     }
 }
 
-/* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before that by more than two pixels there, which are 2/32 of its depth. */
+/* A point that the picture has in matter, and an extra camera before a wall at depth 2: it is open if it stands before
+   that by more than two pixels there, which are 2/32 of its depth. */
 static void view_slack(void)
 {
-    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 }, still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
+    static const float m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.002002f, -1, 0, 0, -0.2002002f, 0 },
+                       still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     static float map[MANY][4], wall[MANY];
     const ssgi_gl_desc d = { .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR };
     ssgi_view view;
     ssgi_gl_frame frame;
     const char *why = "";
     int open = 0;
-    if (!CHECK(ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
-               && ssgi_gl_views_set(&probed, 0, &view, still, still, &why) == SSGI_OK, "%s", why)) return;
+    if (!CHECK(ssgi_view_from_projection(&view, m, SSGI_CLIP_GL, SIDE, SIDE, &why) == SSGI_OK
+                   && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK
+                   && ssgi_gl_views_set(&probed, 0, &view, still, still, &why) == SSGI_OK,
+               "%s", why))
+        return;
     for (int i = 0; i < MANY; ++i) {
         const float z = 1.5f + 0.6f * (float)i / MANY;
         map[i][0] = 1;
@@ -622,7 +812,9 @@ static void view_slack(void)
     if (probe(&d, &frame, texture, "o = vec4(ssgi_blocked(a.xyz));"))
         for (int i = 0; i < MANY; ++i) {
             const double z = -(double)in[i][2], from = 2 / (1 + 2.0 / 32);
-            if (fabs(z - from) > 1e-3) CHECK(out[i][0] == (z > from), "at depth %g, where two pixels end at %g: %g", z, from, (double)out[i][0]);
+            if (fabs(z - from) > 1e-3)
+                CHECK(out[i][0] == (z > from), "at depth %g, where two pixels end at %g: %g", z, from,
+                      (double)out[i][0]);
             open += out[i][0] < 0.5f;
         }
     CHECK(open > MANY / 2 && open < MANY, "%d of %d are open", open, MANY);
@@ -634,11 +826,13 @@ static void view_slack(void)
 typedef struct given { const char *name; GLuint texture; } given;
 
 /* A pass alone, into floats. */
-static int pass_drawn(float *result, int components, int width, int height, const ssgi_gl_desc *d, const ssgi_gl_frame *frame, const given *textures, int count)
+static int pass_drawn(float *result, int components, int width, int height, const ssgi_gl_desc *d,
+                      const ssgi_gl_frame *frame, const given *textures, int count)
 {
     kit_error err = { "" };
     ssgi_gl_io row[SSGI_GL_MAX_IO];
-    GLuint block, framebuffer, program = kit_pass_program(d, &err), target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
+    GLuint block, framebuffer, program = kit_pass_program(d, &err),
+                               target = kit_texture(width, height, components == 1 ? GL_R32F : GL_RGBA32F, NULL);
     int given_ = 0;
     if (!CHECK(program, "%s", err.text)) return 0;
     glGenBuffers(1, &block);
@@ -648,7 +842,11 @@ static int pass_drawn(float *result, int components, int width, int height, cons
     glUseProgram(program);
     for (int i = 0, rows = ssgi_gl_reflect(d, row, SSGI_GL_MAX_IO); i < rows; ++i)
         for (int k = 0; k < count && row[i].kind == SSGI_GL_TEXTURE; ++k)
-            if (!strcmp(row[i].name, textures[k].name)) { glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot); glBindTexture(GL_TEXTURE_2D, textures[k].texture); ++given_; }
+            if (!strcmp(row[i].name, textures[k].name)) {
+                glActiveTexture(GL_TEXTURE0 + (GLenum)row[i].slot);
+                glBindTexture(GL_TEXTURE_2D, textures[k].texture);
+                ++given_;
+            }
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
@@ -660,10 +858,12 @@ static int pass_drawn(float *result, int components, int width, int height, cons
     glDeleteTextures(1, &target);
     glDeleteBuffers(1, &block);
     glDeleteProgram(program);
-    return CHECK(!read && given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_, count);
+    return CHECK(!read && given_ == count, "%s: %d of %d textures are its own", ssgi_gl_pass_name(d->pass), given_,
+                 count);
 }
 
-static GLuint grey(int width, int height, float value, int at, float there)    /* a texture of one channel that is another there */
+/* a texture of one channel that is another there */
+static GLuint grey(int width, int height, float value, int at, float there)
 {
     float *texel = malloc((size_t)width * (size_t)height * sizeof *texel);
     for (int i = 0; i < width * height; ++i) texel[i] = i == at ? there : value;
@@ -683,25 +883,36 @@ static void smooth_weights(void)
     frame.level[0] = frame.level[1] = SIDE;
     for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
     for (int l = 0; l < LEVELS; ++l) level[l * MANY + 32 * SIDE + 32] = 1;
-    const given t[3] = { { "t_ssgi_levels", kit_texture(SIDE, LEVELS * SIDE, GL_R32F, level) }, { "t_ssgi_depth", grey(SIDE, SIDE, 5, -1, 0) }, { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
+    const given t[3] = { { "t_ssgi_levels", kit_texture(SIDE, LEVELS * SIDE, GL_R32F, level) },
+                         { "t_ssgi_depth", grey(SIDE, SIDE, 5, -1, 0) },
+                         { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
     for (int axis = 0; axis < 2; ++axis) {
-        const ssgi_gl_desc d = { .pass = SSGI_GL_SMOOTH, .dialect = SSGI_GL_450, .levels = LEVELS, .axis = axis, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_SMOOTH,
+                                 .dialect = SSGI_GL_450,
+                                 .levels = LEVELS,
+                                 .axis = axis,
+                                 .orthographic = 1,
+                                 .depth = SSGI_GL_DEPTH_LINEAR };
         if (!pass_drawn(got, 1, SIDE, LEVELS * SIDE, &d, &frame, t, 3)) return;
         for (int l = 0; l < LEVELS; ++l)
             for (int k = -8; k <= 8; ++k) {
                 const int reach = 1 << l >> 1, away = abs(k);
-                const double want = away > reach ? 0 : (away == reach && l ? 0.5 : 1) / (1 << l), is = (double)got[l * MANY + (32 + (axis ? k : 0)) * SIDE + 32 + (axis ? 0 : k)];
+                const double want = away > reach ? 0 : (away == reach && l ? 0.5 : 1) / (1 << l),
+                             is = (double)got[l * MANY + (32 + (axis ? k : 0)) * SIDE + 32 + (axis ? 0 : k)];
                 CHECK(fabs(is - want) < 1e-6, "axis %d, level %d, %d away: %g, not %g", axis, l, k, is, want);
             }
     }
     for (int k = 0; k < 3; ++k) glDeleteTextures(1, &t[k].texture);
 }
 
-/* One bright pixel: a Gaussian whose variance is that of a radius of two deviations, and of a pixel: for 2 pixels 5/4. */
+/* One bright pixel: a Gaussian whose variance is that of a radius of two deviations, and of a pixel: for 2 pixels
+   5/4. */
 static void gaussian_weights(void)
 {
     static float got[MANY], ao[MANY][2];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_BLUR, .dialect = SSGI_GL_450, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2, .orthographic = 1 };
+    const ssgi_gl_desc d = {
+        .pass = SSGI_GL_BLUR, .dialect = SSGI_GL_450, .filter = SSGI_GL_GAUSSIAN, .filter_radius = 2, .orthographic = 1
+    };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
@@ -710,7 +921,8 @@ static void gaussian_weights(void)
     if (!pass_drawn(got, 1, SIDE, SIDE, &d, &frame, &t, 1)) return;
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
-            const double is = (double)(got[(32 + y) * SIDE + 32 + x] / got[32 * SIDE + 32]), want = exp(-0.4 * (x * x + y * y));
+            const double is = (double)(got[(32 + y) * SIDE + 32 + x] / got[32 * SIDE + 32]),
+                         want = exp(-0.4 * (x * x + y * y));
             CHECK(fabs(is - want) < 1e-5, "%d, %d away: %g of the centre's weight, not %g", x, y, is, want);
         }
     glDeleteTextures(1, &t.texture);
@@ -720,26 +932,37 @@ static void gaussian_weights(void)
 static void statistics_look(void)
 {
     static float got[8 * 8][4], depth[MANY], normal[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_STATISTICS, .dialect = SSGI_GL_450, .samples = 8, .orthographic = 1, .depth = SSGI_GL_DEPTH_LINEAR };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_STATISTICS,
+                             .dialect = SSGI_GL_450,
+                             .samples = 8,
+                             .orthographic = 1,
+                             .depth = SSGI_GL_DEPTH_LINEAR };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 1)) return;
     for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
     for (int there = 0; there < 2; ++there) {
         for (int i = 0; i < MANY; ++i) depth[i] = (i % 8 == 4 && i / SIDE % 8 == 4) == there ? 5.0f : 0.0f;
-        const given t[2] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) }, { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
+        const given t[2] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) },
+                             { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
         if (!pass_drawn(got[0], 4, 8, 8, &d, &frame, t, 2)) return;
-        for (int i = 0; i < 64; ++i) CHECK((got[i][0] >= 0) == there, "block %d, %s: %g", i, there ? "something at its centre alone" : "nothing at its centre", (double)got[i][0]);
+        for (int i = 0; i < 64; ++i)
+            CHECK((got[i][0] >= 0) == there, "block %d, %s: %g", i,
+                  there ? "something at its centre alone" : "nothing at its centre", (double)got[i][0]);
         for (int k = 0; k < 2; ++k) glDeleteTextures(1, &t[k].texture);
     }
 }
 
-/* ---- >>light of a frame ---------------------------------------------------------------------------------------------- */
+/* ---- >>light of a frame ------------------------------------------------------------------------------------------ */
 
 static void frame_light(void)
 {
-    static const struct { const char *start; int frame, coefficients, bands; } bad[] = {
-        { "frame:", 0, 1, 3 }, { "coefficients:", 1, 0, 3 }, { "bands:", 1, 1, 0 }, { "bands:", 1, 1, 5 }, { "bands:", 1, 1, -1 } };
+    static const struct { const char *start; int frame, coefficients, bands;
+    } bad[] = { { "frame:", 0, 1, 3 },
+                { "coefficients:", 1, 0, 3 },
+                { "bands:", 1, 1, 0 },
+                { "bands:", 1, 1, 5 },
+                { "bands:", 1, 1, -1 } };
     ssgi_gl_frame frame, was;
     float c[48], turned[48], m[16];
     const char *why = "";
@@ -754,13 +977,16 @@ static void frame_light(void)
         frame = was;
         CHECK(ssgi_gl_harmonics_set(&frame, c, bands, matrix ? m : NULL, &why) == SSGI_OK, "%s", why);
         for (int k = 0; k < 48; ++k)
-            CHECK(fabsf(frame.harmonics[12 * (k / 12) + 4 * (k % 3) + k / 3 % 4] - turned[k]) <= 1e-6f, "%d bands: coefficient %d, channel %d", bands, k / 3, k % 3);
+            CHECK(fabsf(frame.harmonics[12 * (k / 12) + 4 * (k % 3) + k / 3 % 4] - turned[k]) <= 1e-6f,
+                  "%d bands: coefficient %d, channel %d", bands, k / 3, k % 3);
         memcpy(frame.harmonics, was.harmonics, sizeof was.harmonics);
         CHECK(!memcmp(&frame, &was, sizeof was), "other members were written to");
     }
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
-        CHECK(ssgi_gl_harmonics_set(bad[i].frame ? &frame : NULL, bad[i].coefficients ? c : NULL, bad[i].bands, m, &why) == SSGI_BAD_ARGUMENT && NAMES(why, bad[i].start)
-              && !memcmp(&frame, &was, sizeof was), "%s \"%s\", or the frame was written to", bad[i].start, why);
+        CHECK(ssgi_gl_harmonics_set(bad[i].frame ? &frame : NULL, bad[i].coefficients ? c : NULL, bad[i].bands, m, &why)
+                      == SSGI_BAD_ARGUMENT
+                  && NAMES(why, bad[i].start) && !memcmp(&frame, &was, sizeof was),
+              "%s \"%s\", or the frame was written to", bad[i].start, why);
 }
 
 void test_twins(void)
@@ -768,7 +994,8 @@ void test_twins(void)
     kit_error err = { "" };
     RUN("extra cameras and shadow maps see what ssgi_view_project says, and lead back", cameras);
     RUN("cameras that are wrong are named, and nothing is written", refused_cameras);
-    RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written", frame_light);
+    RUN("a frame's light is the world's, turned, word by word; what is wrong is named, and nothing is written",
+        frame_light);
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
     RUN("depth, position, projection, footprint and offset as in C", twin_views);
     RUN("noise and kernel as in C", twin_noise_and_kernel);

@@ -1,4 +1,5 @@
-/* test_vectors.c - s3ho and ssbn through the whole of GL: vectors and light against closed forms, lamps, storage, the filter, bent normals, range, fading, truth. */
+/* test_vectors.c - s3ho and ssbn through the whole of GL: vectors and light against closed forms, lamps, storage, the
+   filter, bent normals, range, fading, truth. */
 #include "t.h"
 #include "frames.h"
 
@@ -13,7 +14,7 @@ static kit_error err;
 enum { W = 160, H = 90 };
 static const kit_lighting dark;
 
-/* ---- vectors: 16 coefficients of the clamped cosine times what is free ------------------------------------------------ */
+/* ---- vectors: 16 coefficients of the clamped cosine times what is free ------------------------------------------- */
 
 static int band(int i) { return i < 1 ? 0 : i < 4 ? 1 : i < 9 ? 2 : 3; }
 
@@ -25,7 +26,8 @@ static void basis(float y[16], const double d[3])
 
 static void open_vector(double v[16], const double n[3])
 {
-    static const double lobe[4] = { 0.886226925453, 1.02332670795, 0.4954159122, 0 };       /* zonal harmonics of max(0, cos) */
+    /* zonal harmonics of max(0, cos) */
+    static const double lobe[4] = { 0.886226925453, 1.02332670795, 0.4954159122, 0 };
     float y[16];
     basis(y, n);
     for (int i = 0; i < 16; ++i) v[i] = lobe[band(i)] * sqrt(4 * pi / (2 * band(i) + 1)) * (double)y[i];
@@ -92,13 +94,18 @@ static double apart(const kit_image *a, const char *channel, const kit_image *b,
     return worst;
 }
 
-/* ---- open planes --------------------------------------------------------------------------------------------------- */
+/* ---- open planes ------------------------------------------------------------------------------------------------- */
 
 static void open_planes(void)
 {
     enum { PLANES = 8 };
-    static const struct { const char *set; int bands, read, orthographic; } row[] = { { "filtered=vectors", 4, 1, 0 }, { "filtered=vectors,sets=16,steps=4", 4, 1, 0 },
-        { "filtered=vectors,layers=2", 4, 1, 1 }, { "filtered=light", 4, 0, 0 }, { "filtered=vectors", 3, 0, 1 }, { "filtered=light", 2, 0, 0 }, { "filtered=vectors", 1, 0, 0 } };
+    static const struct {
+        const char *set;
+        int bands, read, orthographic;
+    } row[] = { { "filtered=vectors", 4, 1, 0 },          { "filtered=vectors,sets=16,steps=4", 4, 1, 0 },
+                { "filtered=vectors,layers=2", 4, 1, 1 }, { "filtered=light", 4, 0, 0 },
+                { "filtered=vectors", 3, 0, 1 },          { "filtered=light", 2, 0, 0 },
+                { "filtered=vectors", 1, 0, 0 } };
     static const double tilts[] = { 0, 30, 60, 75 };
     double worst[3] = { 0 };
     float light[48];
@@ -107,7 +114,8 @@ static void open_planes(void)
         kit_gbuffer g[PLANES];
         kit_run run;
         for (int k = 0; k < PLANES; ++k) {
-            const double a = tilts[k % 4] * pi / 180, b = 1 + 0.7 * k, plane[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
+            const double a = tilts[k % 4] * pi / 180, b = 1 + 0.7 * k,
+                         plane[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
             kit_camera c = looking_along_z(W, H, row[m].orthographic);
             float view[16], projection[16], *vector = NULL;
             double n[3], lobe[16], open[16];
@@ -115,12 +123,16 @@ static void open_planes(void)
             char set[96];
             if (k > 3) { c.target[0] = 0.3f; c.target[1] = -0.8f; c.target[2] = -0.5f; }
             kit_camera_matrices(&c, view, projection);
-            for (int j = 0; j < 3; ++j) n[j] = (double)view[4 * j] * plane[0][0] + (double)view[4 * j + 1] * plane[0][1] + (double)view[4 * j + 2] * plane[0][2];
+            for (int j = 0; j < 3; ++j)
+                n[j] = (double)view[4 * j] * plane[0][0] + (double)view[4 * j + 1] * plane[0][1]
+                       + (double)view[4 * j + 2] * plane[0][2];
             open_vector(lobe, plane[0]);
             open_vector(open, n);                                  /* the same in the world, where the light is */
             snprintf(set, sizeof set, "indirect=none,store=float,bands=%d,%s", row[m].bands, row[m].set);
-            if (!planes_seen(&frame, &c, plane, 1, ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z") || !TRY(kit_gbuffer_from_frame(&g[k], &frame, &c, &err)) ||
-                (!k && !begin(&run, &g[0], "s3ho", set, 0.5f, NULL, &dark))) return;
+            if (!planes_seen(&frame, &c, plane, 1, ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z")
+                || !TRY(kit_gbuffer_from_frame(&g[k], &frame, &c, &err))
+                || (!k && !begin(&run, &g[0], "s3ho", set, 0.5f, NULL, &dark)))
+                return;
             turn(&run, &g[k]);
             run.frame.radius = run.frame.thickness = k & 1 ? 0.5f : 0.1f;
             ssgi_gl_harmonics_set(&run.frame, light, row[m].bands, view, NULL);
@@ -128,11 +140,15 @@ static void open_planes(void)
             for (int p = 0; p < W * H; ++p) {
                 if (!flat(&frame, p % W, p / W)) continue;
                 for (int i = 0; i < 16 && row[m].read; ++i)
-                    worst[i > 8] = fmax(worst[i > 8], fabs((double)vector[16 * ((H - 1 - p / W) * W + p % W) + i] - lobe[i]));
-                for (int j = 0; j < 3; ++j) worst[2] = fmax(worst[2], fabs((double)out.data[(3 + j) * W * H + p] - met(open, light, j, row[m].bands)));
+                    worst[i > 8] =
+                        fmax(worst[i > 8], fabs((double)vector[16 * ((H - 1 - p / W) * W + p % W) + i] - lobe[i]));
+                for (int j = 0; j < 3; ++j)
+                    worst[2] =
+                        fmax(worst[2], fabs((double)out.data[(3 + j) * W * H + p] - met(open, light, j, row[m].bands)));
             }
             CHECK(worst[0] <= 1e-6 && worst[1] == 0 && worst[2] <= 1e-6,
-                  "%s, plane %d: a coefficient is off by %.1e, one of band 3 by %.1e, light by %.1e", set, k, worst[0], worst[1], worst[2]);
+                  "%s, plane %d: a coefficient is off by %.1e, one of band 3 by %.1e, light by %.1e", set, k, worst[0],
+                  worst[1], worst[2]);
             free(vector);
             kit_image_free(&frame); kit_image_free(&out);
         }
@@ -142,7 +158,7 @@ static void open_planes(void)
     t_note("a coefficient is off by %.1e, of band 3 by %g, light by %.1e", worst[0], worst[1], worst[2]);
 }
 
-/* ---- the corner ------------------------------------------------------------------------------------------------------ */
+/* ---- the corner -------------------------------------------------------------------------------------------------- */
 
 /* All radii: where the wall begins and ends, what fading does with a blocker at distance d. */
 typedef struct wall { double c, end; int steps; double (*weight)(double d); } wall;
@@ -151,16 +167,20 @@ static double smooth(double d) { const double t = fmin(1, fmax(0, (d - 0.5) / 0.
 static double lambda(double d) { return 1 / (1 + 2 * d); }
 static double within(double d) { return d <= 1; }
 
-/* The expectation of a vector on the floor before a wall, seen by the corner's camera: quadrature over directions and lengths. A sample behind the wall's face is blocked
-   by the point of the face at its pixel. n: of the floor, from there down its slope to the wall: along. */
+/* The expectation of a vector on the floor before a wall, seen by the corner's camera: quadrature over directions and
+   lengths. A sample behind the wall's face is blocked by the point of the face at its pixel. n: of the floor, from
+   there down its slope to the wall: along. */
 static void wall_vector(double v[16], const wall *w, const double n[3], const double along[3])
 {
     enum { RINGS = 100, SPOKES = 200, LENGTHS = 64 };
-    const double side[3] = { n[1] * along[2] - n[2] * along[1], n[2] * along[0] - n[0] * along[2], n[0] * along[1] - n[1] * along[0] };
+    const double side[3] = { n[1] * along[2] - n[2] * along[1], n[2] * along[0] - n[0] * along[2],
+                             n[0] * along[1] - n[1] * along[0] };
     memset(v, 0, 16 * sizeof *v);
     for (int k = 0; k < RINGS * SPOKES; ++k) {
-        const double r = sqrt((k / SPOKES + 0.5) / RINGS), a = 2 * pi * (k % SPOKES + 0.5) / SPOKES, x = r * cos(a), y = r * sin(a), z = sqrt(1 - r * r);
-        const double d[3] = { x * along[0] + y * side[0] + z * n[0], x * along[1] + y * side[1] + z * n[1], x * along[2] + y * side[2] + z * n[2] };
+        const double r = sqrt((k / SPOKES + 0.5) / RINGS), a = 2 * pi * (k % SPOKES + 0.5) / SPOKES, x = r * cos(a),
+                     y = r * sin(a), z = sqrt(1 - r * r);
+        const double d[3] = { x * along[0] + y * side[0] + z * n[0], x * along[1] + y * side[1] + z * n[1],
+                              x * along[2] + y * side[2] + z * n[2] };
         double blocked = 0;
         float Y[16];
         for (int i = 0; i < LENGTHS; ++i)
@@ -175,7 +195,8 @@ static void wall_vector(double v[16], const wall *w, const double n[3], const do
     }
 }
 
-/* Draws the middle columns of a row, and what a filter needs around them; reads them from the targets of a pass. Senders are drawn whole. */
+/* Draws the middle columns of a row, and what a filter needs around them; reads them from the targets of a pass.
+   Senders are drawn whole. */
 static int strip(float *out, kit_run *run, int row, int pass, int targets)
 {
     const int passes = run->passes;
@@ -191,7 +212,8 @@ static int strip(float *out, kit_run *run, int row, int pass, int targets)
     glDisable(GL_SCISSOR_TEST);
     for (int t = 0; t < targets && ok; ++t) {
         ok = CHECK(!kit_texture_read(run->pass[pass].target[t], WIDE, row + 1, 4, texel), "a target cannot be read");
-        for (int i = 0; i < COLUMNS && ok; ++i) memcpy(out + 4 * (targets * i + t), texel + 4 * (row * WIDE + MIDDLE + i), 4 * sizeof *out);
+        for (int i = 0; i < COLUMNS && ok; ++i)
+            memcpy(out + 4 * (targets * i + t), texel + 4 * (row * WIDE + MIDDLE + i), 4 * sizeof *out);
     }
     free(texel);
     return ok;
@@ -207,20 +229,28 @@ static int strip_mean(double *mean_, kit_run *run, kit_gbuffer *g, int row, int 
     for (int k = 0; k < phases && ok; ++k) {
         run->frame.phase = (float)k / (float)phases;
         ok = strip(texel, run, row, pass, targets);
-        for (int i = 0; i < COLUMNS * 4 * targets && ok; ++i) mean_[i % (4 * targets)] += (double)texel[i] / (COLUMNS * phases);
+        for (int i = 0; i < COLUMNS * 4 * targets && ok; ++i)
+            mean_[i % (4 * targets)] += (double)texel[i] / (COLUMNS * phases);
     }
     return ok;
 }
 
 static void walls_block(void)
 {
-    static const double oracle[16] = { 0.73715139, 0, 0.87559242, -0.16423885, 0, 0, 0.47457613, -0.19608595, -0.072164136,
-                                       0, 0, 0, 0.076696803, -0.10079881, -0.099015153, -0.001256478 };
-    static const struct { const char *set; wall w; } row[] = {
-        { "", { 0.25, 9, 1, whole } }, { "", { 0.1, 9, 1, whole } }, { "", { 0.5, 9, 1, whole } }, { "sets=16", { 0.25, 9, 1, whole } },
-        { "steps=4", { 0.25, 9, 4, whole } }, { "layers=2,steps=4", { 0.25, 0.35, 4, whole } }, { "fade=smooth,fade_from=0.5", { 0.25, 9, 1, smooth } },
-        { "fade=lambda,lambda=2", { 0.25, 9, 1, lambda } }, { "fade=lambda,lambda=2,layers=2", { 0.25, 0.35, 1, lambda } },
-        { "range=1", { 0.25, 9, 1, within } } };
+    static const double oracle[16] = { 0.73715139,  0,           0.87559242,   -0.16423885, 0, 0,
+                                       0.47457613,  -0.19608595, -0.072164136, 0,           0, 0,
+                                       0.076696803, -0.10079881, -0.099015153, -0.001256478 };
+    static const struct { const char *set; wall w;
+    } row[] = { { "", { 0.25, 9, 1, whole } },
+                { "", { 0.1, 9, 1, whole } },
+                { "", { 0.5, 9, 1, whole } },
+                { "sets=16", { 0.25, 9, 1, whole } },
+                { "steps=4", { 0.25, 9, 4, whole } },
+                { "layers=2,steps=4", { 0.25, 0.35, 4, whole } },
+                { "fade=smooth,fade_from=0.5", { 0.25, 9, 1, smooth } },
+                { "fade=lambda,lambda=2", { 0.25, 9, 1, lambda } },
+                { "fade=lambda,lambda=2,layers=2", { 0.25, 0.35, 1, lambda } },
+                { "range=1", { 0.25, 9, 1, within } } };
     static const double up[3] = { 0, 0, 1 }, right[3] = { 1, 0, 0 };
     double v[16], found[16], worst = 0;
     wall_vector(v, &row[0].w, up, right);
@@ -238,7 +268,9 @@ static void walls_block(void)
         corner_planes(plane, w->c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v, w, plane[0], along);
-        if (!slab(&g, w->c, w->end - w->c, 0, w->end < 1 ? 2 : 1) || !begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip_mean(found, &run, &g, row_at(w->c), 8, 0, 4)) return;
+        if (!slab(&g, w->c, w->end - w->c, 0, w->end < 1 ? 2 : 1) || !begin(&run, &g, "s3ho", set, 1, NULL, &dark)
+            || !strip_mean(found, &run, &g, row_at(w->c), 8, 0, 4))
+            return;
         for (int i = 0; i < 16; ++i) off = fmax(off, fabs(found[i] - v[i]));
         CHECK(off <= 0.003, "%s, c %g: a coefficient is off by %.4f", row[m].set, w->c, off);
         worst = fmax(worst, off);
@@ -248,7 +280,8 @@ static void walls_block(void)
     t_note("a coefficient is off by %.4f at most", worst);
 }
 
-/* A wall sends what its albedo makes of light from all sides, as far as it blocks the floor; normals of senders have 6 bits. */
+/* A wall sends what its albedo makes of light from all sides, as far as it blocks the floor; normals of senders have 6
+   bits. */
 static void walls_reflect(void)
 {
     static const float albedo[3] = { 0.75f, 0.25f, 0.5f };
@@ -265,9 +298,13 @@ static void walls_reflect(void)
     wall_vector(v, &w, plane[0], along);
     open_vector(open, plane[1]);
     if (!planes_seen(&frame, &c, (const double (*)[4])plane, 2, ",albedo.R,albedo.G,albedo.B")) return;
-    for (size_t i = 0; i < 3 * pixels; ++i) frame.data[4 * pixels + i] = frame.data[2 * pixels + i % pixels] < 0 ? albedo[i / pixels] : 0;
+    for (size_t i = 0; i < 3 * pixels; ++i)
+        frame.data[4 * pixels + i] = frame.data[2 * pixels + i % pixels] < 0 ? albedo[i / pixels] : 0;
     for (int m = 0; m < 2; ++m) {
-        if (m) for (size_t i = 0; i < 3 * pixels; ++i) if (frame.data[4 * pixels + i % pixels] > 0) frame.data[pixels + i] *= -1;      /* the wall shows its other side */
+        /* the wall shows its other side */
+        if (m)
+            for (size_t i = 0; i < 3 * pixels; ++i)
+                if (frame.data[4 * pixels + i % pixels] > 0) frame.data[pixels + i] *= -1;
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
         kit_run run;
         char set[96];
@@ -276,9 +313,11 @@ static void walls_reflect(void)
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
         if (!strip_mean(found, &run, &g, row_at(w.c), 8, run.passes - 1, 1)) return;
         for (int j = 0; j < 3; ++j) {
-            const double truth = (1 - v[0] / 0.886226925) * (double)albedo[j] * met(open, light, j, 3) + (m ? 0 : met(v, light, j, 4));
+            const double truth =
+                (1 - v[0] / 0.886226925) * (double)albedo[j] * met(open, light, j, 3) + (m ? 0 : met(v, light, j, 4));
             worst = fmax(worst, fabs(found[j] / truth - 1));
-            CHECK(fabs(found[j] / truth - 1) <= 0.01, "%s, channel %d: %.4f, expected %.4f", sets[m], j, found[j], truth);
+            CHECK(fabs(found[j] / truth - 1) <= 0.01, "%s, channel %d: %.4f, expected %.4f", sets[m], j, found[j],
+                  truth);
         }
         kit_run_close(&run);
         kit_gbuffer_free(&g);
@@ -291,10 +330,15 @@ static void walls_reflect(void)
 static void range_is_checked(void)
 {
     enum { WIDTH = 320, HEIGHT = 320, EDGE = 192, ROWS = 64 };
-    static const struct { double high, blocked[2]; } row[] = {
-        { 0.25, { 0.0410, 0.0406 } }, { 0.5, { 0.1097, 0.1023 } }, { 0.75, { 0.1565, 0.1113 } }, { 0.9, { 0.1675, 0.0520 } }, { 1.5, { 0.1683, 0 } } };
+    static const struct { double high, blocked[2];
+    } row[] = { { 0.25, { 0.0410, 0.0406 } },
+                { 0.5, { 0.1097, 0.1023 } },
+                { 0.75, { 0.1565, 0.1113 } },
+                { 0.9, { 0.1675, 0.0520 } },
+                { 1.5, { 0.1683, 0 } } };
     static const double floor_[1][4] = { { 0, 0, 1, -4 } };
-    const double radius = 2.0 * 126 / HEIGHT;                      /* 126 pixels: column EDGE - 32 is seen through a centre that is 31.5 of them away */
+    /* 126 pixels: column EDGE - 32 is seen through a centre that is 31.5 of them away */
+    const double radius = 2.0 * 126 / HEIGHT;
     const kit_camera c = looking_along_z(WIDTH, HEIGHT, 1);
     kit_image frame;
     kit_run run;
@@ -306,8 +350,10 @@ static void range_is_checked(void)
             double v = 0;
             kit_gbuffer g;
             char set[128];
-            snprintf(set, sizeof set, "range=%d,indirect=none,filtered=vectors,store=float,bands=1,thin=0,samples=64,offset=0", m);
-            for (int i = 0; i < WIDTH * HEIGHT; ++i) if (i % WIDTH >= EDGE) frame.data[i] = (float)(4 - row[k].high * radius);
+            snprintf(set, sizeof set,
+                     "range=%d,indirect=none,filtered=vectors,store=float,bands=1,thin=0,samples=64,offset=0", m);
+            for (int i = 0; i < WIDTH * HEIGHT; ++i)
+                if (i % WIDTH >= EDGE) frame.data[i] = (float)(4 - row[k].high * radius);
             if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
                 (!k && !begin(&run, &g, "s3ho", set, (float)radius, NULL, &dark))) return;
             turn(&run, &g);
@@ -317,13 +363,17 @@ static void range_is_checked(void)
                 run.frame.phase = (float)phase / 16;
                 kit_run_update(&run);
                 kit_run_draw(&run, 0);
-                if (!CHECK(!kit_texture_read(run.pass[0].target[0], WIDTH, HEIGHT, 1, texel), "a target cannot be read")) return;
-                for (int y = 0; y < ROWS; ++y) v += (double)texel[((HEIGHT - ROWS) / 2 + y) * WIDTH + EDGE - 32] / (16 * ROWS);
+                if (!CHECK(!kit_texture_read(run.pass[0].target[0], WIDTH, HEIGHT, 1, texel),
+                           "a target cannot be read"))
+                    return;
+                for (int y = 0; y < ROWS; ++y)
+                    v += (double)texel[((HEIGHT - ROWS) / 2 + y) * WIDTH + EDGE - 32] / (16 * ROWS);
             }
             glDisable(GL_SCISSOR_TEST);
             const double blocked = 1 - v / 0.886226925;
             worst = fmax(worst, fabs(blocked - row[k].blocked[m]));
-            CHECK(fabs(blocked - row[k].blocked[m]) <= 0.001, "range %d, a step of %g: %.4f blocked, expected %.4f", m, row[k].high, blocked, row[k].blocked[m]);
+            CHECK(fabs(blocked - row[k].blocked[m]) <= 0.001, "range %d, a step of %g: %.4f blocked, expected %.4f", m,
+                  row[k].high, blocked, row[k].blocked[m]);
             kit_gbuffer_free(&g);
         }
         kit_run_close(&run);
@@ -332,7 +382,7 @@ static void range_is_checked(void)
     kit_image_free(&frame);
 }
 
-/* ---- light ------------------------------------------------------------------------------------------------------------- */
+/* ---- light ------------------------------------------------------------------------------------------------------- */
 
 /* A room under the sky, small. */
 static int look(kit_gbuffer *g, kit_scene *scene, kit_lighting *l, const char *light)
@@ -343,8 +393,10 @@ static int look(kit_gbuffer *g, kit_scene *scene, kit_lighting *l, const char *l
 /* Under a sun whose series is below 0 behind it. */
 static void ssdo_agrees(void)
 {
-    static const struct { const char *method, *set; } row[3] = {
-        { "ssdo", "bounce=none,environment=sh" }, { "s3ho", "indirect=none,store=float,filtered=vectors" }, { "s3ho", "indirect=none,filtered=light" } };
+    static const struct { const char *method, *set;
+    } row[3] = { { "ssdo", "bounce=none,environment=sh" },
+                 { "s3ho", "indirect=none,store=float,filtered=vectors" },
+                 { "s3ho", "indirect=none,filtered=light" } };
     static const float at[3] = { 0.5f, 0.7f, 0.4f }, colour[3] = { 3, 2, 1 };
     float light[27] = { 0 }, view[16], projection[16];
     kit_scene scene;
@@ -367,16 +419,19 @@ static void ssdo_agrees(void)
         worst = fmax(worst, apart(&out[0], "irradiance.R", &out[m], "irradiance.R"));
     }
     for (int i = 0; i < W * H; ++i) black += out[0].data[3 * W * H + i] == 0;
-    CHECK(worst <= 1e-6 && black > 100 && mean(&out[0], "irradiance.G") > 0.1, "%.1e apart, %d pixels are black", worst, black);
+    CHECK(worst <= 1e-6 && black > 100 && mean(&out[0], "irradiance.G") > 0.1, "%.1e apart, %d pixels are black", worst,
+          black);
     t_note("%.1e apart at most, %d pixels are black", worst, black);
     for (int m = 0; m < 3; ++m) kit_image_free(&out[m]);
     kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* What a lobe brings to an open surface, of what it brings to one that faces it: cap is the cosine of the half-angle that the light fills. */
+/* What a lobe brings to an open surface, of what it brings to one that faces it: cap is the cosine of the half-angle
+   that the light fills. */
 static double lobe(double cosine, double cap, int bands, const float *window)
 {
-    const double f[3] = { 1, 0.5 + 0.5 * cap, 0.5 * cap * (1 + cap) }, a[3] = { 0.25, 0.5, 0.3125 }, p[3] = { 1, cosine, 1.5 * cosine * cosine - 0.5 };
+    const double f[3] = { 1, 0.5 + 0.5 * cap, 0.5 * cap * (1 + cap) }, a[3] = { 0.25, 0.5, 0.3125 },
+                 p[3] = { 1, cosine, 1.5 * cosine * cosine - 0.5 };
     double sum = 0, facing = 0;
     for (int i = 0; i < 3 && i < bands; ++i) {
         sum += a[i] * (double)window[i] * f[i] * p[i];
@@ -389,8 +444,14 @@ static double lobe(double cosine, double cap, int bands, const float *window)
 static void lamps_light_what_faces_them(void)
 {
     enum { WIDTH = 17, HEIGHT = 9, MIDDLE_X = 8, MIDDLE_Y = 4 };
-    static const double plane[1][4] = { { 0, 0, 1, -2 } }, angles[] = { 0, 40, 85, 120, 180 }, back[3] = { 0.0588235, 0, 0.0204082 };      /* of 4 bands, behind a sun */
-    static const struct { double kind, distance, radius; } row[] = { { SSGI_GL_SUN, 1, 0 }, { SSGI_GL_POINT, 0.7, 0 }, { SSGI_GL_POINT, 1.6, 0.8 }, { SSGI_GL_POINT, 0.5, 0.49 } };
+    /* of 4 bands, behind a sun */
+    static const double plane[1][4] = { { 0, 0, 1, -2 } }, angles[] = { 0, 40, 85, 120, 180 },
+                        back[3] = { 0.0588235, 0, 0.0204082 };
+    static const struct {
+        double kind, distance, radius;
+    } row[] = {
+        { SSGI_GL_SUN, 1, 0 }, { SSGI_GL_POINT, 0.7, 0 }, { SSGI_GL_POINT, 1.6, 0.8 }, { SSGI_GL_POINT, 0.5, 0.49 }
+    };
     const kit_camera c = looking_along_z(WIDTH, HEIGHT, 1);
     float P[3];
     double worst = 0;
@@ -398,7 +459,9 @@ static void lamps_light_what_faces_them(void)
     kit_image frame, out;
     kit_gbuffer g;
     kit_camera_point(&c, MIDDLE_X, MIDDLE_Y, 2, P);
-    if (!lighten(&l, NULL, "point:0,0,0,1,1,1") || !planes_seen(&frame, &c, plane, 1, "") || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
+    if (!lighten(&l, NULL, "point:0,0,0,1,1,1") || !planes_seen(&frame, &c, plane, 1, "")
+        || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)))
+        return;
     for (int bands = 1; bands <= 4; ++bands) {
         kit_run run;
         char set[64];
@@ -406,8 +469,11 @@ static void lamps_light_what_faces_them(void)
         if (!begin(&run, &g, "s3ho", set, 0.5f, NULL, &l)) return;
         for (int k = 0; k < 3 * 4 * 5; ++k) {
             const int window = k / 20, m = k / 5 % 4;
-            const double angle = angles[k % 5] * pi / 180, sun = row[m].kind > 0 ? 0 : 1, d = row[m].distance, cap = sqrt(1 - row[m].radius * row[m].radius / (d * d));
-            ssgi_gl_light lamp = { .kind = (float)row[m].kind, .colour = { 2, 1, 0.5f }, .min_distance = (float)row[m].radius };
+            const double angle = angles[k % 5] * pi / 180, sun = row[m].kind > 0 ? 0 : 1, d = row[m].distance,
+                         cap = sqrt(1 - row[m].radius * row[m].radius / (d * d));
+            ssgi_gl_light lamp = { .kind = (float)row[m].kind,
+                                   .colour = { 2, 1, 0.5f },
+                                   .min_distance = (float)row[m].radius };
             lamp.at[0] = (float)(d * sin(angle) * 0.6 + (1 - sun) * (double)P[0]);
             lamp.at[1] = (float)(d * sin(angle) * 0.8 + (1 - sun) * (double)P[1]);
             lamp.at[2] = (float)(d * cos(angle) + (1 - sun) * (double)P[2]);
@@ -417,11 +483,14 @@ static void lamps_light_what_faces_them(void)
             run.pass[1].lights = kit_texture(8, 1, GL_RGBA32F, lamp.at);
             if (!drawn(&out, &run)) return;
             for (int j = 0; j < 3; ++j) {
-                const double found = (double)out.data[((3 + j) * HEIGHT + MIDDLE_Y) * WIDTH + MIDDLE_X] * pi * d * d / (double)lamp.colour[j],
+                const double found = (double)out.data[((3 + j) * HEIGHT + MIDDLE_Y) * WIDTH + MIDDLE_X] * pi * d * d
+                                     / (double)lamp.colour[j],
                              truth = lobe(cos(angle), cap, bands, run.frame.window);
                 worst = fmax(worst, fabs(found - truth));
-                CHECK(found >= 0 && fabs(found - truth) <= 1e-5 && (k % 5 || fabs(found - 1) <= 1e-5) && (bands < 4 || m || k % 5 < 4 || fabs(found - back[window]) <= 1e-5),
-                      "%d bands, window %d, lamp %d, %g degrees: %.6f, expected %.6f", bands, window, m, angles[k % 5], found, truth);
+                CHECK(found >= 0 && fabs(found - truth) <= 1e-5 && (k % 5 || fabs(found - 1) <= 1e-5)
+                          && (bands < 4 || m || k % 5 < 4 || fabs(found - back[window]) <= 1e-5),
+                      "%d bands, window %d, lamp %d, %g degrees: %.6f, expected %.6f", bands, window, m, angles[k % 5],
+                      found, truth);
             }
             glDeleteTextures(1, &run.pass[1].lights);
             kit_image_free(&out);
@@ -432,7 +501,8 @@ static void lamps_light_what_faces_them(void)
     kit_image_free(&frame); kit_gbuffer_free(&g);
 }
 
-/* A sun among the environment's harmonics and as a lamp; a wide one and a sphere far away; the lamps also as the radiance which goes out. */
+/* A sun among the environment's harmonics and as a lamp; a wide one and a sphere far away; the lamps also as the
+   radiance which goes out. */
 static void suns_are_lamps(void)
 {
     enum { FAR = 10000 };
@@ -442,7 +512,9 @@ static void suns_are_lamps(void)
     kit_gbuffer g;
     kit_lighting sun, point;
     float view[16], projection[16], light[48] = { 0 };
-    if (!lighten(&sun, NULL, "sun:0.5,0.7,0.4,3,2,1") || !lighten(&point, NULL, "point:0,9,0,1,1,1") || !see(&scene, &g, "room", NULL, 0, NULL, W, H)) return;
+    if (!lighten(&sun, NULL, "sun:0.5,0.7,0.4,3,2,1") || !lighten(&point, NULL, "point:0,9,0,1,1,1")
+        || !see(&scene, &g, "room", NULL, 0, NULL, W, H))
+        return;
     const kit_light *w = &sun.light[0];
     kit_camera_matrices(&g.camera, view, projection);
     ssgi_sh_light(light, 4, w->at, sines[1], w->colour, SSGI_SH_WINDOW_NONE, NULL);
@@ -458,7 +530,9 @@ static void suns_are_lamps(void)
             lamp.colour[i] = (m ? (float)FAR * FAR : 1) * w->colour[i];
             for (int j = 0; j < 3; ++j) lamp.at[i] += (m ? FAR : 1) * view[4 * j + i] * w->at[j];
         }
-        if (!begin(&run, &g, "s3ho", "indirect=none,window=none,filtered=vectors,store=float", scene.radius, &scene, &point)) return;
+        if (!begin(&run, &g, "s3ho", "indirect=none,window=none,filtered=vectors,store=float", scene.radius, &scene,
+                   &point))
+            return;
         run.pass[1].lights = kit_texture(8, 1, GL_RGBA32F, lamp.at);
         if (!drawn(&other, &run)) return;
         run.pass[1].desc.albedo = 1;
@@ -469,15 +543,18 @@ static void suns_are_lamps(void)
         glDeleteTextures(1, &run.pass[1].lights);
         kit_run_close(&run); kit_image_free(&out); kit_image_free(&other); kit_image_free(&sent);
     }
-    CHECK(off[0] <= 2e-5 && off[1] <= 2e-3 && off[2] <= 1e-6, "the sun is %.1e apart, the sphere %.1e, outgoing radiance %.1e", off[0], off[1], off[2]);
+    CHECK(off[0] <= 2e-5 && off[1] <= 2e-3 && off[2] <= 1e-6,
+          "the sun is %.1e apart, the sphere %.1e, outgoing radiance %.1e", off[0], off[1], off[2]);
     t_note("the sun is %.1e apart, the sphere %.1e, outgoing radiance %.1e", off[0], off[1], off[2]);
     kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* With desc.residual an open plane gets what it should of suns and point lights, in any bands, filtered before or after, whatever the window. */
+/* With desc.residual an open plane gets what it should of suns and point lights, in any bands, filtered before or
+   after, whatever the window. */
 static void open_is_exact(void)
 {
-    static const char *const lights[] = { "sun:0,1,0,2,1,3", "sun:1,0.3,0.2,2,1,3", "sun:0.3,-1,0.1,2,1,3", "point:0.4,0.7,0.2,1,2,0.5" };
+    static const char *const lights[] = { "sun:0,1,0,2,1,3", "sun:1,0.3,0.2,2,1,3", "sun:0.3,-1,0.1,2,1,3",
+                                          "point:0.4,0.7,0.2,1,2,0.5" };
     double worst[2] = { 0, 0 };
     for (int k = 0; k < 16; ++k) {
         kit_scene scene;
@@ -486,8 +563,11 @@ static void open_is_exact(void)
         kit_image out;
         char set[128];
         const int bands = 1 + k / 4, lamp = k % 4 == 3;
-        snprintf(set, sizeof set, "indirect=none,residual=1,bands=%d,window=%s,store=float,filtered=%s", bands, k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
-        if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H) || !lit(&out, &g, "s3ho", set, scene.radius, &scene, &l)) return;
+        snprintf(set, sizeof set, "indirect=none,residual=1,bands=%d,window=%s,store=float,filtered=%s", bands,
+                 k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
+        if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H)
+            || !lit(&out, &g, "s3ho", set, scene.radius, &scene, &l))
+            return;
         for (int y = 5; y < H; y += 9)
             for (int x = 3; x < W; x += 13)
                 for (size_t c = 0; c < 3; ++c) {
@@ -496,27 +576,34 @@ static void open_is_exact(void)
                     kit_camera_ray(&g.camera, x, y, origin, along);
                     t = -(double)origin[1] / (double)along[1];
                     if (!(t > 0)) continue;
-                    const double at[2] = { (double)origin[0] + t * (double)along[0], (double)origin[2] + t * (double)along[2] };
+                    const double at[2] = { (double)origin[0] + t * (double)along[0],
+                                           (double)origin[2] + t * (double)along[2] };
                     if (fmax(fabs(at[0]), fabs(at[1])) > 0.9) continue;
                     if (lamp) {
-                        const double d[3] = { (double)l.light[0].at[0] - at[0], (double)l.light[0].at[1], (double)l.light[0].at[2] - at[1] }, dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+                        const double d[3] = { (double)l.light[0].at[0] - at[0], (double)l.light[0].at[1],
+                                              (double)l.light[0].at[2] - at[1] },
+                                     dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
                         cosine = d[1] / sqrt(dd) / dd;
                     }
                     want = fmax(cosine, 0) * (double)l.light[0].colour[c] / pi;
                     got = (double)out.data[((3 + c) * (size_t)H + (size_t)y) * (size_t)W + (size_t)x];
-                    worst[lamp] = fmax(worst[lamp], fabs(got - want) / ((double)l.light[0].colour[c] / pi * (lamp ? fmax(cosine, 0.01) : 1)));
+                    worst[lamp] =
+                        fmax(worst[lamp],
+                             fabs(got - want) / ((double)l.light[0].colour[c] / pi * (lamp ? fmax(cosine, 0.01) : 1)));
                 }
         kit_image_free(&out);
         kit_gbuffer_free(&g);
         kit_scene_free(&scene);
     }
-    CHECK(worst[0] < 0.004 && worst[1] < 1e-4, "suns are off by %.2e of what they send, lamps by %.2e", worst[0], worst[1]);
+    CHECK(worst[0] < 0.004 && worst[1] < 1e-4, "suns are off by %.2e of what they send, lamps by %.2e", worst[0],
+          worst[1]);
     t_note("suns, through a map of 32 x 32, are off by %.1e of what they send, lamps by %.1e", worst[0], worst[1]);
 }
 
-/* ---- storage, the filter ------------------------------------------------------------------------------------------------- */
+/* ---- storage, the filter ----------------------------------------------------------------------------------------- */
 
-/* Packed to nearest even; how a context rounds what goes to RGBA16F is its own affair, and so is it in dialects that pack themselves. */
+/* Packed to nearest even; how a context rounds what goes to RGBA16F is its own affair, and so is it in dialects that
+   pack themselves. */
 static void storage_rounds(void)
 {
     enum { FLOAT, HALF, PACKED, ITSELF, STORES };
@@ -536,7 +623,8 @@ static void storage_rounds(void)
         for (int s = 0; s < STORES; ++s) {
             kit_run run;
             char set[96];
-            snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=%s,bands=%d,blur=%d", stores[s], k < 1 ? 4 : 5 - k, k == 1 ? 2 : 0);
+            snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=%s,bands=%d,blur=%d", stores[s],
+                     k < 1 ? 4 : 5 - k, k == 1 ? 2 : 0);
             if (!begin(&run, &g, "s3ho", set, scene.radius, &scene, &l)) return;
             for (int i = 0; i < run.passes && s == ITSELF && !kit_gl_is_es(); ++i) {
                 run.pass[i].desc.dialect = SSGI_GL_450;
@@ -546,7 +634,8 @@ static void storage_rounds(void)
             if (!drawn(&out[s], &run) || (k < 2 && !(v[s] = vectors_new(&run, k)))) return;
             kit_run_close(&run);
             worst[s][2] = fmax(worst[s][2], apart(&out[0], "irradiance.R", &out[s], "irradiance.R"));
-            for (int i = 0; i < 16 * W * H && k < 2; ++i) {        /* in units of the last place; with a filter of the largest coefficient's */
+            /* in units of the last place; with a filter of the largest coefficient's */
+            for (int i = 0; i < 16 * W * H && k < 2; ++i) {
                 const double x = (double)v[0][i], off = fabs((double)v[s][i] - x);
                 worst[s][k] = fmax(worst[s][k], off / (k ? ldexp(1, -10) : fabs(x) * ldexp(1, -10) + ldexp(1, -24)));
                 zeros += s == PACKED && x == 0 && off == 0;
@@ -554,16 +643,20 @@ static void storage_rounds(void)
             for (int i = 0; i < 3 * W * H && k < 2; ++i) {         /* what shade makes of these very vectors */
                 double vector[16];
                 for (int j = 0; j < 16; ++j) vector[j] = (double)v[s][16 * ((H - 1 - i / W % H) * W + i % W) + j];
-                worst[s][3] = fmax(worst[s][3], fabs((double)out[s].data[3 * W * H + i] - fmax(0, met(vector, light, i / (W * H), 4))));
+                worst[s][3] = fmax(worst[s][3], fabs((double)out[s].data[3 * W * H + i]
+                                                     - fmax(0, met(vector, light, i / (W * H), 4))));
             }
         }
         for (int s = 0; s < STORES; ++s) { free(v[s]); kit_image_free(&out[s]); }
     }
     for (int s = HALF; s < STORES; ++s) {
-        CHECK(worst[s][0] <= most[s] && worst[s][1] <= 2 * most[s] && worst[s][2] < 4e-3 * most[s] && worst[s][3] <= 2e-6 && zeros > W * H,
-              "%s: a coefficient is off by %.2f, filtered %.2f, irradiance by %.1e, of the same vectors %.1e; %d stay 0",
+        CHECK(worst[s][0] <= most[s] && worst[s][1] <= 2 * most[s] && worst[s][2] < 4e-3 * most[s]
+                  && worst[s][3] <= 2e-6 && zeros > W * H,
+              "%s: a coefficient is off by %.2f, filtered %.2f, irradiance by %.1e, of the same vectors %.1e; %d stay "
+              "0",
               stores[s], worst[s][0], worst[s][1], worst[s][2], worst[s][3], zeros);
-        t_note("%s: a coefficient is off by %.2f units in the last place, filtered by %.2f, irradiance by %.1e, of the same vectors %.1e",
+        t_note("%s: a coefficient is off by %.2f units in the last place, filtered by %.2f, irradiance by %.1e, of the "
+               "same vectors %.1e",
                stores[s], worst[s][0], worst[s][1], worst[s][2], worst[s][3]);
     }
     kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
@@ -572,9 +665,15 @@ static void storage_rounds(void)
 /* Vectors filtered and lit, or lit and filtered; three of them packed, or lit at once. */
 static void order_does_not_matter(void)
 {
-    static const struct { const char *set; double off; } row[] = { { "store=float,indirect=none,blur=2", 1e-5 }, { "store=float,indirect=none,blur=1,half=1", 1e-5 },
-        { "store=float,indirect=none,blur=3,filter=gaussian", 1e-5 }, { "store=float,indirect=none,blur=1,filter_normals=1", 1e-5 }, { "store=packed,indirect=joint,blur=1", 2e-3 },
-        { "store=packed,indirect=apart,blur=1,half=1", 2e-3 } };
+    static const struct {
+        const char *set;
+        double off;
+    } row[] = { { "store=float,indirect=none,blur=2", 1e-5 },
+                { "store=float,indirect=none,blur=1,half=1", 1e-5 },
+                { "store=float,indirect=none,blur=3,filter=gaussian", 1e-5 },
+                { "store=float,indirect=none,blur=1,filter_normals=1", 1e-5 },
+                { "store=packed,indirect=joint,blur=1", 2e-3 },
+                { "store=packed,indirect=apart,blur=1,half=1", 2e-3 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
@@ -587,7 +686,8 @@ static void order_does_not_matter(void)
             snprintf(set, sizeof set, "%s,filtered=%s", row[m].set, k ? "vectors" : "light");
             if (!lit(&out[k], &g, "s3ho", set, scene.radius, &scene, &l)) return;
         }
-        const double off = fmax(apart(&out[0], "irradiance.R", &out[1], "irradiance.R"), apart(&out[0], "bounce.R", &out[1], "bounce.R"));
+        const double off = fmax(apart(&out[0], "irradiance.R", &out[1], "irradiance.R"),
+                                apart(&out[0], "bounce.R", &out[1], "bounce.R"));
         CHECK(off <= row[m].off && mean(&out[0], "irradiance.G") > 0.1 && (m < 4 || mean(&out[0], "bounce.G") > 0.005),
               "%s: %.1e apart, bounce %.4f", row[m].set, off, mean(&out[0], "bounce.G"));
         worst[m > 3] = fmax(worst[m > 3], off);
@@ -608,12 +708,14 @@ static void filter_averages_tiles(void)
         float v[16 * COLUMNS];
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s", sets[m]);
+        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s",
+                 sets[m]);
         if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
         kit_run_close(&run);
     }
-    CHECK(spread[0] > 0.1 && spread[1] < 2e-6 && spread[2] < 2e-6, "coefficients are %.2g apart, with filters of 4x4 %.1e, of 8x8 %.1e", spread[0], spread[1], spread[2]);
+    CHECK(spread[0] > 0.1 && spread[1] < 2e-6 && spread[2] < 2e-6,
+          "coefficients are %.2g apart, with filters of 4x4 %.1e, of 8x8 %.1e", spread[0], spread[1], spread[2]);
     t_note("coefficients are %.2g apart, with filters of 4x4 %.1e, of 8x8 %.1e", spread[0], spread[1], spread[2]);
     kit_gbuffer_free(&g);
 }
@@ -637,8 +739,10 @@ static void filter_keeps_edges(void)
         float *v;
         char set[96];
         snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=1,%s", sets[m]);
-        if (!begin(&run, &g, "s3ho", set, 0.1f, NULL, &dark) || !drawn(&out, &run) || !(v = vectors_new(&run, 1))) return;
-        for (int i = 0; i < 16 * W * H; ++i) worst = fmax(worst, fabs((double)v[i] - open[i / 16 % W >= W / 2][i % 16]));
+        if (!begin(&run, &g, "s3ho", set, 0.1f, NULL, &dark) || !drawn(&out, &run) || !(v = vectors_new(&run, 1)))
+            return;
+        for (int i = 0; i < 16 * W * H; ++i)
+            worst = fmax(worst, fabs((double)v[i] - open[i / 16 % W >= W / 2][i % 16]));
         free(v);
         kit_run_close(&run); kit_image_free(&out);
         CHECK(worst <= 2e-3, "%s: %.1e crosses an edge", sets[m], worst);
@@ -647,7 +751,7 @@ static void filter_keeps_edges(void)
     kit_image_free(&frame); kit_image_free(&right); kit_gbuffer_free(&g);
 }
 
-/* ---- bent normals and cones ----------------------------------------------------------------------------------------------- */
+/* ---- bent normals and cones -------------------------------------------------------------------------------------- */
 
 /* Lets the last pass of an ssbn show its mean directions in place of light. */
 static int show_bent(kit_run *run)
@@ -656,66 +760,86 @@ static int show_bent(kit_run *run)
     return remade(run, run->passes - 1);
 }
 
-/* Vectors of cones that are all that is free about directions, put where the first pass wrote: direction and half-angle come out again, and the light of such cones. */
+/* Vectors of cones that are all that is free about directions, put where the first pass wrote: direction and half-angle
+   come out again, and the light of such cones. */
 static void cones_are_found(void)
 {
     enum { SIZE = 32, CONES = 8 };
     static const double plane[1][4] = { { 0, 0, 1, -2 } };
     const kit_camera c = looking_along_z(SIZE, SIZE, 1);
     double worst[3] = { 0 };
-    float *vector = malloc(4 * SIZE * SIZE * sizeof *vector), *map = malloc(3 * SIZE * SIZE * sizeof *map), *bent = malloc(4 * SIZE * SIZE * sizeof *bent);
+    float *vector = malloc(4 * SIZE * SIZE * sizeof *vector), *map = malloc(3 * SIZE * SIZE * sizeof *map),
+          *bent = malloc(4 * SIZE * SIZE * sizeof *bent);
     kit_lighting l;
     kit_image frame, out;
     kit_gbuffer g;
     kit_run run;
-    if (!vector || !map || !bent || !lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "") || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
-        !begin(&run, &g, "ssbn", "store=float", 0.5f, NULL, &l)) return;
+    if (!vector || !map || !bent || !lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "")
+        || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
+        || !begin(&run, &g, "ssbn", "store=float", 0.5f, NULL, &l))
+        return;
     glBindFramebuffer(GL_FRAMEBUFFER, run.pass[0].framebuffer);
     glDrawBuffers(1, &(GLenum){ GL_NONE });
     for (int k = 0; k < 2 * CONES; ++k) {
         const double cosine = (double)(k % CONES) / CONES, free_ = 1 - cosine * cosine;
         if (k == CONES && !show_bent(&run)) return;
-        if (k < CONES && !TRY(ssgi_environment_cone(map, SIZE, run.equirect, l.env.width, l.env.height, (float)cosine, NULL) != SSGI_OK)) return;
+        if (k < CONES
+            && !TRY(ssgi_environment_cone(map, SIZE, run.equirect, l.env.width, l.env.height, (float)cosine, NULL)
+                    != SSGI_OK))
+            return;
         for (int i = 0; i < SIZE * SIZE; ++i) {
             const int x = i % SIZE, y = i / SIZE;
-            const float e[2] = { x ? (float)(2 * x + 1) / SIZE - 1 : -1, y || !x ? (float)(2 * y + 1) / SIZE - 1 : -1 };      /* a texel's centre, or over an edge */
+            /* a texel's centre, or over an edge */
+            const float e[2] = { x ? (float)(2 * x + 1) / SIZE - 1 : -1, y || !x ? (float)(2 * y + 1) / SIZE - 1 : -1 };
             float d[3];
             ssgi_octahedral_decode(e, d);
             vector[4 * i] = (float)(free_ * sqrt(pi) / 2);
-            for (int j = 0; j < 3; ++j) vector[4 * i + 1 + j] = (float)((1 - cosine * cosine * cosine) * sqrt(pi / 3) * (double)d[(j + 1) % 3]);
+            for (int j = 0; j < 3; ++j)
+                vector[4 * i + 1 + j] = (float)((1 - cosine * cosine * cosine) * sqrt(pi / 3) * (double)d[(j + 1) % 3]);
         }
         glBindTexture(GL_TEXTURE_2D, run.pass[0].target[0]);
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, vector);
         if (k < CONES) {
             if (!drawn(&out, &run)) return;
             for (int i = 0; i < 3 * SIZE * SIZE; ++i) {
-                const int x = i / 3 % SIZE, y = i / 3 / SIZE, u = x && !y ? SIZE - 1 - x : x, v = x ? y : SIZE - 1 - y;      /* beyond an edge the square goes on mirrored */
+                /* beyond an edge the square goes on mirrored */
+                const int x = i / 3 % SIZE, y = i / 3 / SIZE, u = x && !y ? SIZE - 1 - x : x, v = x ? y : SIZE - 1 - y;
                 const double truth = free_ * 0.5 * ((double)map[i] + (double)map[3 * (v * SIZE + u) + i % 3]);
-                worst[0] = fmax(worst[0], fabs((double)out.data[((3 + i % 3) * SIZE + SIZE - 1 - y) * SIZE + x] / truth - 1));
+                worst[0] =
+                    fmax(worst[0], fabs((double)out.data[((3 + i % 3) * SIZE + SIZE - 1 - y) * SIZE + x] / truth - 1));
             }
             kit_image_free(&out);
         } else {
             kit_run_draw(&run, 0);
-            if (!CHECK(!kit_texture_read(run.pass[1].target[0], SIZE, SIZE, 4, bent), "a target cannot be read")) return;
+            if (!CHECK(!kit_texture_read(run.pass[1].target[0], SIZE, SIZE, 4, bent), "a target cannot be read"))
+                return;
             for (int i = 0; i < SIZE * SIZE; ++i) {
-                const double length = sqrt(pow((double)vector[4 * i + 1], 2) + pow((double)vector[4 * i + 2], 2) + pow((double)vector[4 * i + 3], 2));
-                for (int j = 0; j < 3; ++j) worst[1] = fmax(worst[1], fabs((double)bent[4 * i + (j + 1) % 3] - (double)vector[4 * i + 1 + j] / length));
+                const double length = sqrt(pow((double)vector[4 * i + 1], 2) + pow((double)vector[4 * i + 2], 2)
+                                           + pow((double)vector[4 * i + 3], 2));
+                for (int j = 0; j < 3; ++j)
+                    worst[1] = fmax(worst[1],
+                                    fabs((double)bent[4 * i + (j + 1) % 3] - (double)vector[4 * i + 1 + j] / length));
                 worst[2] = fmax(worst[2], fabs((double)bent[4 * i + 3] - cosine));
             }
         }
     }
-    CHECK(worst[0] <= 2e-5 && worst[1] <= 1e-6 && worst[2] <= 1e-5, "light is off by %.1e of it, directions by %.1e, cosines by %.1e", worst[0], worst[1], worst[2]);
+    CHECK(worst[0] <= 2e-5 && worst[1] <= 1e-6 && worst[2] <= 1e-5,
+          "light is off by %.1e of it, directions by %.1e, cosines by %.1e", worst[0], worst[1], worst[2]);
     t_note("light is off by %.1e of it, directions by %.1e, cosines by %.1e", worst[0], worst[1], worst[2]);
     free(vector); free(map); free(bent);
     kit_run_close(&run); kit_image_free(&frame); kit_image_free(&l.env); kit_gbuffer_free(&g);
 }
 
-/* Open planes: the normal, a half-sphere, and what ssdo has of the map. The floor before a wall: the mean direction and its length, and in uniform light what is free. */
+/* Open planes: the normal, a half-sphere, and what ssdo has of the map. The floor before a wall: the mean direction and
+   its length, and in uniform light what is free. */
 static void bent_normals_bend(void)
 {
     static const double plane[1][4] = { { 0.48, 0.36, 0.8, -1.6 } };
-    static const struct { const char *set; double direction, cosine, light; } row[] = {
-        { "store=float,cone=normal", 1e-6, 1e-3, 1e-6 }, { "store=float", 1e-6, 1e-3, 1e-3 }, { "store=half", 1e-3, 0.05, 0.02 }, { "store=packed", 1e-3, 0.05, 0.02 } };
+    static const struct { const char *set; double direction, cosine, light;
+    } row[] = { { "store=float,cone=normal", 1e-6, 1e-3, 1e-6 },
+                { "store=float", 1e-6, 1e-3, 1e-3 },
+                { "store=half", 1e-3, 0.05, 0.02 },
+                { "store=packed", 1e-3, 0.05, 0.02 } };
     static const double distances[2] = { 0.1, 0.25 };
     double worst[4] = { 0 };
     kit_camera c = looking_along_z(W, H, 0);
@@ -724,8 +848,10 @@ static void bent_normals_bend(void)
     kit_gbuffer g;
     float bent[4 * W * H];
     c.target[0] = 0.3f; c.target[1] = -0.8f; c.target[2] = -0.5f;
-    if (!lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "") || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
-        !lit(&truth, &g, "ssdo", "bounce=none,environment=map", 0.2f, NULL, &l)) return;
+    if (!lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "")
+        || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
+        || !lit(&truth, &g, "ssdo", "bounce=none,environment=map", 0.2f, NULL, &l))
+        return;
     for (int m = 0; m < 4; ++m) {
         kit_run run;
         double off[3] = { 0 };
@@ -737,13 +863,16 @@ static void bent_normals_bend(void)
             if (!flat(&frame, p % W, p / W)) continue;
             for (int j = 0; j < 3; ++j) {
                 off[0] = fmax(off[0], fabs((double)b[j] - plane[0][j]));
-                off[2] = fmax(off[2], fabs((double)(out.data[(3 + j) * W * H + p] / truth.data[(3 + j) * W * H + p]) - 1));
+                off[2] =
+                    fmax(off[2], fabs((double)(out.data[(3 + j) * W * H + p] / truth.data[(3 + j) * W * H + p]) - 1));
             }
             off[1] = fmax(off[1], fabs((double)b[3]));
         }
         CHECK(off[0] <= row[m].direction && off[1] <= row[m].cosine && off[2] <= row[m].light,
-              "%s: directions are off by %.1e, cosines by %.1e, light by %.1e of it", row[m].set, off[0], off[1], off[2]);
-        t_note("%s: directions are off by %.1e, cosines by %.1e, light by %.1e of it", row[m].set, off[0], off[1], off[2]);
+              "%s: directions are off by %.1e, cosines by %.1e, light by %.1e of it", row[m].set, off[0], off[1],
+              off[2]);
+        t_note("%s: directions are off by %.1e, cosines by %.1e, light by %.1e of it", row[m].set, off[0], off[1],
+               off[2]);
         kit_run_close(&run); kit_image_free(&out);
     }
     kit_image_free(&frame); kit_image_free(&truth); kit_image_free(&l.env); kit_gbuffer_free(&g);
@@ -756,16 +885,23 @@ static void bent_normals_bend(void)
         corner_planes(both, w.c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -both[1][i];
         wall_vector(v, &w, both[0], along);
-        if (!slab(&g, w.c, 9, 0, 1) || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,thin=0,noise=texture,blur=4,samples=64", 1, NULL, &l) ||
-            !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run) || !strip(texel, &run, row_at(w.c), 2, 1)) return;
-        const double length = sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]), mean_length = length / sqrt(3 / (4 * pi)) / (v[0] * 2 * sqrt(pi));
-        const double q = 1.5 * mean_length - 1, cosine = 0.5 * (q + sqrt(q * q + 4 * q));        /* the root of 2/3 (1 + c + c^2) / (1 + c) = mean_length */
+        if (!slab(&g, w.c, 9, 0, 1)
+            || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,thin=0,noise=texture,blur=4,samples=64", 1, NULL,
+                      &l)
+            || !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run)
+            || !strip(texel, &run, row_at(w.c), 2, 1))
+            return;
+        const double length = sqrt(v[1] * v[1] + v[2] * v[2] + v[3] * v[3]),
+                     mean_length = length / sqrt(3 / (4 * pi)) / (v[0] * 2 * sqrt(pi));
+        /* the root of 2/3 (1 + c + c^2) / (1 + c) = mean_length */
+        const double q = 1.5 * mean_length - 1, cosine = 0.5 * (q + sqrt(q * q + 4 * q));
         for (int j = 0; j < 3; ++j) direction += (double)texel[j] * v[1 + (j + 2) % 3] / length;
         worst[0] = fmax(worst[0], acos(fmin(1, direction)));
         worst[1] = fmax(worst[1], fabs((double)texel[3] - cosine));
         worst[2] = fmax(worst[2], fabs(light[0] - v[0] / 0.886226925));
         CHECK(worst[0] <= 0.02 && worst[1] <= 0.02 && worst[2] <= 0.003,
-              "c %g: the direction is off by %.4f, the cosine %.4f by %.4f, light by %.4f", w.c, worst[0], cosine, worst[1], worst[2]);
+              "c %g: the direction is off by %.4f, the cosine %.4f by %.4f, light by %.4f", w.c, worst[0], cosine,
+              worst[1], worst[2]);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
     }
@@ -773,15 +909,29 @@ static void bent_normals_bend(void)
     kit_image_free(&l.env);
 }
 
-/* ---- the same picture ------------------------------------------------------------------------------------------------------- */
+/* ---- the same picture -------------------------------------------------------------------------------------------- */
 
 static void same_picture(void)
 {
-    enum { REVERSED, NORMAL, ENDLESS, LINEAR, INSIDE, SHIFTED, WAYS, WIDTH = 320, HEIGHT = 180, BORDER = 48, ALIKE = 3 };
-    static const struct { const char *method, *set; } alike[ALIKE] = {
-        { "s3ho", "noise=texture,thin=0" }, { "s3ho", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
-        { "ssbn", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
-    static const char *const names[WAYS] = { "", "normal depth", "infinite far plane", "view depth", "inside larger textures", "shifted" };
+    enum {
+        REVERSED,
+        NORMAL,
+        ENDLESS,
+        LINEAR,
+        INSIDE,
+        SHIFTED,
+        WAYS,
+        WIDTH = 320,
+        HEIGHT = 180,
+        BORDER = 48,
+        ALIKE = 3
+    };
+    static const struct { const char *method, *set;
+    } alike[ALIKE] = { { "s3ho", "noise=texture,thin=0" },
+                       { "s3ho", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
+                       { "ssbn", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
+    static const char *const names[WAYS] = { "",           "normal depth",           "infinite far plane",
+                                             "view depth", "inside larger textures", "shifted" };
     static const int margin[4] = { 8, 4, 12, 16 };
     kit_image reference[ALIKE], frame, out;
     kit_gbuffer g;
@@ -799,7 +949,9 @@ static void same_picture(void)
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, c, way == INSIDE ? margin : NULL, &err))) return;
         if (way == LINEAR) {
             kit_gbuffer window = g;
-            if (!TRY(kit_gbuffer_read(&frame, &window, &err)) || !TRY(kit_gbuffer_from_frame(&g, &frame, &window.camera, &err))) return;
+            if (!TRY(kit_gbuffer_read(&frame, &window, &err))
+                || !TRY(kit_gbuffer_from_frame(&g, &frame, &window.camera, &err)))
+                return;
             kit_image_free(&frame); kit_gbuffer_free(&window);
         }
         for (int m = 0; m < ALIKE; ++m) {
@@ -809,10 +961,12 @@ static void same_picture(void)
             for (int i = 0; i < 3 * WIDTH * HEIGHT; ++i) {
                 const int x = i % WIDTH, y = i / WIDTH % HEIGHT;
                 if (dx && (x < BORDER || y < BORDER || x >= WIDTH - BORDER || y >= HEIGHT - BORDER)) continue;
-                sum += pow((double)reference[m].data[i] - (double)out.data[i + dy * WIDTH + dx], 2) / (3 * WIDTH * HEIGHT);
+                sum +=
+                    pow((double)reference[m].data[i] - (double)out.data[i + dy * WIDTH + dx], 2) / (3 * WIDTH * HEIGHT);
             }
             sum = sqrt(sum) / mean(&reference[m], "G");
-            CHECK(sum <= (way == NORMAL ? 3e-3 : 1e-3), "%s %s, %s: RMSE %.1e of the mean", alike[m].method, alike[m].set, names[way], sum);
+            CHECK(sum <= (way == NORMAL ? 3e-3 : 1e-3), "%s %s, %s: RMSE %.1e of the mean", alike[m].method,
+                  alike[m].set, names[way], sum);
             worst[way] = fmax(worst[way], sum);
             kit_image_free(&out);
         }
@@ -827,8 +981,9 @@ static void same_picture(void)
 static void targets_have_room(void)
 {
     enum { BEYOND = 20 };
-    static const char *const sets[3] = { "store=float,indirect=none,filtered=vectors,half=1,blur=2", "indirect=joint,filtered=light,blur=1",
-                                          "indirect=joint,filtered=light,half=1,blur=2" };
+    static const char *const sets[3] = { "store=float,indirect=none,filtered=vectors,half=1,blur=2",
+                                         "indirect=joint,filtered=light,blur=1",
+                                         "indirect=joint,filtered=light,half=1,blur=2" };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
@@ -848,8 +1003,8 @@ static void targets_have_room(void)
             p->width += BEYOND; p->height += BEYOND;
             for (int t = 0; t < KIT_MAX_TARGETS && p->target[t]; ++t) {
                 glBindTexture(GL_TEXTURE_2D, p->target[t]);
-                glTexImage2D(GL_TEXTURE_2D, 0, packed ? GL_RGBA32UI : GL_RGBA32F, p->width, p->height, 0, packed ? GL_RGBA_INTEGER : GL_RGBA,
-                             packed ? GL_UNSIGNED_INT : GL_FLOAT, texel);
+                glTexImage2D(GL_TEXTURE_2D, 0, packed ? GL_RGBA32UI : GL_RGBA32F, p->width, p->height, 0,
+                             packed ? GL_RGBA_INTEGER : GL_RGBA, packed ? GL_UNSIGNED_INT : GL_FLOAT, texel);
             }
             if (p->desc.pass == SSGI_GL_SENDERS) {
                 run.senders = run.texture[run.textures++] = kit_texture_array(p->width, p->height, 1, GL_RG32UI, texel);
@@ -859,12 +1014,16 @@ static void targets_have_room(void)
         }
         kit_run_update(&run);
         kit_run_draw(&run, 0);
-        if (!CHECK(!kit_texture_read(m ? run.bounce : run.light, W + BEYOND, H + BEYOND, 4, texel), "a target cannot be read")) return;
+        if (!CHECK(!kit_texture_read(m ? run.bounce : run.light, W + BEYOND, H + BEYOND, 4, texel),
+                   "a target cannot be read"))
+            return;
         for (int i = 0; i < (W + BEYOND) * (H + BEYOND); ++i) {
             const int x = i % (W + BEYOND) - 8, y = H - 1 - (i / (W + BEYOND) - 6);
             const int inside = x >= 0 && x < W && y >= 0 && y < H;
             for (int j = 0; j < 3; ++j) {
-                const double truth = inside ? (double)(out.data[(3 + j) * W * H + y * W + x] + out.data[(6 + j) * W * H + y * W + x]) : 7;
+                const double truth =
+                    inside ? (double)(out.data[(3 + j) * W * H + y * W + x] + out.data[(6 + j) * W * H + y * W + x])
+                           : 7;
                 worst = fmax(worst, fabs((double)texel[4 * i + j] - truth));
                 wrong += !(fabs((double)texel[4 * i + j] - truth) <= 1e-6);
             }
@@ -876,26 +1035,37 @@ static void targets_have_room(void)
     kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
-/* ---- truth ------------------------------------------------------------------------------------------------------------------- */
+/* ---- truth ------------------------------------------------------------------------------------------------------- */
 
 static void near_the_truth(void)
 {
     static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
-    static const struct { const char *method, *set; } row[] = { { "ssdo", "bounce=none" }, { "s3ho", "indirect=none" }, { "ssbn", "cone=cone" }, { "ssbn", "cone=normal" } };
+    static const struct {
+        const char *method, *set;
+    } row[] = {
+        { "ssdo", "bounce=none" }, { "s3ho", "indirect=none" }, { "ssbn", "cone=cone" }, { "ssbn", "cone=normal" }
+    };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
     kit_image truth, open, out;
     kit_score none, score;
-    if (!look(&g, &scene, &l, NULL) || !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &l, scene.radius, KIT_ATTENUATION_LINEAR, 0, 64, 1, &err)) ||
-        !lit(&open, &g, "ssdo", "bounce=none,samples=1", 1e-6f, &scene, &l) || !TRY(kit_score_channels(&none, &open, &truth, names, 3, NULL, &err))) return;
+    if (!look(&g, &scene, &l, NULL)
+        || !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &l, scene.radius, KIT_ATTENUATION_LINEAR, 0, 64, 1, &err))
+        || !lit(&open, &g, "ssdo", "bounce=none,samples=1", 1e-6f, &scene, &l)
+        || !TRY(kit_score_channels(&none, &open, &truth, names, 3, NULL, &err)))
+        return;
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         char set[96];
         snprintf(set, sizeof set, "steps=2,blur=1,%s", row[m].set);
-        if (!lit(&out, &g, row[m].method, set, scene.radius, &scene, &l) || !TRY(kit_score_channels(&score, &out, &truth, names, 3, NULL, &err))) return;
+        if (!lit(&out, &g, row[m].method, set, scene.radius, &scene, &l)
+            || !TRY(kit_score_channels(&score, &out, &truth, names, 3, NULL, &err)))
+            return;
         CHECK(score.rmse <= 0.7 * none.rmse && fabs(score.bias) <= 0.02 * mean(&truth, "irradiance.G"),
-              "%s %s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", row[m].method, row[m].set, score.rmse, score.rmse / none.rmse, score.bias);
-        t_note("%s %s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", row[m].method, row[m].set, score.rmse, score.rmse / none.rmse, score.bias);
+              "%s %s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", row[m].method, row[m].set, score.rmse,
+              score.rmse / none.rmse, score.bias);
+        t_note("%s %s: RMSE %.4f, %.3f of no occlusion's, bias %+.4f", row[m].method, row[m].set, score.rmse,
+               score.rmse / none.rmse, score.bias);
         kit_image_free(&out);
     }
     kit_image_free(&truth); kit_image_free(&open); kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
@@ -909,7 +1079,8 @@ void test_vectors(void)
     RUN("a wall reflects its own lobe, times its albedo", walls_reflect);
     RUN("what is seen beyond the radius blocks nothing when the range is checked", range_is_checked);
     RUN("ssdo's harmonics are s3ho's", ssdo_agrees);
-    RUN("what faces a sun, a point light, a sphere gets its irradiance; what turns away its window's", lamps_light_what_faces_them);
+    RUN("what faces a sun, a point light, a sphere gets its irradiance; what turns away its window's",
+        lamps_light_what_faces_them);
     RUN("a sun is the same as a lamp and as harmonics", suns_are_lamps);
     RUN("what is open gets exactly what comes in, however few the bands", open_is_exact);
     RUN("vectors stored as halves are rounded, no more", storage_rounds);

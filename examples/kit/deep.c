@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>deep: surfels, and the passes that splat them ------------------------------------------------------------------- */
+/* ---- >>deep: surfels, and the passes that splat them ------------------------------------------------------------- */
 
 /* A vertex array of vec3 or vec4 attributes, interleaved. */
 static GLuint array_of(GLuint buffer, int attributes, int components, GLuint divisor)
@@ -17,7 +17,8 @@ static GLuint array_of(GLuint buffer, int attributes, int components, GLuint div
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     for (GLuint i = 0; i < (GLuint)attributes; ++i) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, components, GL_FLOAT, GL_FALSE, attributes * components * 4, (const void *)(size_t)(i * (GLuint)components * 4));
+        glVertexAttribPointer(i, components, GL_FLOAT, GL_FALSE, attributes * components * 4,
+                              (const void *)(size_t)(i * (GLuint)components * 4));
         glVertexAttribDivisor(i, divisor);
     }
     glBindVertexArray((GLuint)was);
@@ -33,8 +34,10 @@ static GLuint buffer_of(const void *data, size_t size)
     return buffer;
 }
 
-/* The scene's triangles for patches, 9 floats a vertex, huge ones divided: small ones first, then those that ask for splits. NULL: no memory. */
-static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view, const float picture[16], int grey, int patches[2])
+/* The scene's triangles for patches, 9 floats a vertex, huge ones divided: small ones first, then those that ask for
+   splits. NULL: no memory. */
+static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, const ssgi_view *view,
+                         const float picture[16], int grey, int patches[2])
 {
     const kit_mesh *mesh = &scene->mesh;
     const ssgi_splat splat = { 0 };
@@ -111,10 +114,18 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     kit_run *run = m->run;
     kit_gbuffer *g = run->gbuffer;
     const kit_scene *scene = m->world->scene;
-    const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect, lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (float)kit_method_value(m->method, "jitter"), (int)kit_method_value(m->method, "splits"), (int)kit_method_value(m->method, "shrink"),
-                                 fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f), (int)kit_method_value(m->method, "keep_small"), run->frame.radius < 1e17f ? run->frame.radius : 0 };
-    ssgi_splat splat = { .epsilon = run->frame.epsilon, .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0, .levels = m->gather.levels };
+    const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect,
+              lit = effect != SSGI_GL_EFFECT_OCCLUSION;
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"),
+                                 (float)kit_method_value(m->method, "jitter"),
+                                 (int)kit_method_value(m->method, "splits"),
+                                 (int)kit_method_value(m->method, "shrink"),
+                                 fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f),
+                                 (int)kit_method_value(m->method, "keep_small"),
+                                 run->frame.radius < 1e17f ? run->frame.radius : 0 };
+    ssgi_splat splat = { .epsilon = run->frame.epsilon,
+                         .max_distance = run->frame.radius < 1e17f ? run->frame.radius : 0,
+                         .levels = m->gather.levels };
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { scene, lighting };
     ssgi_surfel_cost cost;
@@ -124,9 +135,12 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     ssgi_surfel *surfels = NULL;
     int patches[2], failed = 0, direct = 0, placed_count = 0;
     GLuint light = 0, bounce = 0;
-    if (!scene) return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene", m->method->name);
+    if (!scene)
+        return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
+                        m->method->name);
     if (way && !glPatchParameteri) return kit_fail(m->err, "--set way: %s has no tessellation", kit_gl_name());
-    if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
+    if (ssgi_gl_surfels_set(&run->frame, view, &d, m->gather.levels, picture, &why) != SSGI_OK)
+        return kit_fail(m->err, "%s", why);
     m->world = &world;
     if (kit_method_value(m->method, "near_depth") > 0 && nearest_of(&run->frame.near_depth, g, m->err)) return -1;
     splat.near_depth = run->frame.near_depth;
@@ -136,12 +150,16 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         kit_rotation_of(run->frame.rotation, picture, NULL);
         m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
         if (lighting->env.data && kit_add_environment(m)) return -1;
-        if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0)) m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;      /* of surfels: what splats hide is seen all the same */
+        /* of surfels: what splats hide is seen all the same */
+        if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0))
+            m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
         if (kit_seen(g, &all, &middle, m->err)) return -1;
         placed = kit_placed_lights_new(m, &all, &placed_count, &direct);
         if (!placed) return -1;
         failed = kit_add_atlas(m, placed, placed_count);
-        m->rows[0] = failed ? 0 : kit_keep(run, direct ? kit_light_rows(placed, 0, direct, picture) : kit_texture(8, 1, GL_RGBA32F, NULL));
+        m->rows[0] = failed ? 0
+                            : kit_keep(run, direct ? kit_light_rows(placed, 0, direct, picture)
+                                                   : kit_texture(8, 1, GL_RGBA32F, NULL));
         free(placed);
         run->frame.lights = direct;
         m->gather.shadow = m->lights.shadow;
@@ -150,19 +168,31 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     }
     vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
     for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
-        ssgi_surfel_source source = { .position = vertices, .normal = vertices + 3, .colour = vertices + 6, .position_stride = 36, .normal_stride = 36, .colour_stride = 36, .triangles = (size_t)(patches[0] + patches[1]) };
+        ssgi_surfel_source source = { .position = vertices,
+                                      .normal = vertices + 3,
+                                      .colour = vertices + 6,
+                                      .position_stride = 36,
+                                      .normal_stride = 36,
+                                      .colour_stride = 36,
+                                      .triangles = (size_t)(patches[0] + patches[1]) };
         memcpy(source.to_view, picture, sizeof source.to_view);
         if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
-        failed = (pass && !surfels) || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
+        failed = (pass && !surfels)
+                 || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
     }
-    if (!vertices || failed) { free(vertices); free(surfels); return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory"); }
+    if (!vertices || failed) {
+        free(vertices);
+        free(surfels);
+        return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory");
+    }
     ssgi_splat_predict(&cost, &splat, view, surfels, run->surfels, NULL);
     for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
     if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
     else run->buffers[0] = buffer_of(surfels, (run->surfels + 1) * sizeof *surfels);
     run->arrays[0] = array_of(run->buffers[0], 3, way ? 3 : 4, way ? 0 : 1);
-    if (way == 1 || lit) run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
+    if (way == 1 || lit)
+        run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
     free(vertices);
     free(surfels);
     m->gather.tessellate = way > 0;
@@ -235,7 +265,8 @@ void kit_draw_surfels(kit_run *run, const kit_pass *p)
     }
     if (p->desc.tessellate) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
-        const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;      /* Mesa mixes up points beyond 65536 that one draw tessellates */
+        /* Mesa mixes up points beyond 65536 that one draw tessellates */
+        const int all = p->patches[0] + p->patches[1], most = kit_gl_is_software() ? 20 : all;
         for (int first = 0, count; first < all; first += count) {
             const int end = first < p->patches[0] ? p->patches[0] : all;
             count = end - first < most ? end - first : most;

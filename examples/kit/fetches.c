@@ -1,8 +1,9 @@
 /* fetches.c - how many texels a pixel fetches at most, read off the text that the library emits. Declared in kit_gl.h.
 
    The text is cut into tokens and walked from main on: each call costs what the function costs, a branch the dearer way
-   through it, a loop as much as all its rounds. Conditions that hang on constants, on arguments that are constants or on
-   loop counters are decided, so that a loop over the layers of depth knows which is the last. Bounds that no text tells (u_ssgi_lights) count as one round. */
+   through it, a loop as much as all its rounds. Conditions that hang on constants, on arguments that are constants or
+   on loop counters are decided, so that a loop over the layers of depth knows which is the last. Bounds that no text
+   tells (u_ssgi_lights) count as one round. */
 #include "kit_gl.h"
 #include <ctype.h>
 #include <stdlib.h>

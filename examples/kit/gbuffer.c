@@ -1,4 +1,5 @@
-/* gbuffer.c - the G-buffer: rasterised from a scene, or taken from a frame, and read back as one. Declared in kit_gl.h. */
+/* gbuffer.c - the G-buffer: rasterised from a scene, or taken from a frame, and read back as one. Declared in
+   kit_gl.h. */
 #include "kit_gl.h"
 #include <float.h>
 #include <math.h>
@@ -6,12 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. u_side: 1 turns normals toward the
-   viewer, -1 away.
+/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. u_side: 1
+   turns normals toward the viewer, -1 away.
 
-   PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what this same program interpolated,
-   so a surface finds its own depth again bit by bit; the tolerance is for surfaces that coincide (a box on a floor), whose depths differ by
-   rounding. Window depth would not do: away from a near plane its steps are coarser than that by far. */
+   PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what
+   this same program interpolated, so a surface finds its own depth again bit by bit; the tolerance is for surfaces that
+   coincide (a box on a floor), whose depths differ by rounding. Window depth would not do: away from a near plane its
+   steps are coarser than that by far. */
 static const char vertex_source[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -62,7 +64,8 @@ static const char fragment_source[] =
     "    o_albedo = vec4(v_albedo, 1.0);\n"
     "}\n";
 
-enum { VERTEX_FLOATS = 15 };               /* position, normal, facing, albedo, the object's number and two to fill up */
+/* position, normal, facing, albedo, the object's number and two to fill up */
+enum { VERTEX_FLOATS = 15 };
 
 /* The soup as vertices. facing is the face's normal turned to the side that the camera is on. */
 static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
@@ -95,8 +98,9 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
     return vertices;
 }
 
-/* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one too, for its view depth, into
-   the slices that the second will have; view depths go from layer to layer through a pair of textures, so that none reads the array that it writes. */
+/* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one
+   too, for its view depth, into the slices that the second will have; view depths go from layer to layer through a pair
+   of textures, so that none reads the array that it writes. */
 static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program, int peels)
 {
     static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
@@ -163,20 +167,26 @@ static int rasterise(const kit_gbuffer *g, const kit_scene *scene, int peels, ki
     GLuint program;
     int drawn;
     if (scene->mesh.triangles > 0x7fffffff / 3)
-        return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name, scene->mesh.triangles);
+        return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name,
+                        scene->mesh.triangles);
     vertices = vertices_new(&scene->mesh, &g->camera);
-    if (!vertices) return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
+    if (!vertices)
+        return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
     program = kit_program_text(peels ? "#define PEEL\n" : "", vertex_source, fragment_source, err);
     drawn = program && draw(g, &scene->mesh, vertices, program, peels);
     free(vertices);
     if (!program) return -1;
     glDeleteProgram(program);
-    if (!drawn) return kit_fail(err, "G-buffer of %s: %s cannot draw %d layers of %d x %d RGBA32F and RGBA16F texels with %zu triangles",
-                                scene->name, kit_gl_name(), g->layers, g->width, g->height, scene->mesh.triangles);
+    if (!drawn)
+        return kit_fail(err,
+                        "G-buffer of %s: %s cannot draw %d layers of %d x %d RGBA32F and RGBA16F texels with %zu "
+                        "triangles",
+                        scene->name, kit_gl_name(), g->layers, g->width, g->height, scene->mesh.triangles);
     return 0;
 }
 
-int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4], kit_error *err)
+int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
+                           kit_error *err)
 {
     static const int none[4] = { 0, 0, 0, 0 };
     kit_gbuffer g;
@@ -194,9 +204,11 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (camera->width < 1 || camera->height < 1 || margin[0] < 0 || margin[1] < 0 || margin[2] < 0 || margin[3] < 0 ||
         g.width > limit || g.height > limit)
-        return kit_fail(err, "G-buffer of %s: %d x %d texels is not a size that this context can draw (1 to %d)", scene->name, g.width, g.height, (int)limit);
+        return kit_fail(err, "G-buffer of %s: %d x %d texels is not a size that this context can draw (1 to %d)",
+                        scene->name, g.width, g.height, (int)limit);
     if (camera->depth != KIT_DEPTH_NORMAL && !glClipControl)
-        return kit_fail(err, "G-buffer of %s: reversed depth needs glClipControl, which %s lacks", scene->name, kit_gl_name());
+        return kit_fail(err, "G-buffer of %s: reversed depth needs glClipControl, which %s lacks", scene->name,
+                        kit_gl_name());
     g.depth  = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
     g.normal = kit_texture(g.width, g.height, GL_RGBA32F, NULL);
     g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, NULL);
@@ -264,7 +276,8 @@ static void channel_name(char out[32], int layer, int c)
     else       snprintf(out, 32, "%s", channel_names[c]);
 }
 
-/* Channels first .. last - 1 of a layer: 1 if all are there, 0 if none is, -1 if some are missing; the line names the first of these. */
+/* Channels first .. last - 1 of a layer: 1 if all are there, 0 if none is, -1 if some are missing; the line names the
+   first of these. */
 static int channels_find(const float **channel, const kit_image *frame, int layer, int first, int last, kit_error *err)
 {
     char name[32], missing[32] = "";
@@ -275,8 +288,12 @@ static int channels_find(const float **channel, const kit_image *frame, int laye
         found += channel[c] != NULL;
         if (!channel[c] && !missing[0]) memcpy(missing, name, sizeof missing);
     }
-    return !missing[0] ? 1 : !found ? 0 :
-           kit_fail(err, "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z, and all of albedo.R/G/B or none, as all of direct.R/G/B", missing);
+    return !missing[0] ? 1
+           : !found    ? 0
+                       : kit_fail(err,
+                                  "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z, and all of "
+                                     "albedo.R/G/B or none, as all of direct.R/G/B",
+                                  missing);
 }
 
 int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err)
@@ -305,7 +322,8 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     layers = (size_t)g.layers;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (frame->width > limit || frame->height > limit)
-        return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height, (int)limit);
+        return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height,
+                        (int)limit);
     g.camera = *camera;
     g.camera.width  = g.width  = g.viewport[2] = frame->width;
     g.camera.height = g.height = g.viewport[3] = frame->height;
@@ -313,13 +331,15 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     planes_from_depths(&g.camera, channel[0][Z], texels);
     kit_camera_matrices(&g.camera, view, g.projection);
     depth = calloc(texels * (9 * layers + 4), sizeof *depth);
-    if (!depth) return kit_fail(err, "frame: no memory for %d x %d texels in %zu layers", frame->width, frame->height, layers);
+    if (!depth)
+        return kit_fail(err, "frame: no memory for %d x %d texels in %zu layers", frame->width, frame->height, layers);
     normal = depth + layers * texels;
     albedo = normal + 4 * layers * texels;
     direct = albedo + 4 * layers * texels;
     for (size_t at = 0; at < layers * texels; at++) {
         const size_t layer = at / texels, i = at % texels;
-        const size_t from = (size_t)frame->height * width - (i / width + 1) * width + i % width;      /* rows turn over */
+        /* rows turn over */
+        const size_t from = (size_t)frame->height * width - (i / width + 1) * width + i % width;
         const float *const *c_of = channel[layer];
         double n[3], length;
         if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) continue;
@@ -342,7 +362,8 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     if (g.layers > 1) {
         g.layer_depth  = kit_texture_array(g.width, g.height, g.layers - 1, GL_R32F, depth + texels);
         g.layer_normal = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA32F, normal + 4 * texels);
-        if (colours) g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
+        if (colours)
+            g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
     }
     free(depth);
     *gbuffer = g;
@@ -399,9 +420,11 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
     direct = albedo + 4 * texels;
     if (g->direct) result = kit_texture_read(g->direct, g->width, g->height, 4, direct);
     for (int layer = 0; layer < g->layers && !result; layer++) {
-        float *out = image.data + (size_t)layer * channels * pixels, *out_direct = image.data + (size_t)g->layers * channels * pixels;
-        result = layer_read(g->depth, g->layer_depth, layer, g, 1, depth) || layer_read(g->normal, g->layer_normal, layer, g, 4, normal) ||
-                 (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo));
+        float *out = image.data + (size_t)layer * channels * pixels,
+              *out_direct = image.data + (size_t)g->layers * channels * pixels;
+        result = layer_read(g->depth, g->layer_depth, layer, g, 1, depth)
+                 || layer_read(g->normal, g->layer_normal, layer, g, 4, normal)
+                 || (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo));
         for (size_t i = 0; i < pixels && !result; i++) {
             const size_t y = height - 1 - i / width;
             const size_t from = ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;

@@ -22,8 +22,9 @@ static struct {
     uint8_t     osmesa_buffer[16 * 16 * 4];
 } gl;
 
-/* Opens the first library of names and fills the function pointers; NULL if there is none. It is never closed: Mesa's compiler threads
-   do not survive that. C has no cast from dlsym's pointer to one to a function; POSIX promises that the copy works. */
+/* Opens the first library of names and fills the function pointers; NULL if there is none. It is never closed: Mesa's
+   compiler threads do not survive that. C has no cast from dlsym's pointer to one to a function; POSIX promises that
+   the copy works. */
 static void *library(const char *const *names, const char *const *symbols, void *const *functions)
 {
     void *l = NULL;
@@ -51,20 +52,23 @@ static struct {
 static int osmesa_open(kit_error *err)
 {
     static const char *const names[] = { "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", NULL };
-    static const char *const symbols[] = { "OSMesaCreateContextAttribs", "OSMesaMakeCurrent", "OSMesaDestroyContext", "OSMesaGetProcAddress", NULL };
+    static const char *const symbols[] = { "OSMesaCreateContextAttribs", "OSMesaMakeCurrent", "OSMesaDestroyContext",
+                                           "OSMesaGetProcAddress", NULL };
     static void *const functions[] = { &osmesa.create, &osmesa.current, &osmesa.destroy, &osmesa.proc };
     if (!osmesa.library) osmesa.library = library(names, symbols, functions);
     if (!osmesa.library)
         return kit_fail(err, "context osmesa: libOSMesa.so is not there; install it (Debian: libosmesa6) or try egl");
     if (!osmesa.create || !osmesa.current || !osmesa.destroy || !osmesa.proc)
-        return kit_fail(err, "context osmesa: this libOSMesa is too old (no OSMesaCreateContextAttribs); Mesa 12 or newer is needed, or try egl");
+        return kit_fail(err, "context osmesa: this libOSMesa is too old (no OSMesaCreateContextAttribs); Mesa 12 or "
+                             "newer is needed, or try egl");
     for (int minor = 5; minor >= 3 && !gl.context; minor -= 2) {
         int attributes[] = { OSMESA_FORMAT, GL_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
                              OSMESA_MAJOR, 4, OSMESA_MINOR, minor, 0 };
         gl.context = osmesa.create(attributes, NULL);
     }
     if (!gl.context)
-        return kit_fail(err, "context osmesa: libOSMesa gives no GL 4.3 core; Mesa 20.2 or newer with llvmpipe is needed, or try egl");
+        return kit_fail(err, "context osmesa: libOSMesa gives no GL 4.3 core; Mesa 20.2 or newer with llvmpipe is "
+                             "needed, or try egl");
     gl.open = 1;
     if (!osmesa.current(gl.context, gl.osmesa_buffer, GL_UNSIGNED_BYTE, 16, 16))
         return kit_fail(err, "context osmesa: OSMesaMakeCurrent failed; try egl");
@@ -74,9 +78,18 @@ static int osmesa_open(kit_error *err)
 /* ---- >>egl -------------------------------------------------------------------------------------------------- */
 
 /* from the EGL registry */
-enum { EGL_NONE = 0x3038, EGL_EXTENSIONS = 0x3055, EGL_OPENGL_API = 0x30A2, EGL_OPENGL_ES_API = 0x30A0, EGL_MAJOR = 0x3098,
-       EGL_MINOR = 0x30FB, EGL_PROFILE_MASK = 0x30FD, EGL_CORE_PROFILE = 1, EGL_PLATFORM_DEVICE = 0x313F,
-       EGL_PLATFORM_SURFACELESS = 0x31DD };
+enum {
+    EGL_NONE = 0x3038,
+    EGL_EXTENSIONS = 0x3055,
+    EGL_OPENGL_API = 0x30A2,
+    EGL_OPENGL_ES_API = 0x30A0,
+    EGL_MAJOR = 0x3098,
+    EGL_MINOR = 0x30FB,
+    EGL_PROFILE_MASK = 0x30FD,
+    EGL_CORE_PROFILE = 1,
+    EGL_PLATFORM_DEVICE = 0x313F,
+    EGL_PLATFORM_SURFACELESS = 0x31DD
+};
 enum { EGL_MAX_DEVICES = 64 };
 
 static struct {
@@ -117,30 +130,37 @@ static int egl_try(void *display, int es)
 static int egl_open(int es, kit_error *err)
 {
     static const char *const names[] = { "libEGL.so.1", "libEGL.so", NULL };
-    static const char *const symbols[] = { "eglGetProcAddress", "eglQueryString", "eglInitialize", "eglTerminate", "eglBindAPI", "eglCreateContext",
+    static const char *const symbols[] = { "eglGetProcAddress", "eglQueryString", "eglInitialize",
+                                           "eglTerminate",      "eglBindAPI",     "eglCreateContext",
                                            "eglDestroyContext", "eglMakeCurrent", NULL };
-    static void *const functions[] = { &egl.proc, &egl.query_string, &egl.initialize, &egl.terminate, &egl.bind_api, &egl.create,
-                                       &egl.destroy, &egl.current };
+    static void *const functions[] = { &egl.proc,     &egl.query_string, &egl.initialize, &egl.terminate,
+                                       &egl.bind_api, &egl.create,       &egl.destroy,    &egl.current };
     const char *self = es ? "egl-es" : "egl", *client;
     void *devices[EGL_MAX_DEVICES];
     int32_t count = 0;
     if (!egl.library) egl.library = library(names, symbols, functions);
     if (!egl.library)
-        return kit_fail(err, "context %s: libEGL.so.1 is not there; install it (Debian: libegl1 and libegl-mesa0, or the GPU's driver)", self);
+        return kit_fail(err,
+                        "context %s: libEGL.so.1 is not there; install it (Debian: libegl1 and libegl-mesa0, or the "
+                        "GPU's driver)",
+                        self);
     if (egl.proc) {
         egl.platform_display = (void *(*)(unsigned, void *, const int32_t *))egl.proc("eglGetPlatformDisplayEXT");
         egl.query_devices    = (unsigned (*)(int32_t, void **, int32_t *))egl.proc("eglQueryDevicesEXT");
         egl.device_string    = (const char *(*)(void *, int32_t))egl.proc("eglQueryDeviceStringEXT");
     }
-    if (!egl.query_string || !egl.initialize || !egl.terminate || !egl.bind_api || !egl.create || !egl.destroy || !egl.current ||
-        !egl.platform_display)
-        return kit_fail(err, "context %s: this libEGL has no eglGetPlatformDisplayEXT; EGL 1.5 is needed, or try osmesa", self);
+    if (!egl.query_string || !egl.initialize || !egl.terminate || !egl.bind_api || !egl.create || !egl.destroy
+        || !egl.current || !egl.platform_display)
+        return kit_fail(err,
+                        "context %s: this libEGL has no eglGetPlatformDisplayEXT; EGL 1.5 is needed, or try osmesa",
+                        self);
     client = egl.query_string(NULL, EGL_EXTENSIONS);
     if (!client) client = "";
 
     if (strstr(client, "EGL_EXT_platform_device") && egl.query_devices && egl.device_string)
         if (!egl.query_devices(EGL_MAX_DEVICES, devices, &count)) count = 0;
-    for (int software = 0; software < 2; software++) {         /* hardware first; the surfaceless platform before a software device */
+    /* hardware first; the surfaceless platform before a software device */
+    for (int software = 0; software < 2; software++) {
         for (int32_t i = 0; i < count; i++) {
             const char *extensions = egl.device_string(devices[i], EGL_EXTENSIONS);
             if (software == (extensions && strstr(extensions, "EGL_MESA_device_software")) &&
@@ -149,8 +169,11 @@ static int egl_open(int es, kit_error *err)
         if (!software && strstr(client, "EGL_MESA_platform_surfaceless") &&
             egl_try(egl.platform_display(EGL_PLATFORM_SURFACELESS, NULL, NULL), es)) return 0;
     }
-    return kit_fail(err, "context %s: none of %d EGL devices, nor Mesa's surfaceless platform, gives %s; install the GPU's EGL driver or "
-                    "libegl-mesa0 and libgl1-mesa-dri, or try osmesa", self, (int)count, es ? "GLES 3.0" : "GL 4.3 core");
+    return kit_fail(err,
+                    "context %s: none of %d EGL devices, nor Mesa's surfaceless platform, gives %s; install the GPU's "
+                    "EGL driver or "
+                    "libegl-mesa0 and libgl1-mesa-dri, or try osmesa",
+                    self, (int)count, es ? "GLES 3.0" : "GL 4.3 core");
 }
 
 /* ---- >>context ---------------------------------------------------------------------------------------------- */
@@ -180,7 +203,9 @@ static int load(kit_error *err)
     if (missing) return kit_fail(err, "GL context: it lacks %s; GL 4.3 or GLES 3.0 is needed", missing);
     version  = (const char *)glGetString(GL_VERSION);
     renderer = (const char *)glGetString(GL_RENDERER);
-    if (!version || !renderer) return kit_fail(err, "GL context: it answers no calls (glGetString gives nothing); another driver's libGL may be in the way");
+    if (!version || !renderer)
+        return kit_fail(err, "GL context: it answers no calls (glGetString gives nothing); another driver's libGL may "
+                             "be in the way");
     gl.es = strstr(version, "OpenGL ES") != NULL;
     glGetIntegerv(GL_MAJOR_VERSION, &major);
     glGetIntegerv(GL_MINOR_VERSION, &minor);
@@ -192,7 +217,8 @@ static int load(kit_error *err)
     if (gl.es && has_extension("GL_EXT_disjoint_timer_query"))
         glGetQueryObjectui64v = (PFNGLGETQUERYOBJECTUI64VPROC)proc("glGetQueryObjectui64vEXT");
     if (!gl.es && major * 10 + minor < 45 && !has_extension("GL_ARB_clip_control")) glClipControl = NULL;
-    for (size_t i = 0; i < sizeof rasterisers / sizeof *rasterisers; i++) gl.software |= strstr(renderer, rasterisers[i]) != NULL;
+    for (size_t i = 0; i < sizeof rasterisers / sizeof *rasterisers; i++)
+        gl.software |= strstr(renderer, rasterisers[i]) != NULL;
     snprintf(gl.name, sizeof gl.name, "%s, %s", renderer, version);
     return 0;
 }
@@ -233,12 +259,21 @@ int         kit_gl_is_software(void) { return gl.software; }
 
 /* ---- >>texture ---------------------------------------------------------------------------------------------- */
 
-static const struct format { GLenum internal, format; int components; GLenum type; } formats[] = {
-    { GL_R8,    GL_RED, 1, GL_UNSIGNED_BYTE }, { GL_RG8,   GL_RG, 2, GL_UNSIGNED_BYTE }, { GL_RGBA8,   GL_RGBA, 4, GL_UNSIGNED_BYTE },
-    { GL_R16F,  GL_RED, 1, GL_FLOAT },         { GL_RG16F, GL_RG, 2, GL_FLOAT },         { GL_RGBA16F, GL_RGBA, 4, GL_FLOAT },
-    { GL_R32F,  GL_RED, 1, GL_FLOAT },         { GL_RG32F, GL_RG, 2, GL_FLOAT },         { GL_RGBA32F, GL_RGBA, 4, GL_FLOAT },
-    { GL_R32UI, GL_RED_INTEGER, 1, GL_UNSIGNED_INT }, { GL_RG32UI, GL_RG_INTEGER, 2, GL_UNSIGNED_INT }, { GL_RGBA32UI, GL_RGBA_INTEGER, 4, GL_UNSIGNED_INT },
-    { GL_DEPTH_COMPONENT24,  GL_DEPTH_COMPONENT, 1, GL_UNSIGNED_INT },
+static const struct format { GLenum internal, format; int components; GLenum type;
+} formats[] = {
+    { GL_R8, GL_RED, 1, GL_UNSIGNED_BYTE },
+    { GL_RG8, GL_RG, 2, GL_UNSIGNED_BYTE },
+    { GL_RGBA8, GL_RGBA, 4, GL_UNSIGNED_BYTE },
+    { GL_R16F, GL_RED, 1, GL_FLOAT },
+    { GL_RG16F, GL_RG, 2, GL_FLOAT },
+    { GL_RGBA16F, GL_RGBA, 4, GL_FLOAT },
+    { GL_R32F, GL_RED, 1, GL_FLOAT },
+    { GL_RG32F, GL_RG, 2, GL_FLOAT },
+    { GL_RGBA32F, GL_RGBA, 4, GL_FLOAT },
+    { GL_R32UI, GL_RED_INTEGER, 1, GL_UNSIGNED_INT },
+    { GL_RG32UI, GL_RG_INTEGER, 2, GL_UNSIGNED_INT },
+    { GL_RGBA32UI, GL_RGBA_INTEGER, 4, GL_UNSIGNED_INT },
+    { GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, 1, GL_UNSIGNED_INT },
     { GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, 1, GL_FLOAT },
 };
 
@@ -267,7 +302,9 @@ static GLuint texture_new(int width, int height, int layers, GLenum internal_for
         if (formats[i].internal == internal_format) f = &formats[i];
     if (!f || width < 1 || height < 1 || layers < 0) return 0;
     if (data && (f->type == GL_UNSIGNED_BYTE || internal_format == GL_DEPTH_COMPONENT24)) {
-        data = copy = packed(data_or_null, (size_t)width * (size_t)height * (size_t)(layers ? layers : 1) * (size_t)f->components, f->type);
+        data = copy =
+            packed(data_or_null, (size_t)width * (size_t)height * (size_t)(layers ? layers : 1) * (size_t)f->components,
+                   f->type);
         if (!copy) return 0;
     }
     glGetIntegerv(layers ? GL_TEXTURE_BINDING_2D_ARRAY : GL_TEXTURE_BINDING_2D, &bound);
@@ -304,7 +341,8 @@ GLuint kit_texture_cube(int size, GLenum internal_format, const void *data)
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_CUBE_MAP, texture);
     for (GLenum k = 0; k < 6; k++)
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + k, 0, (GLint)internal_format, size, size, 0, GL_RGBA, wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, (const char *)data + k * face);
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + k, 0, (GLint)internal_format, size, size, 0, GL_RGBA,
+                     wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, (const char *)data + k * face);
     kit_texture_linear(GL_TEXTURE_CUBE_MAP);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
     if (!kit_gl_is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);       /* GLES is always */
@@ -345,7 +383,8 @@ static int texture_read(GLuint texture, int slice, int width, int height, int co
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     attach_to_read(GL_COLOR_ATTACHMENT0, texture, slice);
     is_depth = glCheckFramebufferStatus(GL_READ_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
-    if (is_depth) {                                            /* GLES reads depth by NV_read_depth, which Mesa and NVIDIA have */
+    /* GLES reads depth by NV_read_depth, which Mesa and NVIDIA have */
+    if (is_depth) {
         attach_to_read(GL_COLOR_ATTACHMENT0, 0, slice);
         attach_to_read(GL_DEPTH_ATTACHMENT, texture, slice);
     }
@@ -363,8 +402,10 @@ static int texture_read(GLuint texture, int slice, int width, int height, int co
         }
         for (size_t i = texels; i-- > 0; ) data[4 * i] = data[i];
     } else {
-        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-        if (type == GL_UNSIGNED_NORMALIZED && gl.es) {        /* there only bytes are sure to be read; no wider format of this kind is made here */
+        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+        /* there only bytes are sure to be read; no wider format of this kind is made here */
+        if (type == GL_UNSIGNED_NORMALIZED && gl.es) {
             bytes = malloc(texels * 4);
             if (!bytes) goto done;
             glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
@@ -375,7 +416,8 @@ static int texture_read(GLuint texture, int slice, int width, int height, int co
             glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, data);
     }
     if (glGetError() != GL_NO_ERROR) goto done;
-    for (size_t i = 0; i < texels; i++) memcpy(out + i * (size_t)components, data + 4 * i, (size_t)components * sizeof *out);
+    for (size_t i = 0; i < texels; i++)
+        memcpy(out + i * (size_t)components, data + 4 * i, (size_t)components * sizeof *out);
     result = 0;
 done:
     glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)framebuffer_was);
@@ -399,8 +441,12 @@ int kit_texture_slice_read(GLuint array, int slice, int width, int height, int c
 
 static const char *stage_name(GLenum stage)
 {
-    return stage == GL_VERTEX_SHADER ? "vertex" : stage == GL_FRAGMENT_SHADER ? "fragment" : stage == GL_GEOMETRY_SHADER ? "geometry" :
-           stage == GL_TESS_CONTROL_SHADER ? "tessellation control" : stage == GL_TESS_EVALUATION_SHADER ? "tessellation evaluation" : "compute";
+    return stage == GL_VERTEX_SHADER            ? "vertex"
+           : stage == GL_FRAGMENT_SHADER        ? "fragment"
+           : stage == GL_GEOMETRY_SHADER        ? "geometry"
+           : stage == GL_TESS_CONTROL_SHADER    ? "tessellation control"
+           : stage == GL_TESS_EVALUATION_SHADER ? "tessellation evaluation"
+                                                : "compute";
 }
 
 /* the first lines of a driver's log, joined to one */
@@ -455,7 +501,8 @@ GLuint kit_program(const char *const *source, const GLenum *stage, int count, ki
 GLuint kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err)
 {
     static const GLenum stage[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER };
-    const char *prelude = gl.es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
+    const char *prelude =
+        gl.es ? "#version 300 es\nprecision highp float;\nprecision highp sampler2D;\n" : "#version 330 core\n";
     const char *body[2] = { vertex, fragment };
     char *text[2] = { NULL, NULL };
     GLuint program = 0;
@@ -483,7 +530,8 @@ void kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attr
     glBindBuffer(GL_ARRAY_BUFFER, soup->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * stride), vertices, GL_STATIC_DRAW);
     for (int i = 0; i < attributes; i++) {
-        glVertexAttribPointer((GLuint)i, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)(3 * (size_t)i * sizeof *vertices));
+        glVertexAttribPointer((GLuint)i, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride,
+                              (const void *)(3 * (size_t)i * sizeof *vertices));
         glEnableVertexAttribArray((GLuint)i);
     }
     glDisable(GL_SCISSOR_TEST); glDisable(GL_BLEND); glDisable(GL_CULL_FACE); glDisable(GL_STENCIL_TEST);

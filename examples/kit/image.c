@@ -36,9 +36,11 @@ static int image_alloc(kit_image *image, int width, int height, int channels, co
 {
     size_t pixels = (size_t)(width > 0 ? width : 0) * (size_t)(height > 0 ? height : 0);
     if (width <= 0 || height <= 0 || width > 65536 || height > 65536 || pixels > ((size_t)1 << 30) / (size_t)channels)
-        return kit_fail(err, "%s: a picture of %d x %d with %d channels is not supported", what, width, height, channels);
+        return kit_fail(err, "%s: a picture of %d x %d with %d channels is not supported", what, width, height,
+                        channels);
     float *data = calloc(pixels * (size_t)channels, sizeof *data);
-    if (!data) return kit_fail(err, "%s: no memory for a picture of %d x %d with %d channels", what, width, height, channels);
+    if (!data)
+        return kit_fail(err, "%s: no memory for a picture of %d x %d with %d channels", what, width, height, channels);
     memset(image, 0, sizeof *image);
     image->width = width;
     image->height = height;
@@ -56,10 +58,12 @@ int kit_image_new(kit_image *image, int width, int height, const char *names, ki
     for (const char *p = names;; ++p) {
         size_t length = strcspn(p, ",");
         if (length == 0 || length >= sizeof name[0] || channels == KIT_MAX_CHANNELS)
-            return kit_fail(err, "channels \"%s\": at most %d names of 1 to 31 characters, separated by commas", names, KIT_MAX_CHANNELS);
+            return kit_fail(err, "channels \"%s\": at most %d names of 1 to 31 characters, separated by commas", names,
+                            KIT_MAX_CHANNELS);
         memcpy(name[channels], p, length);
         for (int c = 0; c < channels; ++c)
-            if (!strcmp(name[c], name[channels])) return kit_fail(err, "channels \"%s\": %s comes twice", names, name[c]);
+            if (!strcmp(name[c], name[channels]))
+                return kit_fail(err, "channels \"%s\": %s comes twice", names, name[c]);
         ++channels;
         p += length;
         if (!*p) break;
@@ -106,7 +110,8 @@ static int64_t exr_memory_size(exr_const_context_t context, void *user)
     return (int64_t)((memory_file *)user)->size;
 }
 
-static int64_t exr_memory_read(exr_const_context_t context, void *user, void *buffer, uint64_t size, uint64_t offset, exr_stream_error_func_ptr_t error)
+static int64_t exr_memory_read(exr_const_context_t context, void *user, void *buffer, uint64_t size, uint64_t offset,
+                               exr_stream_error_func_ptr_t error)
 {
     const memory_file *file = user;
     (void)context, (void)error;
@@ -116,7 +121,8 @@ static int64_t exr_memory_read(exr_const_context_t context, void *user, void *bu
     return (int64_t)size;
 }
 
-static int64_t exr_memory_write(exr_const_context_t context, void *user, const void *buffer, uint64_t size, uint64_t offset, exr_stream_error_func_ptr_t error)
+static int64_t exr_memory_write(exr_const_context_t context, void *user, const void *buffer, uint64_t size,
+                                uint64_t offset, exr_stream_error_func_ptr_t error)
 {
     memory_file *file = user;
     size_t end = offset + size;
@@ -142,15 +148,19 @@ static int exr_fail(kit_error *err, const char *path, const memory_file *file, e
 }
 
 /* One chunk (some scanlines or a tile) straight into the planar picture; origin: its top-left pixel in the picture. */
-static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_pipeline_t *decode, const exr_chunk_info_t *chunk, int x, int y, kit_image *image)
+static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_pipeline_t *decode,
+                                        const exr_chunk_info_t *chunk, int x, int y, kit_image *image)
 {
     int first = decode->context == NULL;
-    exr_result_t result = first ? exr_decoding_initialize(context, 0, chunk, decode) : exr_decoding_update(context, 0, chunk, decode);
+    exr_result_t result =
+        first ? exr_decoding_initialize(context, 0, chunk, decode) : exr_decoding_update(context, 0, chunk, decode);
     if (result != EXR_ERR_SUCCESS) return result;
-    if (x < 0 || y < 0 || chunk->width > image->width - x || chunk->height > image->height - y) return EXR_ERR_CORRUPT_CHUNK;
+    if (x < 0 || y < 0 || chunk->width > image->width - x || chunk->height > image->height - y)
+        return EXR_ERR_CORRUPT_CHUNK;
     for (int c = 0; c < decode->channel_count; ++c) {
         exr_coding_channel_info_t *channel = &decode->channels[c];
-        channel->decode_to_ptr = (uint8_t *)(image->data + ((size_t)c * (size_t)image->height + (size_t)y) * (size_t)image->width + x);
+        channel->decode_to_ptr =
+            (uint8_t *)(image->data + ((size_t)c * (size_t)image->height + (size_t)y) * (size_t)image->width + x);
         channel->user_data_type = EXR_PIXEL_FLOAT;
         channel->user_bytes_per_element = 4;
         channel->user_pixel_stride = 4;
@@ -160,7 +170,8 @@ static exr_result_t exr_read_chunk_into(exr_const_context_t context, exr_decode_
     return result == EXR_ERR_SUCCESS ? exr_decoding_run(context, 0, decode) : result;
 }
 
-static exr_result_t exr_read_pixels(exr_const_context_t context, int tiled, const exr_attr_box2i_t *window, kit_image *image)
+static exr_result_t exr_read_pixels(exr_const_context_t context, int tiled, const exr_attr_box2i_t *window,
+                                    kit_image *image)
 {
     exr_decode_pipeline_t decode = EXR_DECODE_PIPELINE_INITIALIZER;
     exr_chunk_info_t chunk;
@@ -179,7 +190,8 @@ static exr_result_t exr_read_pixels(exr_const_context_t context, int tiled, cons
     return result;
 }
 
-/* For what the C core cannot decompress (DWAA, DWAB in 3.1): OpenEXR's older C interface. It knows RGB(A) only, as half floats. */
+/* For what the C core cannot decompress (DWAA, DWAB in 3.1): OpenEXR's older C interface. It knows RGB(A) only, as half
+   floats. */
 static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2i_t *window, kit_error *err)
 {
     static const char *const rgba[] = { "R", "G", "B", "A" };
@@ -187,14 +199,16 @@ static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2
     int    found = 0;
     for (int c = 0; c < 4; ++c) found += (to[c] = kit_image_channel(image, rgba[c])) != NULL;
     if (found != image->channels || !to[0] || !to[1] || !to[2])
-        return kit_fail(err, "%s: its compression (DWAA or DWAB) is supported for the channels R, G, B (and A) alone", path);
+        return kit_fail(err, "%s: its compression (DWAA or DWAB) is supported for the channels R, G, B (and A) alone",
+                        path);
     ImfRgba *row = malloc((size_t)image->width * sizeof *row);
     ImfInputFile *file = row ? ImfOpenInputFile(path) : NULL;
     int good = file != NULL;
     for (int y = 0; y < image->height && good; ++y) {
         /* the base pointer is that of pixel (0, 0) of the data window's coordinates */
         ImfRgba *base = (ImfRgba *)((uintptr_t)row - (uintptr_t)((intptr_t)window->min.x * (intptr_t)sizeof *row));
-        good = ImfInputSetFrameBuffer(file, base, 1, 0) && ImfInputReadPixels(file, window->min.y + y, window->min.y + y);
+        good =
+            ImfInputSetFrameBuffer(file, base, 1, 0) && ImfInputReadPixels(file, window->min.y + y, window->min.y + y);
         for (int x = 0; x < image->width && good; ++x) {
             const ImfHalf pixel[4] = { row[x].r, row[x].g, row[x].b, row[x].a };
             for (int c = 0; c < 4; ++c)
@@ -207,7 +221,8 @@ static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2
     return good ? 0 : -1;
 }
 
-static int exr_read_part(kit_image *out, const char *path, exr_const_context_t context, const memory_file *file, kit_error *err)
+static int exr_read_part(kit_image *out, const char *path, exr_const_context_t context, const memory_file *file,
+                         kit_error *err)
 {
     const exr_attr_chlist_t *list = NULL;
     exr_attr_box2i_t window;
@@ -222,16 +237,20 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
         return kit_fail(err, "%s: %d channels; 1 to %d are supported", path, list->num_channels, KIT_MAX_CHANNELS);
     for (int c = 0; c < list->num_channels; ++c) {
         const exr_attr_chlist_entry_t *entry = &list->entries[c];
-        if (entry->x_sampling != 1 || entry->y_sampling != 1) return kit_fail(err, "%s: channel %s is subsampled, which is not supported", path, entry->name.str);
-        if (entry->name.length > 31) return kit_fail(err, "%s: channel name %s is longer than 31 characters", path, entry->name.str);
+        if (entry->x_sampling != 1 || entry->y_sampling != 1)
+            return kit_fail(err, "%s: channel %s is subsampled, which is not supported", path, entry->name.str);
+        if (entry->name.length > 31)
+            return kit_fail(err, "%s: channel name %s is longer than 31 characters", path, entry->name.str);
     }
     int64_t width = (int64_t)window.max.x - window.min.x + 1, height = (int64_t)window.max.y - window.min.y + 1;
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
-        return kit_fail(err, "%s: a picture of %lld x %lld is not supported", path, (long long)width, (long long)height);
+        return kit_fail(err, "%s: a picture of %lld x %lld is not supported", path, (long long)width,
+                        (long long)height);
 
     kit_image image;
     if (image_alloc(&image, (int)width, (int)height, list->num_channels, path, err)) return -1;
-    for (int c = 0; c < list->num_channels; ++c) snprintf(image.name[c], sizeof image.name[c], "%s", list->entries[c].name.str);
+    for (int c = 0; c < list->num_channels; ++c)
+        snprintf(image.name[c], sizeof image.name[c], "%s", list->entries[c].name.str);
     result = exr_read_pixels(context, storage == EXR_STORAGE_TILED, &window, &image);
     int failed = 0;
     if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED) failed = exr_read_rgba(&image, path, &window, err);
@@ -259,7 +278,8 @@ int kit_exr_read(kit_image *image, const char *path, kit_error *err)
     start.size_fn = exr_memory_size;
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not a guess */
     exr_result_t result = exr_start_read(&context, path, &start);
-    int failed = result == EXR_ERR_SUCCESS ? exr_read_part(image, path, context, &file, err) : exr_fail(err, path, &file, result);
+    int failed = result == EXR_ERR_SUCCESS ? exr_read_part(image, path, context, &file, err)
+                                           : exr_fail(err, path, &file, result);
     if (context) exr_finish(&context);
     free(file.data);
     return failed;
@@ -274,10 +294,13 @@ static exr_result_t exr_write_pixels(exr_context_t context, const kit_image *ima
     for (int y = 0; y < image->height && result == EXR_ERR_SUCCESS; y += lines) {
         int first = y == 0;
         result = exr_write_scanline_chunk_info(context, 0, y, &chunk);
-        if (result == EXR_ERR_SUCCESS) result = first ? exr_encoding_initialize(context, 0, &chunk, &encode) : exr_encoding_update(context, 0, &chunk, &encode);
+        if (result == EXR_ERR_SUCCESS)
+            result = first ? exr_encoding_initialize(context, 0, &chunk, &encode)
+                           : exr_encoding_update(context, 0, &chunk, &encode);
         for (int c = 0; result == EXR_ERR_SUCCESS && c < encode.channel_count; ++c) {
             exr_coding_channel_info_t *channel = &encode.channels[c];          /* in the file's order: sorted by name */
-            channel->encode_from_ptr = (const uint8_t *)(kit_image_channel(image, channel->channel_name) + (size_t)y * (size_t)image->width);
+            channel->encode_from_ptr =
+                (const uint8_t *)(kit_image_channel(image, channel->channel_name) + (size_t)y * (size_t)image->width);
             channel->user_data_type = EXR_PIXEL_FLOAT;
             channel->user_bytes_per_element = 4;
             channel->user_pixel_stride = 4;
@@ -295,15 +318,18 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
     memory_file file = { 0 };
     exr_context_t context = NULL;
     int part;
-    for (int c = 0; c < image->channels; ++c)                                  /* 3.1 hangs after it has refused a channel */
-        if (!image->name[c][0] || kit_image_channel(image, image->name[c]) != image->data + (size_t)c * image_pixels(image))
+    /* 3.1 hangs after it has refused a channel */
+    for (int c = 0; c < image->channels; ++c)
+        if (!image->name[c][0]
+            || kit_image_channel(image, image->name[c]) != image->data + (size_t)c * image_pixels(image))
             return kit_fail(err, "%s: channel name \"%s\" is empty or comes twice", path, image->name[c]);
     exr_context_initializer_t start = exr_initializer(&file);
     start.write_fn = exr_memory_write;
     start.zip_level = 4;                   /* a few per cent larger than the default 6, twice as fast */
     exr_result_t result = exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, &start);
     if (result == EXR_ERR_SUCCESS) result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);
-    if (result == EXR_ERR_SUCCESS) result = exr_initialize_required_attr_simple(context, 0, image->width, image->height, EXR_COMPRESSION_ZIP);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_initialize_required_attr_simple(context, 0, image->width, image->height, EXR_COMPRESSION_ZIP);
     for (int c = 0; c < image->channels && result == EXR_ERR_SUCCESS; ++c)
         result = exr_add_channel(context, 0, image->name[c], EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     if (result == EXR_ERR_SUCCESS) result = exr_write_header(context);
@@ -312,7 +338,8 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
         exr_result_t finished = exr_finish(&context);                          /* writes the chunk table */
         if (result == EXR_ERR_SUCCESS) result = finished;
     }
-    int failed = result == EXR_ERR_SUCCESS ? kit_file_write(path, file.data, file.size, err) : exr_fail(err, path, &file, result);
+    int failed = result == EXR_ERR_SUCCESS ? kit_file_write(path, file.data, file.size, err)
+                                           : exr_fail(err, path, &file, result);
     free(file.data);
     return failed;
 }
@@ -321,8 +348,9 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
 
 typedef struct hdr_source { const char *data; int size, at, starved; } hdr_source;
 
-/* stb takes missing bytes for zeros, or waits for ever for others (2.28: a run of none). It asks for 128 when its buffer is empty and
-   for exact small numbers otherwise: a reply of nothing, or of part of a small request, means that the file is cut off. */
+/* stb takes missing bytes for zeros, or waits for ever for others (2.28: a run of none). It asks for 128 when its
+   buffer is empty and for exact small numbers otherwise: a reply of nothing, or of part of a small request, means that
+   the file is cut off. */
 static int hdr_read(void *user, char *data, int size)
 {
     hdr_source *s = user;
@@ -378,7 +406,8 @@ int kit_png_write(const kit_image *image, const char *names, int srgb, const cha
         char name[32] = { 0 };
         memcpy(name, p, length < 31 ? length : 31);
         if (channels == 3) return kit_fail(err, "%s: a PNG takes 1 or 3 channels, not \"%s\"", path, names);
-        if (!(from[channels++] = kit_image_channel(image, name))) return kit_fail(err, "%s: the picture has no channel %s", path, name);
+        if (!(from[channels++] = kit_image_channel(image, name)))
+            return kit_fail(err, "%s: the picture has no channel %s", path, name);
         p += length;
         if (!*p) break;
     }
@@ -392,19 +421,24 @@ int kit_png_write(const kit_image *image, const char *names, int srgb, const cha
         if (srgb) v = v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055;
         bytes[i] = (unsigned char)(255 * v + 0.5);
     }
-    if (bytes) stbi_write_png_to_func(png_append, &file, image->width, image->height, channels, bytes, image->width * channels);
+    if (bytes)
+        stbi_write_png_to_func(png_append, &file, image->width, image->height, channels, bytes,
+                               image->width * channels);
     free(bytes);
-    int failed = file.data ? kit_file_write(path, file.data, file.size, err) : kit_fail(err, "%s: no memory to write a PNG", path);
+    int failed = file.data ? kit_file_write(path, file.data, file.size, err)
+                           : kit_fail(err, "%s: no memory to write a PNG", path);
     free(file.data);
     return failed;
 }
 
 /* ---- scores ------------------------------------------------------------------------------------------------- */
 
-static int channel_pair(const float **ca, const float **cb, const kit_image *a, const kit_image *b, const char *channel, kit_error *err)
+static int channel_pair(const float **ca, const float **cb, const kit_image *a, const kit_image *b, const char *channel,
+                        kit_error *err)
 {
     if (a->width != b->width || a->height != b->height)
-        return kit_fail(err, "the pictures differ in size: %d x %d and %d x %d", a->width, a->height, b->width, b->height);
+        return kit_fail(err, "the pictures differ in size: %d x %d and %d x %d", a->width, a->height, b->width,
+                        b->height);
     *ca = kit_image_channel(a, channel);
     *cb = kit_image_channel(b, channel);
     if (!*ca || !*cb) return kit_fail(err, "the %s picture has no channel %s", *ca ? "second" : "first", channel);
@@ -415,14 +449,19 @@ typedef struct ssim_job {
     const float *a, *b, *mask;
     int          width, height;
     double       gauss[11];
-    double      *sum;                      /* a row; added up in order so that the result is the same for any number of threads */
+    /* a row; added up in order so that the result is the same for any number of threads */
+    double      *sum;
     int         *count;
 } ssim_job;
 
-static int ssim_counts(const ssim_job *j, size_t i) { return (!j->mask || j->mask[i] > 0) && isfinite(j->a[i]) && isfinite(j->b[i]); }
+static int ssim_counts(const ssim_job *j, size_t i)
+{
+    return (!j->mask || j->mask[i] > 0) && isfinite(j->a[i]) && isfinite(j->b[i]);
+}
 
-/* SSIM [Wang et al. 2004] of one row on [0,1] data: the 11 x 11 window is separable, its weights are those of the pixels that count,
-   made to add up to 1 again at borders and gaps. Strips keep the sums of the columns on the stack. */
+/* SSIM [Wang et al. 2004] of one row on [0,1] data: the 11 x 11 window is separable, its weights are those of the
+   pixels that count, made to add up to 1 again at borders and gaps. Strips keep the sums of the columns on the
+   stack. */
 static void ssim_row(void *context, int y)
 {
     enum { STRIP = 256, REACH = 5, SUMS = 6 };
@@ -451,8 +490,8 @@ static void ssim_row(void *context, int y)
     }
 }
 
-/* The smallest of the n values that at least share * n of them do not exceed. The bits of positive floats sort as the floats do,
-   so two histograms of half the bits each find it exactly. */
+/* The smallest of the n values that at least share * n of them do not exceed. The bits of positive floats sort as the
+   floats do, so two histograms of half the bits each find it exactly. */
 static float quantile(const float *values, size_t n, double share, size_t *histogram)
 {
     size_t   below = 0, rank = (size_t)ceil(share * (double)n);
@@ -474,7 +513,8 @@ static float quantile(const float *values, size_t n, double share, size_t *histo
     return value;
 }
 
-int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask, kit_error *err)
+int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask,
+                      kit_error *err)
 {
     ssim_job job = { .mask = mask, .width = a->width, .height = a->height };
     if (channel_pair(&job.a, &job.b, a, b, channel, err)) return -1;
@@ -495,7 +535,10 @@ int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, 
         squares += d * d;
         absolute[pixels++] = (float)fabs(d);
     }
-    if (!failed && !pixels) failed = kit_fail(err, "nothing to compare in channel %s: no pixel is in the mask and a number in both pictures", channel);
+    if (!failed && !pixels)
+        failed =
+            kit_fail(err, "nothing to compare in channel %s: no pixel is in the mask and a number in both pictures",
+                     channel);
     if (!failed) {
         double ssim = 0, total = 0;
         for (int i = 0; i < 11; ++i) total += job.gauss[i] = exp(-(i - 5) * (i - 5) / (2 * 1.5 * 1.5));
@@ -503,14 +546,18 @@ int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, 
         kit_parallel(NULL, a->height, ssim_row, &job);
         total = 0;
         for (size_t y = 0; y < rows; ++y) { ssim += job.sum[y]; total += job.count[y]; }
-        *score = (kit_score){ .rmse = sqrt(squares / (double)pixels), .bias = sum / (double)pixels,
-                              .p95 = (double)quantile(absolute, pixels, 0.95, histogram), .ssim = ssim / total, .pixels = pixels };
+        *score = (kit_score){ .rmse = sqrt(squares / (double)pixels),
+                              .bias = sum / (double)pixels,
+                              .p95 = (double)quantile(absolute, pixels, 0.95, histogram),
+                              .ssim = ssim / total,
+                              .pixels = pixels };
     }
     free(absolute); free(histogram); free(job.sum); free(job.count);
     return failed;
 }
 
-int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count, const float *mask, kit_error *err)
+int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count,
+                       const float *mask, kit_error *err)
 {
     kit_score one, all = { 0 };
     for (int i = 0; i < count; ++i) {
@@ -526,22 +573,27 @@ int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b,
     return 0;
 }
 
-/* Straight lines in Oklab, so that equal differences look equally different: from near-white (L 0.96) to blue and red of the same
-   lightness (0.50) and chroma (0.20), hues 262 and 27 degrees. As sRGB values, for a PNG written as it is. */
-int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range, kit_error *err)
+/* Straight lines in Oklab, so that equal differences look equally different: from near-white (L 0.96) to blue and red
+   of the same lightness (0.50) and chroma (0.20), hues 262 and 27 degrees. As sRGB values, for a PNG written as it
+   is. */
+int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range,
+                         kit_error *err)
 {
     const float *ca, *cb;
     kit_image image;
     if (channel_pair(&ca, &cb, a, b, channel, err)) return -1;
-    if (!(range > 0 && isfinite(range))) return kit_fail(err, "the range of the difference must be > 0, not %g", (double)range);
+    if (!(range > 0 && isfinite(range)))
+        return kit_fail(err, "the range of the difference must be > 0, not %g", (double)range);
     if (kit_image_new(&image, a->width, a->height, "R,G,B", err)) return -1;
     for (size_t i = 0, n = image_pixels(a); i < n; ++i) {
         double t = ca[i] == cb[i] ? 0 : fmax(-1, fmin(1, ((double)ca[i] - (double)cb[i]) / (double)range));
         if (isnan(ca[i]) || isnan(cb[i])) continue;                             /* black */
         double hue = (t < 0 ? 262 : 27) * 3.14159265358979 / 180, chroma = 0.20 * fabs(t), L = 0.96 - 0.46 * fabs(t);
         double A = chroma * cos(hue), B = chroma * sin(hue);
-        double l = pow(L + 0.3963377774 * A + 0.2158037573 * B, 3), m = pow(L - 0.1055613458 * A - 0.0638541728 * B, 3), s = pow(L - 0.0894841775 * A - 1.2914855480 * B, 3);
-        const double rgb[3] = { 4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s, -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+        double l = pow(L + 0.3963377774 * A + 0.2158037573 * B, 3), m = pow(L - 0.1055613458 * A - 0.0638541728 * B, 3),
+               s = pow(L - 0.0894841775 * A - 1.2914855480 * B, 3);
+        const double rgb[3] = { 4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+                                -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
                                 -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s };
         for (size_t c = 0; c < 3; ++c) {
             double v = fmax(0, fmin(1, rgb[c]));

@@ -22,7 +22,8 @@
 
    CONVENTIONS
      errors    every function that can fail returns 0, or -1 with one line in the kit_error that names the file or
-               argument and what is wrong with it; outputs are then untouched and nothing needs freeing. err may be NULL.
+               argument and what is wrong with it; outputs are then untouched and nothing needs freeing. err may be
+                  NULL.
      pictures  planar floats, row 0 at the top
      matrices  float[16], column-major, as in ssgi.h
      world     right-handed; angles in degrees at this level (people type them), radians inside */
@@ -42,8 +43,10 @@ typedef struct kit_error { char text[1024]; } kit_error;
 __attribute__((format(printf, 2, 3)))
 #endif
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
-int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);   /* regular files; a 0 follows the last byte; free(data) */
-int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);   /* whole or not at all: beside it, then renamed */
+/* regular files; a 0 follows the last byte; free(data) */
+int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);
+/* whole or not at all: beside it, then renamed */
+int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
 /* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond
    the limit of their size are errors.
    close: -1 when something that was printed is lost. */
@@ -55,7 +58,8 @@ double kit_seconds(void);                                   /* monotonic clock *
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);
 
 /* Shows what is being done, how far, and the time left, on stderr when that is a terminal; nothing otherwise.
-   fraction 0 starts the clock, 1 clears the line. Call it as often as you like: it redraws at most ten times a second. */
+   fraction 0 starts the clock, 1 clears the line. Call it as often as you like: it redraws at most ten times a
+   second. */
 void   kit_progress(const char *what, double fraction);
 
 /* Calls job(context, i) for every i in [0, count) on as many threads as the machine has cores (KIT_THREADS in the
@@ -71,30 +75,37 @@ typedef struct kit_image {
     float *data;                           /* channel c, row y, column x: data[((size_t)c * height + y) * width + x] */
 } kit_image;
 
-int    kit_image_new(kit_image *image, int width, int height, const char *names, kit_error *err); /* names: "Z,N.X,N.Y,N.Z"; zeroed */
+/* names: "Z,N.X,N.Y,N.Z"; zeroed */
+int    kit_image_new(kit_image *image, int width, int height, const char *names, kit_error *err);
 void   kit_image_free(kit_image *image);                                 /* leaves it all zero; fine to call again */
 float *kit_image_channel(const kit_image *image, const char *name);      /* NULL if there is no such channel */
 
-/* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep and
-   subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1) goes through OpenEXR's
-   older C interface when it is R, G, B, A, else it is a clear error. Files are written as 32-bit float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+/* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
+   and subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1)
+   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. Files are written as 32-bit
+   float, ZIP, to a temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
 int    kit_hdr_read(kit_image *image, const char *path, kit_error *err); /* Radiance .hdr through stb: channels R,G,B */
 
-/* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values [0,1] are clamped,
-   NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them as they are (ambient visibility, colour maps). Same renaming. */
+/* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values
+   [0,1] are clamped, NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them as they are (ambient
+   visibility, colour maps). Same renaming. */
 int    kit_png_write(const kit_image *image, const char *names, int srgb, const char *path, kit_error *err);
 
 /* mask: width*height floats, a pixel counts where mask > 0; NULL = all. All figures are of (a - b). */
 typedef struct kit_score { double rmse, bias, p95, ssim; size_t pixels; } kit_score;
-int    kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask, kit_error *err);
+int kit_score_channel(kit_score *score, const kit_image *a, const kit_image *b, const char *channel, const float *mask,
+                      kit_error *err);
 /* Of count channels together: root of the mean square, means of the others. */
-int    kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count, const float *mask, kit_error *err);
+int kit_score_channels(kit_score *score, const kit_image *a, const kit_image *b, const char *const *channels, int count,
+                       const float *mask, kit_error *err);
 
-/* Signed difference (a - b) of one channel as colours: a perceptually uniform diverging map, 0 is white-grey, blue where a is darker
-   than b, red where brighter; full colour at +-range. out: a new R,G,B picture, sRGB-encoded already (write it with srgb 0). */
-int    kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range, kit_error *err);
+/* Signed difference (a - b) of one channel as colours: a perceptually uniform diverging map, 0 is white-grey, blue
+   where a is darker than b, red where brighter; full colour at +-range. out: a new R,G,B picture, sRGB-encoded already
+   (write it with srgb 0). */
+int kit_image_difference(kit_image *out, const kit_image *a, const kit_image *b, const char *channel, float range,
+                         kit_error *err);
 
 /* ---- >>mesh ------------------------------------------------------------------------------------------------- */
 
@@ -104,7 +115,8 @@ typedef struct kit_mesh {
     float *position;                       /* 9 a triangle */
     float *normal;                         /* 9 a triangle, unit; the face's where the file gives none */
     float *albedo;                         /* 3 a triangle, linear, [0,1]; 0.8 grey where the file gives none */
-    uint32_t *object;                      /* one a triangle: the number of its object, from 1 on; 0 = none. NULL = none at all */
+    /* one a triangle: the number of its object, from 1 on; 0 = none. NULL = none at all */
+    uint32_t *object;
     float  lower[3], upper[3];             /* bounds */
 } kit_mesh;
 
@@ -116,16 +128,18 @@ typedef struct kit_object {
     float  to_world[16];                   /* from the shape's coordinates: rotation, uniform scale, translation */
     float  lower[3], upper[3];             /* world bounds */
     int    casts;                          /* 1 = it occludes other objects; see kit_scene_load */
-    size_t first;                          /* its first triangle in the scene's mesh; the others follow, in the shape's order, perhaps among others' */
+    /* its first triangle in the scene's mesh; the others follow, in the shape's order, perhaps among others' */
+    size_t first;
     float  loaded[16];                     /* of what kit_scene_move moves: to_world as loaded (else all 0), and */
     int    base;                           /* the lowest object of the stack that it moves with */
 } kit_object;
 
 void   kit_mesh_free(kit_mesh *mesh);
-/* Objects are told apart by their names on o lines; if these make fewer than two, by those on g lines; if these do as well, they are the connected
-   parts (corners at equal positions join). One name is one object wherever it comes. They count in the order of their first triangles; of more than
-   KIT_MAX_OBJECTS only the KIT_MAX_OBJECTS - 1 with most triangles are objects, all others are the last one, "rest", that does not cast (casts 0).
-   object: name, first and casts filled in (casts -1: to be judged), to be freed by the caller; it and objects NULL = not wanted. */
+/* Objects are told apart by their names on o lines; if these make fewer than two, by those on g lines; if these do as
+   well, they are the connected parts (corners at equal positions join). One name is one object wherever it comes. They
+   count in the order of their first triangles; of more than KIT_MAX_OBJECTS only the KIT_MAX_OBJECTS - 1 with most
+   triangles are objects, all others are the last one, "rest", that does not cast (casts 0). object: name, first and
+   casts filled in (casts -1: to be judged), to be freed by the caller; it and objects NULL = not wanted. */
 int    kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *path, kit_error *err);
 
 typedef struct kit_camera {
@@ -147,28 +161,35 @@ typedef struct kit_scene {
     float       radius;                    /* a radius that suits it, world units */
     int         objects, shapes;
     kit_object *object;
-    kit_mesh   *shape;                     /* meshes in their own coordinates, each perhaps of many objects: positions, normals and bounds only. An object's
-                                              triangles in mesh are its shape's by to_world */
+    /* meshes in their own coordinates, each perhaps of many objects: positions, normals and bounds only. An object's
+       triangles in mesh are its shape's by to_world */
+    kit_mesh   *shape;
 } kit_scene;
 
-/* name_or_path: a built-in scene ("room") or an OBJ file. OBJ: the camera looks at the bounds from the front, above and to the side so that
-   all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at its lowest y, five diagonals wide, as object "floor".
-   Every triangle has an object. Of an OBJ each is its own shape, at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below
-   1e-3 of the widest) or its bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes say themselves what casts. */
+/* name_or_path: a built-in scene ("room") or an OBJ file. OBJ: the camera looks at the bounds from the front, above and
+   to the side so that all is in view; radius is a tenth of the bounds' diagonal. floor_: adds a square under an OBJ, at
+   its lowest y, five diagonals wide, as object "floor". Every triangle has an object. Of an OBJ each is its own shape,
+   at its place (to_world 1), and casts unless it is flat (its bounds' thinnest side below 1e-3 of the widest) or its
+   bounds hold those of most other objects entirely, as rooms and grounds do. Built-in scenes say themselves what
+   casts. */
 int         kit_scene_load(kit_scene *scene, const char *name_or_path, int floor_, kit_error *err);
 void        kit_scene_free(kit_scene *scene);
-const char *kit_scene_builtin(int i, const char **about);                 /* name of the i-th built-in scene, NULL past the last */
+/* name of the i-th built-in scene, NULL past the last */
+const char *kit_scene_builtin(int i, const char **about);
 
-/* Appends a closed box, as an object "box", to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all finite; albedo linear, [0, 1].
-   It casts as an OBJ's object would; what holds most objects now casts no more. */
-int         kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err);
+/* Appends a closed box, as an object "box", to the scene's mesh and widens its bounds. Sides at least 1e-4 units, all
+   finite; albedo linear, [0, 1]. It casts as an OBJ's object would; what holds most objects now casts no more. */
+int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3],
+                      kit_error *err);
 
-/* Puts object[object] elsewhere: its triangles in the mesh (positions, normals), its bounds and the mesh's. to_world: a rotation (no mirroring), a uniform
-   scale above 0 and a translation, to 1e-3, all below 1e15; else, or if there is no such object, -1 and all stays. */
+/* Puts object[object] elsewhere: its triangles in the mesh (positions, normals), its bounds and the mesh's. to_world: a
+   rotation (no mirroring), a uniform scale above 0 and a translation, to 1e-3, all below 1e15; else, or if there is no
+   such object, -1 and all stays. */
 int         kit_scene_place(kit_scene *scene, int object, const float to_world[16], kit_error *err);
 
-/* Puts the objects of "casters" and "crowd" where they are at a time: they orbit, hop and tumble around the places where they were loaded, smoothly, with
-   period 1 (0 = as loaded), never below the ground. Whatever else the scene holds, and other scenes, stay as they are. */
+/* Puts the objects of "casters" and "crowd" where they are at a time: they orbit, hop and tumble around the places
+   where they were loaded, smoothly, with period 1 (0 = as loaded), never below the ground. Whatever else the scene
+   holds, and other scenes, stay as they are. */
 void        kit_scene_move(kit_scene *scene, double time);
 
 /* ---- >>light ------------------------------------------------------------------------------------------------ */
@@ -187,28 +208,34 @@ typedef struct kit_lighting {
     kit_light light[KIT_MAX_LIGHTS];
 } kit_lighting;
 
-/* Built in: "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with coloured windows and lamps up to a thousand times as bright as it;
-   "white", radiance 1 everywhere. Else an .exr or .hdr file with channels R, G, B. Latitude-longitude, oriented as
-   OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the centre; texels are areas, the first row reaches up to the pole. env gets
-   channels R,G,B in this order; values that are not finite or below 0 become 0. */
+/* Built in: "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with coloured windows and lamps
+   up to a thousand times as bright as it; "white", radiance 1 everywhere. Else an .exr or .hdr file with channels R, G,
+   B. Latitude-longitude, oriented as OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the
+   centre; texels are areas, the first row reaches up to the pole. env gets channels R,G,B in this order; values that
+   are not finite or below 0 become 0. */
 int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
-/* Adds a sun as a disc with soft edges, whose irradiance facing it is the sun's colour, to env (1024 x 512 black texels first if it has no data).
-   degrees: half-angle, from one texel's height to 45. The light must be a SUN. */
+/* Adds a sun as a disc with soft edges, whose irradiance facing it is the sun's colour, to env (1024 x 512 black texels
+   first if it has no data). degrees: half-angle, from one texel's height to 45. The light must be a SUN. */
 int  kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err);
-void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);   /* bilinear; wraps around; direction need not be unit; 0 if data is NULL */
-/* Between a direction and its place in the picture, in texels from the top left corner: (0.5, 0.5) is the first texel's centre. */
-void kit_env_place(const kit_image *env, const float direction[3], double at[2]);      /* in [0, width] x [0, height]; direction need not be unit */
+/* bilinear; wraps around; direction need not be unit; 0 if data is NULL */
+void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[3]);
+/* Between a direction and its place in the picture, in texels from the top left corner: (0.5, 0.5) is the first texel's
+   centre. */
+/* in [0, width] x [0, height]; direction need not be unit */
+void kit_env_place(const kit_image *env, const float direction[3], double at[2]);
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
-/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be unit, but not 0. */
+/* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be
+   unit, but not 0. */
 int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */
 
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh);         /* fills znear and zfar where they are 0 */
-/* world to view, view to clip as the depth layout wants it (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w, w]) */
+/* world to view, view to clip as the depth layout wants it (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w,
+   w]) */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16]);
-/* the ray through the centre of the pixel in column x, row y counted from the TOP; direction is unit; origin is on the eye (perspective)
-   or on the plane of the eye (orthographic) */
+/* the ray through the centre of the pixel in column x, row y counted from the TOP; direction is unit; origin is on the
+   eye (perspective) or on the plane of the eye (orthographic) */
 void kit_camera_ray(const kit_camera *camera, int x, int y, float origin[3], float direction[3]);
 /* the point in the world that such a pixel shows at a view depth */
 void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth, float point[3]);
@@ -216,45 +243,58 @@ void kit_camera_point(const kit_camera *camera, int x, int y, double view_depth,
 /* weight of a blocker at distance t, R the radius: 1 - t/R, 1, 1 - (t/R)^2; 0 beyond R */
 enum { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_NONE, KIT_ATTENUATION_SQUARE };
 
-/* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's centre, then rays
-   cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by the nearest hit at t < radius with the
-   attenuation's weight. rays 1..65536; radius above 0, INFINITY only with NONE. stride > 1 computes one pixel in every stride x stride block (its
-   top-left one offset by stride/2) and leaves NaN elsewhere. Same result for any number of threads. */
-int  kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+/* Ray-traced ambient visibility of every pixel (channel Y; 1 where nothing is seen): primary ray through the pixel's
+   centre, then rays cosine-weighted about the shading normal (turned toward the viewer), stratified, each blocked by
+   the nearest hit at t < radius with the attenuation's weight. rays 1..65536; radius above 0, INFINITY only with NONE.
+   stride > 1 computes one pixel in every stride x stride block (its top-left one offset by stride/2) and leaves NaN
+   elsewhere. Same result for any number of threads. */
+int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
+                 int rays, int stride, kit_error *err);
 
-/* The same between objects: rays are blocked at any distance, by objects that cast and are not the one that the pixel shows; they pass through all others. */
-int  kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride, kit_error *err);
+/* The same between objects: rays are blocked at any distance, by objects that cast and are not the one that the pixel
+   shows; they pass through all others. */
+int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride,
+                      kit_error *err);
 
-#define KIT_LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"   /* what lit pictures hold */
+/* what lit pictures hold */
+#define KIT_LIT_CHANNELS "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B"
 
 /* Ray-traced light of every pixel; all channels 0 where nothing is seen:
      R, G, B            outgoing radiance: albedo * (irradiance + bounce)
-     irradiance.R .G .B irradiance over pi, before albedo: the environment, each direction blocked by the nearest hit at t < radius with the attenuation's
+     irradiance.R .G .B irradiance over pi, before albedo: the environment, each direction blocked by the nearest hit at
+        t < radius with the attenuation's
                         weight; and the lights, shadowed by the whole scene
-     bounce.R .G .B     the same of light reflected once (all 0 if bounce is 0, else it must be 1): each direction's nearest hit at t < radius sends albedo *
+     bounce.R .G .B     the same of light reflected once (all 0 if bounce is 0, else it must be 1): each direction's
+        nearest hit at t < radius sends albedo *
                         irradiance (as above, at the hit, on the side that is hit) with the attenuation's weight
-   Primary rays, normals, stride, threads and limits as in kit_truth_ao. Half of the rays are cosine-weighted and also find the bounce, half seek the
-   environment's light (without environment all are of the first kind); every hit that bounces sends one of each and one to each light.
-   lighting: env without data or as kit_env_read gives it (fewer than 3 channels fail; values that are not finite or below 0 spoil the result). */
-int  kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce,
-                   int rays, int stride, kit_error *err);
+   Primary rays, normals, stride, threads and limits as in kit_truth_ao. Half of the rays are cosine-weighted and also
+   find the bounce, half seek the environment's light (without environment all are of the first kind); every hit that
+   bounces sends one of each and one to each light. lighting: env without data or as kit_env_read gives it (fewer than 3
+   channels fail; values that are not finite or below 0 spoil the result). */
+int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                  float radius, int attenuation, int bounce, int rays, int stride, kit_error *err);
 
-/* One specular bounce: irradiance.* holds the radiance of the lobe cos^exponent [limit: 0..1e5] about the mirrored view direction, normalised over its hemisphere: each direction's nearest
-   hit at t < radius sends, with the attenuation's weight, what it sends for kit_truth_lit's bounce; nothing comes from below the surface or from elsewhere. R, G, B are albedo times it,
-   bounce is 0. Else as kit_truth_lit, whose hits' light is the noisy part. */
-int  kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, double exponent, int rays,
-                     int stride, kit_error *err);
+/* One specular bounce: irradiance.* holds the radiance of the lobe cos^exponent [limit: 0..1e5] about the mirrored view
+   direction, normalised over its hemisphere: each direction's nearest hit at t < radius sends, with the attenuation's
+   weight, what it sends for kit_truth_lit's bounce; nothing comes from below the surface or from elsewhere. R, G, B are
+   albedo times it, bounce is 0. Else as kit_truth_lit, whose hits' light is the noisy part. */
+int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                    float radius, int attenuation, double exponent, int rays, int stride, kit_error *err);
 
-/* Multiple scattering [Jensen and Buhler 2002], the sum itself instead of their octree: irradiance.* holds M/pi = sum E A R_d / pi over samples [limit: 1..2^26] spread evenly over
-   all of the mesh, each with the irradiance E of the lights (the environment is not looked at), shadowed by the whole scene, on the side of its normals. unit: world units of the dipole's unit of length
-   [limit: > 0]. R, G, B are albedo times it, bounce is 0. Where samples are farther apart than z_r / 2 the sum is noisy. R_d from a table: to 1e-4 for z_r above 2e-3 of the bounds' diagonal.
-   Time: about 2 ns a pixel and lit sample, a core. */
-int  kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, size_t samples,
-                       int stride, kit_error *err);
+/* Multiple scattering [Jensen and Buhler 2002], the sum itself instead of their octree: irradiance.* holds M/pi = sum E
+   A R_d / pi over samples [limit: 1..2^26] spread evenly over all of the mesh, each with the irradiance E of the lights
+   (the environment is not looked at), shadowed by the whole scene, on the side of its normals. unit: world units of the
+   dipole's unit of length [limit: > 0]. R, G, B are albedo times it, bounce is 0. Where samples are farther apart than
+   z_r / 2 the sum is noisy. R_d from a table: to 1e-4 for z_r above 2e-3 of the bounds' diagonal. Time: about 2 ns a
+   pixel and lit sample, a core. */
+int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                      const ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err);
 
-/* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render contract (view depth, view-space
-   normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres are joined where they lie on one surface) and traced likewise. */
-int  kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err);
+/* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render
+   contract (view depth, view-space normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres
+   are joined where they lie on one surface) and traced likewise. */
+int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
+                 int rays, int stride, kit_error *err);
 
 /* ---- >>gl, >>gbuffer, >>method: see kit_gl.h ------------------------------------------------------------------- */
 #endif

@@ -61,7 +61,8 @@ void   kit_set_place(kit_scene *s, int k, const float m[16]);
 void   kit_place_above(kit_scene *s, int k, const float m[16], double level);
 /* makes object k's triangles, as they are, a shape of its own */
 int    kit_own_shape(kit_scene *s, int k);
-/* Completes what has been built: the objects' shapes and bounds, from number first on, whether they cast, and the mesh's bounds. */
+/* Completes what has been built: the objects' shapes and bounds, from number first on, whether they cast, and the
+   mesh's bounds. */
 int    kit_complete(kit_scene *s, int first);
 
 /* ---- >>scenes ------------------------------------------------------------------------------------------------ */

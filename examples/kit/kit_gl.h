@@ -1,6 +1,7 @@
 /* kit_gl.h - the GL half of the kit: headless contexts, GL functions, textures, the G-buffer. Not part of the library.
 
-   Rows of textures run bottom-up, as GL has them; rows of kit_image run top-down. One context at a time, on one thread. */
+   Rows of textures run bottom-up, as GL has them; rows of kit_image run top-down. One context at a time, on one
+   thread. */
 #ifndef KIT_GL_H
 #define KIT_GL_H
 
@@ -10,31 +11,100 @@
 /* ---- >>functions -------------------------------------------------------------------------------------------- */
 
 /* Every GL function that the kit loads, by the contexts that must have it. One that the context lacks is NULL.
-   CORE: all contexts (GL 4.3, GLES 3.0). ES31: from GLES 3.1 (PatchParameteri: 3.2) on, and desktop. DESKTOP: never in GLES, save for
-   glClipControl and glGetQueryObjectui64v, taken there from EXT_clip_control and EXT_disjoint_timer_query. */
+   CORE: all contexts (GL 4.3, GLES 3.0). ES31: from GLES 3.1 (PatchParameteri: 3.2) on, and desktop. DESKTOP: never in
+   GLES, save for glClipControl and glGetQueryObjectui64v, taken there from EXT_clip_control and
+   EXT_disjoint_timer_query. */
 #define KIT_GL_CORE(X) \
-    X(ActiveTexture, ACTIVETEXTURE) X(AttachShader, ATTACHSHADER) X(BeginQuery, BEGINQUERY) X(BeginTransformFeedback, BEGINTRANSFORMFEEDBACK) X(BindBuffer, BINDBUFFER) \
-    X(BindBufferBase, BINDBUFFERBASE) X(BindFramebuffer, BINDFRAMEBUFFER) X(BindTexture, BINDTEXTURE) X(BindVertexArray, BINDVERTEXARRAY) \
-    X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, CLEARBUFFERFV) \
-    X(ClearBufferuiv, CLEARBUFFERUIV) X(ColorMask, COLORMASK) \
-    X(CompileShader, COMPILESHADER) X(CreateProgram, CREATEPROGRAM) X(CreateShader, CREATESHADER) X(DeleteBuffers, DELETEBUFFERS) \
-    X(DeleteFramebuffers, DELETEFRAMEBUFFERS) X(DeleteProgram, DELETEPROGRAM) X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) \
-    X(DeleteQueries, DELETEQUERIES) X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X(BlendFunc, BLENDFUNC) \
-    X(DrawArrays, DRAWARRAYS) X(DrawArraysInstanced, DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) X(EndTransformFeedback, ENDTRANSFORMFEEDBACK) \
-    X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
-    X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) \
-    X(GenVertexArrays, GENVERTEXARRAYS) X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) \
-    X(GetActiveUniformsiv, GETACTIVEUNIFORMSIV) X(GetError, GETERROR) X(GetFragDataLocation, GETFRAGDATALOCATION) \
-    X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, GETINTEGERV) X(GetProgramInfoLog, GETPROGRAMINFOLOG) \
-    X(GetProgramiv, GETPROGRAMIV) X(GetShaderInfoLog, GETSHADERINFOLOG) X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) X(GetStringi, GETSTRINGI) \
-    X(GetQueryObjectuiv, GETQUERYOBJECTUIV) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) X(GetUniformiv, GETUNIFORMIV) \
-    X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) \
-    X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) \
-    X(Uniform1f, UNIFORM1F) X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform2fv, UNIFORM2FV) X(Uniform3fv, UNIFORM3FV) X(Uniform4fv, UNIFORM4FV) \
-    X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) X(UseProgram, USEPROGRAM) \
-    X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) X(Viewport, VIEWPORT)
+    X(ActiveTexture, ACTIVETEXTURE) \
+    X(AttachShader, ATTACHSHADER) \
+    X(BeginQuery, BEGINQUERY) X(BeginTransformFeedback, \
+                                BEGINTRANSFORMFEEDBACK) X(BindBuffer, BINDBUFFER) X(BindBufferBase, \
+                                                                                    BINDBUFFERBASE) X(BindFramebuffer, \
+                                                                                                      BINDFRAMEBUFFER) \
+        X(BindTexture, \
+          BINDTEXTURE) X(BindVertexArray, \
+                         BINDVERTEXARRAY) X(BufferData, \
+                                            BUFFERDATA) X(CheckFramebufferStatus, \
+                                                          CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, \
+                                                                                    CLEARBUFFERFV) X(ClearBufferuiv, \
+                                                                                                     CLEARBUFFERUIV) \
+            X(ColorMask, \
+              COLORMASK) X(CompileShader, \
+                           COMPILESHADER) X(CreateProgram, \
+                                            CREATEPROGRAM) X(CreateShader, \
+                                                             CREATESHADER) X(DeleteBuffers, \
+                                                                             DELETEBUFFERS) X(DeleteFramebuffers, \
+                                                                                              DELETEFRAMEBUFFERS) \
+                X(DeleteProgram, \
+                  DELETEPROGRAM) X(DeleteShader, \
+                                   DELETESHADER) X(DeleteTextures, \
+                                                   DELETETEXTURES) X(DeleteQueries, \
+                                                                     DELETEQUERIES) X(DeleteVertexArrays, \
+                                                                                      DELETEVERTEXARRAYS) \
+                    X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X( \
+                        BlendFunc, \
+                        BLENDFUNC) X(DrawArrays, \
+                                     DRAWARRAYS) X(DrawArraysInstanced, \
+                                                   DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) \
+                        X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) X( \
+                            EndTransformFeedback, \
+                            ENDTRANSFORMFEEDBACK) X(Finish, FINISH) \
+                            X(FramebufferTexture2D, \
+                              FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
+                                X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X( \
+                                    GenQueries, \
+                                    GENQUERIES) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \
+                                    X(GetActiveUniformBlockiv, \
+                                      GETACTIVEUNIFORMBLOCKIV) X(GetActiveUniformsiv, \
+                                                                 GETACTIVEUNIFORMSIV) X(GetError, GETERROR) \
+                                        X(GetFragDataLocation, \
+                                          GETFRAGDATALOCATION) X(GetFramebufferAttachmentParameteriv, \
+                                                                 GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, \
+                                                                                                        GETINTEGERV) \
+                                            X(GetProgramInfoLog, \
+                                              GETPROGRAMINFOLOG) X(GetProgramiv, \
+                                                                   GETPROGRAMIV) X(GetShaderInfoLog, \
+                                                                                   GETSHADERINFOLOG) X(GetShaderiv, \
+                                                                                                       GETSHADERIV) \
+                                                X(GetString, \
+                                                  GETSTRING) X(GetStringi, \
+                                                               GETSTRINGI) X(GetQueryObjectuiv, GETQUERYOBJECTUIV) \
+                                                    X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X( \
+                                                        GetUniformIndices, \
+                                                        GETUNIFORMINDICES) X(GetUniformiv, \
+                                                                             GETUNIFORMIV) X(GetUniformLocation, \
+                                                                                             GETUNIFORMLOCATION) \
+                                                        X(LinkProgram, \
+                                                          LINKPROGRAM) X(PixelStorei, \
+                                                                         PIXELSTOREI) X(ReadPixels, READPIXELS) \
+                                                            X(Scissor, \
+                                                              SCISSOR) X(ShaderSource, \
+                                                                         SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) \
+                                                                X(TexImage3D, \
+                                                                  TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) \
+                                                                    X(TexSubImage2D, \
+                                                                      TEXSUBIMAGE2D) X(TransformFeedbackVaryings, \
+                                                                                       TRANSFORMFEEDBACKVARYINGS) \
+                                                                        X(Uniform1f, \
+                                                                          UNIFORM1F) X(Uniform1fv, UNIFORM1FV) \
+                                                                            X(Uniform1i, \
+                                                                              UNIFORM1I) X(Uniform2fv, \
+                                                                                           UNIFORM2FV) X(Uniform3fv, \
+                                                                                                         UNIFORM3FV) \
+                                                                                X(Uniform4fv, UNIFORM4FV) X( \
+                                                                                    UniformBlockBinding, \
+                                                                                    UNIFORMBLOCKBINDING) \
+                                                                                    X(UniformMatrix4fv, \
+                                                                                      UNIFORMMATRIX4FV) X(UseProgram, \
+                                                                                                          USEPROGRAM) \
+                                                                                        X(VertexAttribDivisor, \
+                                                                                          VERTEXATTRIBDIVISOR) \
+                                                                                            X(VertexAttribPointer, \
+                                                                                              VERTEXATTRIBPOINTER) \
+                                                                                                X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
-    X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
+    X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
+    X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
 #define KIT_GL_DESKTOP(X) \
     X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
 #if defined(__GNUC__)
@@ -50,7 +120,8 @@ KIT_GL_DESKTOP(KIT_GL_DECLARE)
 
 /* ---- >>gl --------------------------------------------------------------------------------------------------- */
 
-/* Makes a headless context current and loads the functions; a context that is open is closed first. An empty vertex array is bound.
+/* Makes a headless context current and loads the functions; a context that is open is closed first. An empty vertex
+   array is bound.
      "osmesa"  desktop GL core, on the CPU; the default when NULL
      "egl"     desktop GL core, on a GPU where there is one
      "egl-es"  GLES 3.2, 3.1 or 3.0, likewise */
@@ -60,31 +131,36 @@ const char *kit_gl_name(void);                    /* "renderer, version"; "" whe
 int         kit_gl_is_es(void);
 int         kit_gl_is_software(void);
 
-/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F RGBA32F, R32UI RG32UI RGBA32UI,
-   DEPTH_COMPONENT24, DEPTH_COMPONENT32F; 0 is returned for others. data: as many floats a texel as the format has components; of the UI
-   formats their bits, so uint32_t behind the pointer. */
+/* A 2D texture, NEAREST, CLAMP_TO_EDGE, one level. internal_format: R8 RG8 RGBA8, R16F RG16F RGBA16F, R32F RG32F
+   RGBA32F, R32UI RG32UI RGBA32UI, DEPTH_COMPONENT24, DEPTH_COMPONENT32F; 0 is returned for others. data: as many floats
+   a texel as the format has components; of the UI formats their bits, so uint32_t behind the pointer. */
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
 /* The same with layers slices, a 2D array; data slice after slice. Draw into one with glFramebufferTextureLayer. */
 GLuint      kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null);
-/* A cube map, LINEAR, seamless, one level, of RGBA8 or RGBA16: six faces of size x size texels, GL's order. 0 if the context has no such format (GLES: RGBA16). */
+/* A cube map, LINEAR, seamless, one level, of RGBA8 or RGBA16: six faces of size x size texels, GL's order. 0 if the
+   context has no such format (GLES: RGBA16). */
 GLuint      kit_texture_cube(int size, GLenum internal_format, const void *data);
 void        kit_texture_linear(GLenum target);    /* the texture bound there filters */
-/* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this texture. */
+/* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this
+   texture. */
 int         kit_texture_read(GLuint texture, int width, int height, int components, float *out);
 int         kit_texture_slice_read(GLuint array, int slice, int width, int height, int components, float *out);
 
-/* Compiles and links; 0 on failure. The shaders stay attached, so a caller that needs transform feedback names its varyings and links again. */
+/* Compiles and links; 0 on failure. The shaders stay attached, so a caller that needs transform feedback names its
+   varyings and links again. */
 GLuint      kit_program(const char *const *source, const GLenum *stage, int count, kit_error *err);
-/* The same of a vertex and a fragment stage, each after the #version line and precisions that suit the context, then head (#define lines or ""). */
+/* The same of a vertex and a fragment stage, each after the #version line and precisions that suit the context, then
+   head (#define lines or ""). */
 GLuint      kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
-/* Opaque drawing of count vertices: vec3 attributes 0, 1 .. interleaved, uploaded once; both sides, all written, depth test LESS. Closing
-   goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off. */
+/* Opaque drawing of count vertices: vec3 attributes 0, 1 .. interleaved, uploaded once; both sides, all written, depth
+   test LESS. Closing goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off. */
 typedef struct kit_soup { GLuint vertex_array, buffer; GLint vertex_array_was; } kit_soup;
 void        kit_soup_open(kit_soup *soup, const float *vertices, size_t count, int attributes);
 void        kit_soup_close(kit_soup *soup);
 
-/* Milliseconds of GL time between the two: a timer query on hardware, the clock around glFinish on software. No nesting. */
+/* Milliseconds of GL time between the two: a timer query on hardware, the clock around glFinish on software. No
+   nesting. */
 void        kit_timer_begin(void);
 double      kit_timer_end(void);
 
@@ -97,64 +173,81 @@ typedef struct kit_gbuffer {
     int        depth_is_linear;            /* 1 = the latter */
     GLuint     normal;                     /* RGBA32F, view space, toward the viewer; 0 = background */
     GLuint     albedo;                     /* RGBA16F; 0 = there is none */
-    GLuint     object;                     /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = none; 0 = there is none (frames bring none) */
+    /* R32UI, number of the object that the first layer shows (kit_mesh), 0 = none; 0 = there is none (frames bring
+       none) */
+    GLuint     object;
     kit_camera camera;                     /* planes filled in */
     float      projection[16];             /* of the viewport */
-    GLuint     direct;                     /* RGBA32F, outgoing radiance of the first layer; 0 = there is none (only frames bring it) */
-    int        layers;                     /* 1 when not peeled. The second, third .. layer are slices 0, 1 .. of these 2D arrays: */
-    GLuint     layer_depth, layer_normal, layer_albedo;   /* kinds as above; normals of even layers point away from the viewer */
+    /* RGBA32F, outgoing radiance of the first layer; 0 = there is none (only frames bring it) */
+    GLuint     direct;
+    /* 1 when not peeled. The second, third .. layer are slices 0, 1 .. of these 2D arrays: */
+    int        layers;
+    /* kinds as above; normals of even layers point away from the viewer */
+    GLuint     layer_depth, layer_normal, layer_albedo;
 } kit_gbuffer;
 
-/* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture, which hold the
-   background; NULL = none. Leaves framebuffer 0 and program 0 bound, depth test off, clip control at GL's default. */
-int  kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4], kit_error *err);
+/* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture,
+   which hold the background; NULL = none. Leaves framebuffer 0 and program 0 bound, depth test off, clip control at
+   GL's default. */
+int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
+                           kit_error *err);
 
-/* Depth peeling [Everitt 2001]: makes the second and farther layers, up to layers [limit: 1..KIT_MAX_LAYERS] of them in all, of a G-buffer that came
-   from this scene, in place of those that it has. A surface is the next layer's when it is more than 4e-6 of its view depth behind the last one's, so none
-   is peeled against itself. Normals of odd layers (1st, 3rd ..) are turned toward the viewer, of even ones away: both sides of a closed solid
-   face open space. Leaves GL as kit_gbuffer_from_scene does, and unit 0 without a 2D texture. */
+/* Depth peeling [Everitt 2001]: makes the second and farther layers, up to layers [limit: 1..KIT_MAX_LAYERS] of them in
+   all, of a G-buffer that came from this scene, in place of those that it has. A surface is the next layer's when it is
+   more than 4e-6 of its view depth behind the last one's, so none is peeled against itself. Normals of odd layers (1st,
+   3rd ..) are turned toward the viewer, of even ones away: both sides of a closed solid face open space. Leaves GL as
+   kit_gbuffer_from_scene does, and unit 0 without a 2D texture. */
 #define KIT_MAX_LAYERS 8
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
-/* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero normal is taken
-   as +z, -z in even layers) and perhaps albedo.R/G/B; the same as layer1.Z, layer1.N.X .. of the second layer, layer2.Z .. of the third, and so on
-   to KIT_MAX_LAYERS; and perhaps direct.R/G/B (what is not finite or below 0 becomes 0). The camera's size becomes the frame's; its planes, where 0, bracket Z. */
+/* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero
+   normal is taken as +z, -z in even layers) and perhaps albedo.R/G/B; the same as layer1.Z, layer1.N.X .. of the second
+   layer, layer2.Z .. of the third, and so on to KIT_MAX_LAYERS; and perhaps direct.R/G/B (what is not finite or below 0
+   becomes 0). The camera's size becomes the frame's; its planes, where 0, bracket Z. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* The inverse, of the viewport: those channels of all layers, and direct.R/G/B where there is direct; background is 0 in all. */
+/* The inverse, of the viewport: those channels of all layers, and direct.R/G/B where there is direct; background is 0
+   in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
 
 /* ---- >>shadow ----------------------------------------------------------------------------------------------- */
 
 typedef struct kit_shadow_camera {
-    float view[16], projection[16];        /* world to light view (the camera along -z); GL's clip space, perspective or orthographic */
+    /* world to light view (the camera along -z); GL's clip space, perspective or orthographic */
+    float view[16], projection[16];
     int   tile[4];                         /* x, y, width, height in texels of the atlas */
 } kit_shadow_camera;
 
-/* A DEPTH_COMPONENT32F atlas of shadow maps, 1 where nothing is; both sides of every triangle. Tiles must lie in the atlas; of tiles that overlap the
-   nearest depth stays. 0 on failure. Leaves GL as kit_gbuffer_from_scene does. */
-GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count, kit_error *err);
+/* A DEPTH_COMPONENT32F atlas of shadow maps, 1 where nothing is; both sides of every triangle. Tiles must lie in the
+   atlas; of tiles that overlap the nearest depth stays. 0 on failure. Leaves GL as kit_gbuffer_from_scene does. */
+GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
+                        kit_error *err);
 
-/* A light's reflective shadow map [Dachsbacher and Stamminger 2005] in three arrays of 3 floats a pixel, for the caller to free: world position, world
-   normal (unit, toward the light), reflected flux = albedo * the light's power that falls on the pixel. POINT: six cube faces of resolution x resolution
-   pixels, power = intensity * the pixel's exact solid angle; what is nearer than 1e-4 of the bounds' diagonal is not seen. SUN: one orthographic map
-   around the scene's bounds, power = irradiance * the pixel's area. All 0 where a pixel sees no surface. resolution [limit: 1..4096]. */
-int  kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene, const kit_light *light, int resolution, kit_error *err);
+/* A light's reflective shadow map [Dachsbacher and Stamminger 2005] in three arrays of 3 floats a pixel, for the caller
+   to free: world position, world normal (unit, toward the light), reflected flux = albedo * the light's power that
+   falls on the pixel. POINT: six cube faces of resolution x resolution pixels, power = intensity * the pixel's exact
+   solid angle; what is nearer than 1e-4 of the bounds' diagonal is not seen. SUN: one orthographic map around the
+   scene's bounds, power = irradiance * the pixel's area. All 0 where a pixel sees no surface. resolution [limit:
+   1..4096]. */
+int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene,
+            const kit_light *light, int resolution, kit_error *err);
 
 /* ---- >>field ------------------------------------------------------------------------------------------------ */
 
-/* The field of a shape, baked on all cores when it is first asked for, then kept until kit_fields_free. NULL on failure. seconds: what the bake took; may be NULL.
-   desc's callbacks are not looked at. */
+/* The field of a shape, baked on all cores when it is first asked for, then kept until kit_fields_free. NULL on
+   failure. seconds: what the bake took; may be NULL. desc's callbacks are not looked at. */
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
 void   kit_fields_free(void);
-/* t_ssgi_fields: count fields of equal bits, a slice each; the two cube maps of one (0: the context lacks their format). */
+/* t_ssgi_fields: count fields of equal bits, a slice each; the two cube maps of one (0: the context lacks their
+   format). */
 GLuint kit_field_atlas(const ssgi_field *const *field, int count);
 int    kit_field_cubes(GLuint cube[2], const ssgi_field *field);
 
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
 
-/* A setting of a method: what --set key=value takes. A choice takes one of its words, everything else a number in [least, most]. */
+/* A setting of a method: what --set key=value takes. A choice takes one of its words, everything else a number in
+   [least, most]. */
 typedef struct kit_setting {
     const char *key, *about;
     const char *choices;                   /* "slices march": words for 0, 1 ..; NULL = a number */
@@ -179,21 +272,27 @@ int  kit_method_set(kit_method *method, const char *text, kit_error *err);
 double kit_method_value(const kit_method *method, const char *key);
 ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's settings ask of a bake */
 
-/* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a frame); light, for lit methods (NULL = none). */
+/* What a method may need beyond the G-buffer: the scene, to peel, for extra cameras and shadow maps (NULL with a
+   frame); light, for lit methods (NULL = none). */
 typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;
 
 enum { KIT_MAX_TARGETS = 6, KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
-       KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };   /* uniform buffers: the picture's frame, two an extra camera, then these */
+       /* uniform buffers: the picture's frame, two an extra camera, then these */
+       KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };
 typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
-    GLuint             program, framebuffer, target[KIT_MAX_TARGETS];   /* target: 0 when it draws into a slice of senders */
+    /* target: 0 when it draws into a slice of senders */
+    GLuint             program, framebuffer, target[KIT_MAX_TARGETS];
     GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_occluders */
     GLuint             cube[2];            /* field: of its occluders, when fields are cube maps */
-    int                instances;          /* field: occluders drawn at once, blended over what is there; the first such pass clears */
+    /* field: occluders drawn at once, blended over what is there; the first such pass clears */
+    int                instances;
     int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
     GLuint             array, capture;     /* surfels, splat: vertex array; what transform feedback writes */
-    int                patches[2], splits; /* triangles, small ones and behind them those that are split, as patches; 0: surfels of a buffer, all of the run's */
+    /* triangles, small ones and behind them those that are split, as patches; 0: surfels of a buffer, all of the
+       run's */
+    int                patches[2], splits;
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
     uint64_t           key;                /* equal ones share their program */
@@ -202,18 +301,21 @@ typedef struct kit_pass {
     double             ms;                 /* of the last kit_run_draw that was timed */
 } kit_pass;
 
-/* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays the caller's and must outlive it. */
+/* A method made ready on one G-buffer: programs, targets, uniforms, and what it needs of the world. The G-buffer stays
+   the caller's and must outlive it. */
 typedef struct kit_run {
     kit_gbuffer  *gbuffer;
     ssgi_gl_frame frame;                   /* change it as you like before a draw, then kit_run_update */
     int           lit, passes, textures, views, vpls;
     kit_pass      pass[KIT_MAX_PASSES];
-    GLuint        light, bounce;           /* the result: ambient visibility or irradiance over pi; that of the bounce */
+    /* the result: ambient visibility or irradiance over pi; that of the bounce */
+    GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
     GLuint        noise, kernel, environment, irradiance, senders, view_senders, view_depth, atlas, grey;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
-    ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];    /* theirs, and with the rotation from their view space to the picture's */
+    /* theirs, and with the rotation from their view space to the picture's */
+    ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];
     ssgi_gl_views cameras;
     GLuint        fields, cap;             /* field: all shapes' fields as one array; the table of caps */
     int           occluders;
@@ -222,32 +324,42 @@ typedef struct kit_run {
     GLuint        shuffled, arrays[3], buffers[3], query;
     size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
-    float        *equirect, harmonics[48]; /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
+    /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
+    float        *equirect, harmonics[48];
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
-    double        bytes;                   /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its outputs once, as stored,
-                                              of farther layers those that it asks for; of splats surfels once and each texel that they cover, read and written. NAN: the context cannot tell */
+    /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its
+       outputs once, as stored, of farther layers those that it asks for; of splats surfels once and each texel that
+       they cover, read and written. NAN: the context cannot tell */
+    double        bytes;
 } kit_run;
 
 /* Peels the G-buffer as far as the method asks, when the world has a scene. */
-int  kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world, kit_error *err);
+int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
+                 kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
 void kit_run_draw(kit_run *run, int timed);
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
-/* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R .. (irradiance over pi, before albedo). */
+/* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
+   (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
 void kit_run_close(kit_run *run);
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 
-/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the statistics; a calibration of hsao where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so
-   that depth layers and extra cameras may be used. */
-int  kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted, int closed, kit_error *err);
-/* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method: a plan of NOTHING fails. */
+/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the statistics; a calibration of hsao
+   where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so that
+   depth layers and extra cameras may be used. */
+int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
+                     int closed, kit_error *err);
+/* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method:
+   a plan of NOTHING fails. */
 const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
 int  kit_plan_method(kit_method *method, const ssgi_plan *plan, int wanted, kit_error *err);
-/* A picture's error as plans have it, where the frame shows something and the truth is known (not NAN): RMSE of Y; of irradiance, or with the bounce, over their mean. */
+/* A picture's error as plans have it, where the frame shows something and the truth is known (not NAN): RMSE of Y; of
+   irradiance, or with the bounce, over their mean. */
 double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted);
-/* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): the light of open surfaces, dimmed by it but for the part that is direct (NULL: none). */
+/* Ambient visibility (channel Y) becomes light (KIT_LIT_CHANNELS): the light of open surfaces, dimmed by it but for the
+   part that is direct (NULL: none). */
 int  kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err);
 /* The same: what the environment brings to an open surface, dimmed, and the lights with their shadows. */
 int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *world, float radius, kit_error *err);
@@ -255,7 +367,8 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
-/* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers and block to their slots. */
+/* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers
+   and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);
 /* Gives a pass the rows of its desc, and its program where that is 0. */
 int    kit_pass_make(kit_pass *pass, kit_error *err);

@@ -11,7 +11,8 @@ typedef struct kit_making {
     const kit_world   *world;
     ssgi_gl_desc       gather, lights, blur, shade;
     int                blurred;
-    GLuint             rows[1 + KIT_MAX_VIEWS];    /* lights, as the picture's camera and the extra ones have them; 0 = none */
+    /* lights, as the picture's camera and the extra ones have them; 0 = none */
+    GLuint             rows[1 + KIT_MAX_VIEWS];
     kit_error         *err;
 } kit_making;
 
@@ -25,13 +26,15 @@ int       kit_settings_apply(kit_making *m, float radius);
 
 GLuint    kit_keep(kit_run *run, GLuint texture);     /* becomes the run's own */
 /* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
-kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice);
+kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source,
+                       GLuint array, int slice);
 int       kit_add_blur(kit_making *m, GLuint *texture);
 
 /* ---- >>lights */
 
 typedef struct kit_sphere { float centre[3], radius; } kit_sphere;
-typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int mapped; } kit_placed_light;     /* in the world; camera: of its map */
+/* in the world; camera: of its map */
+typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int mapped; } kit_placed_light;
 
 int       kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err);
 void      kit_rotation_of(float rotation[12], const float a[16], const float b[16]);     /* a * transpose(b), as mat3 */
@@ -41,8 +44,8 @@ void      kit_rotation_of(float rotation[12], const float a[16], const float b[1
 int       kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err);
 /* Extra cameras: their G-buffers, their frames, their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
-/* All lights of the world as placed: --light, the environment's suns, virtual point lights (which are not among direct).
-   NULL on failure. */
+/* All lights of the world as placed: --light, the environment's suns, virtual point lights (which are not among
+   direct). NULL on failure. */
 kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
 /* their shadow maps, as tiles in their order */
 int       kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count);

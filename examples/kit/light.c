@@ -36,55 +36,69 @@ void kit_env_radiance(const kit_image *env, const float direction[3], float rgb[
         const double weight = (1 - fabs(at[0] - 0.5 - x)) * (1 - fabs(at[1] - 0.5 - y));
         const int    inside[2] = { (x + env->width) % env->width, y < 0 ? 0 : y < env->height ? y : env->height - 1 };
         for (int c = 0; c < 3; ++c)
-            rgb[c] += (float)(weight * (double)env->data[((size_t)c * (size_t)env->height + (size_t)inside[1]) * (size_t)env->width + (size_t)inside[0]]);
+            rgb[c] +=
+                (float)(weight
+                        * (double)env->data[((size_t)c * (size_t)env->height + (size_t)inside[1]) * (size_t)env->width
+                                            + (size_t)inside[0]]);
     }
 }
 
-/* Horizon to zenith, a glow of 20 degrees half-width about the sun's place, and a ground that takes over within 6 degrees below the horizon. The luminance of the
-   irradiance over pi facing up is 1.01. */
+/* Horizon to zenith, a glow of 20 degrees half-width about the sun's place, and a ground that takes over within 6
+   degrees below the horizon. The luminance of the irradiance over pi facing up is 1.01. */
 static void sky_radiance(const float d[3], double rgb[3])
 {
-    static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 }, glow[3] = { 4.4, 3.1, 1.6 }, ground[3] = { 0.24, 0.17, 0.11 };
+    static const double zenith[3] = { 0.38, 0.66, 1.28 }, horizon[3] = { 1.20, 1.32, 1.42 },
+                        glow[3] = { 4.4, 3.1, 1.6 }, ground[3] = { 0.24, 0.17, 0.11 };
     static const double sun[3] = { 0.5792280, 0.5735764, 0.5792280 };
     const double up = (double)d[1], off = 1 - ((double)d[0] * sun[0] + up * sun[1] + (double)d[2] * sun[2]);
-    const double high = 1 - pow(1 - fmax(0, up), 3), near_sun = exp2(-off / 0.0603074), t = fmin(1, fmax(0, 1 + up / 0.1)), above = t * t * (3 - 2 * t);
+    const double high = 1 - pow(1 - fmax(0, up), 3), near_sun = exp2(-off / 0.0603074),
+                 t = fmin(1, fmax(0, 1 + up / 0.1)), above = t * t * (3 - 2 * t);
     for (int c = 0; c < 3; ++c)
         rgb[c] = ground[c] + above * (horizon[c] + high * (zenith[c] - horizon[c]) + near_sun * glow[c] - ground[c]);
 }
 
 static void white_radiance(const float d[3], double rgb[3]) { (void)d; rgb[0] = rgb[1] = rgb[2] = 1; }
 
-/* A bright place on the sphere of directions: angles and half sizes in degrees; power 2 gives discs, more of it rectangles. */
+/* A bright place on the sphere of directions: angles and half sizes in degrees; power 2 gives discs, more of it
+   rectangles. */
 typedef struct glow { double longitude, latitude, wide, high, power, rgb[3]; } glow;
 
 /* 1 in the middle, 1/2 at the half sizes, 0 from 1.4 of them on */
 static double glow_at(const glow *g, const float d[3])
 {
-    const double lon = g->longitude * pi / 180, lat = g->latitude * pi / 180, x = (double)d[0], y = (double)d[1], z = (double)d[2], level = x * sin(lon) + z * cos(lon);
+    const double lon = g->longitude * pi / 180, lat = g->latitude * pi / 180, x = (double)d[0], y = (double)d[1],
+                 z = (double)d[2], level = x * sin(lon) + z * cos(lon);
     const double depth = level * cos(lat) + y * sin(lat);
     if (depth <= 0) return 0;
     const double across = atan2(x * cos(lon) - z * sin(lon), depth), up = atan2(y * cos(lat) - level * sin(lat), depth);
-    const double off = pow(pow(fabs(across) * 180 / pi / g->wide, g->power) + pow(fabs(up) * 180 / pi / g->high, g->power), 1 / g->power), t = fmin(1, fmax(0, (1.4 - off) / 0.8));
+    const double off = pow(pow(fabs(across) * 180 / pi / g->wide, g->power)
+                               + pow(fabs(up) * 180 / pi / g->high, g->power),
+                           1 / g->power),
+                 t = fmin(1, fmax(0, (1.4 - off) / 0.8));
     return t * t * (3 - 2 * t);
 }
 
-/* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to -x; a few lamps, warm to -x. The luminance of
-   the irradiance over pi facing up is 1. */
+/* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to
+   -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
 {
     static const double low[3] = { 0.090, 0.066, 0.045 }, high[3] = { 0.30, 0.215, 0.13 };
-    static const glow glows[] = {
-        {   48, 26, 4, 9, 6, {  3.5,  9.0, 28.0 } }, {   68, 26, 4, 9, 6, {  3.0, 17.0,  6.5 } }, {   88, 26, 4, 9, 6, {  6.0, 16.0, 29.0 } },
-        {  108, 26, 4, 9, 6, {  2.5, 13.0, 10.0 } }, {  128, 26, 4, 9, 6, { 10.0,  6.0, 25.0 } }, { -112, 24, 4, 9, 6, { 19.0,  9.0,  2.0 } },
-        { -132, 24, 4, 9, 6, { 16.0,  5.0,  1.5 } }, { 180, 34, 7, 7, 2, { 10.0,  7.0,  8.0 } },
-        {  -62, 36, 3.2, 3.2, 2, { 300, 158, 52 } }, {  -88, 18, 3, 3, 2, { 190, 100, 34 } }, { 24, 58, 3, 3, 2, { 105, 112, 118 } }, { 150, 14, 3, 3, 2, { 110, 64, 26 } } };
+    static const glow glows[] = { { 48, 26, 4, 9, 6, { 3.5, 9.0, 28.0 } },    { 68, 26, 4, 9, 6, { 3.0, 17.0, 6.5 } },
+                                  { 88, 26, 4, 9, 6, { 6.0, 16.0, 29.0 } },   { 108, 26, 4, 9, 6, { 2.5, 13.0, 10.0 } },
+                                  { 128, 26, 4, 9, 6, { 10.0, 6.0, 25.0 } },  { -112, 24, 4, 9, 6, { 19.0, 9.0, 2.0 } },
+                                  { -132, 24, 4, 9, 6, { 16.0, 5.0, 1.5 } },  { 180, 34, 7, 7, 2, { 10.0, 7.0, 8.0 } },
+                                  { -62, 36, 3.2, 3.2, 2, { 300, 158, 52 } }, { -88, 18, 3, 3, 2, { 190, 100, 34 } },
+                                  { 24, 58, 3, 3, 2, { 105, 112, 118 } },     { 150, 14, 3, 3, 2, { 110, 64, 26 } } };
     const double t = 0.5 + 0.5 * (double)d[1], unit = 1 / 1.4387;
     for (int c = 0; c < 3; ++c) rgb[c] = unit * (low[c] + t * t * (high[c] - low[c]));
     for (size_t i = 0; i < sizeof glows / sizeof glows[0]; ++i)
         for (int c = 0; c < 3; ++c) rgb[c] += unit * glow_at(&glows[i], d) * glows[i].rgb[c];
 }
 
-static const struct { const char *name; void (*radiance)(const float d[3], double rgb[3]); } built_in[] = { { "sky", sky_radiance }, { "probe", probe_radiance }, { "white", white_radiance } };
+static const struct {
+    const char *name;
+    void (*radiance)(const float d[3], double rgb[3]);
+} built_in[] = { { "sky", sky_radiance }, { "probe", probe_radiance }, { "white", white_radiance } };
 
 static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3]), kit_error *err)
 {
@@ -102,19 +116,28 @@ static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3
 
 int kit_env_add_sun(kit_image *env, const kit_light *sun, double degrees, kit_error *err)
 {
-    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / pi, asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / pi, degrees, degrees, 2, { 0 } };
+    const glow disc = { atan2((double)sun->at[0], (double)sun->at[2]) * 180 / pi,
+                        asin(fmin(fmax((double)sun->at[1], -1), 1)) * 180 / pi,
+                        degrees,
+                        degrees,
+                        2,
+                        { 0 } };
     const int  width = env->data ? env->width : 1024, height = env->data ? env->height : 512;
     double     facing = 0;
-    if (!(degrees >= 180.0 / height && degrees <= 45)) return kit_fail(err, "sun of half-angle %g: must be a texel's %g to 45 degrees", degrees, 180.0 / height);
+    if (!(degrees >= 180.0 / height && degrees <= 45))
+        return kit_fail(err, "sun of half-angle %g: must be a texel's %g to 45 degrees", degrees, 180.0 / height);
     if (!env->data && kit_image_new(env, width, height, "R,G,B", err)) return -1;
     for (int pass = 0; pass < 2; ++pass)                /* first what the disc brings at radiance 1 */
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 float d[3];
                 kit_env_direction(env, x + 0.5, y + 0.5, d);
-                const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0] + (double)d[1] * (double)sun->at[1] + (double)d[2] * (double)sun->at[2];
+                const double weight = glow_at(&disc, d), cosine = (double)d[0] * (double)sun->at[0]
+                                                                  + (double)d[1] * (double)sun->at[1]
+                                                                  + (double)d[2] * (double)sun->at[2];
                 if (!pass) facing += weight * cosine * 2 * pi / width * pi / height * sin(pi * (y + 0.5) / height);
-                for (int c = 0; c < 3 && pass; ++c) env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
+                for (int c = 0; c < 3 && pass; ++c)
+                    env->data[(c * height + y) * width + x] += (float)(weight / facing * (double)sun->colour[c]);
             }
     return 0;
 }
@@ -125,8 +148,10 @@ int kit_env_read(kit_image *env, const char *path, kit_error *err)
     const char *dot = strrchr(path, '.');
     kit_image file, image = { 0 };
     int failed = 0;
-    for (size_t i = 0; i < sizeof built_in / sizeof built_in[0]; ++i) if (!strcmp(path, built_in[i].name)) return drawn(env, built_in[i].radiance, err);
-    if (!dot || (strcasecmp(dot, ".exr") && strcasecmp(dot, ".hdr"))) return kit_fail(err, "environment %s: must be sky, probe, white or end in .exr or .hdr", path);
+    for (size_t i = 0; i < sizeof built_in / sizeof built_in[0]; ++i)
+        if (!strcmp(path, built_in[i].name)) return drawn(env, built_in[i].radiance, err);
+    if (!dot || (strcasecmp(dot, ".exr") && strcasecmp(dot, ".hdr")))
+        return kit_fail(err, "environment %s: must be sky, probe, white or end in .exr or .hdr", path);
     if ((strcasecmp(dot, ".exr") ? kit_hdr_read : kit_exr_read)(&file, path, err)) return -1;
     for (int c = 0; c < 3 && !failed; ++c)
         if (!kit_image_channel(&file, names[c])) failed = kit_fail(err, "%s: has no channel %s", path, names[c]);
@@ -134,7 +159,8 @@ int kit_env_read(kit_image *env, const char *path, kit_error *err)
     const size_t texels = (size_t)file.width * (size_t)file.height;
     for (size_t c = 0; c < 3 && !failed; ++c) {
         const float *channel = kit_image_channel(&file, names[c]);
-        for (size_t i = 0; i < texels; ++i) image.data[c * texels + i] = channel[i] > 0 && isfinite(channel[i]) ? channel[i] : 0;
+        for (size_t i = 0; i < texels; ++i)
+            image.data[c * texels + i] = channel[i] > 0 && isfinite(channel[i]) ? channel[i] : 0;
     }
     kit_image_free(&file);
     if (!failed) *env = image;
@@ -148,7 +174,9 @@ int kit_light_parse(kit_light *light, const char *text, kit_error *err)
     double    v[6], length = 1;
     int       ok = 1, used = 0;
     while (read.kind < 2 && strncmp(text, kinds[read.kind], strlen(kinds[read.kind]))) ++read.kind;
-    if (read.kind < 2) sscanf(text + strlen(kinds[read.kind]), "%lf,%lf,%lf,%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5], &used);
+    if (read.kind < 2)
+        sscanf(text + strlen(kinds[read.kind]), "%lf,%lf,%lf,%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5],
+               &used);
     if (!used || text[strlen(kinds[read.kind]) + (size_t)used])
         return kit_fail(err, "light %s: must be point:x,y,z,r,g,b or sun:x,y,z,r,g,b", text);
     if (read.kind == KIT_SUN) length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -9,7 +9,8 @@
 
 /* ---- >>passes of light ----------------------------------------------------------------------------------------- */
 
-/* The direct light of a layer that camera v sees (-1: the picture's own): environment, then lights. *light: the texture, 0 = there is none. */
+/* The direct light of a layer that camera v sees (-1: the picture's own): environment, then lights. *light: the
+   texture, 0 = there is none. */
 static int add_direct(kit_making *m, const kit_gbuffer *g, int v, int receiver, GLuint *light)
 {
     ssgi_gl_desc gather = m->gather, lights = m->lights;
@@ -22,7 +23,8 @@ static int add_direct(kit_making *m, const kit_gbuffer *g, int v, int receiver, 
         gather.orthographic = lights.orthographic = 0;
     }
     gather.receiver = lights.receiver = receiver;
-    if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;      /* depth gives the normals of what is seen alone */
+    /* depth gives the normals of what is seen alone */
+    if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;
     gather.bounce = SSGI_GL_BOUNCE_NONE;
     if (!picture) gather.half = 0;
     if (gather.environment) {
@@ -56,11 +58,17 @@ static int add_senders(kit_making *m, const kit_gbuffer *g, int v, int receiver,
         d.orthographic = 0;
         d.world_normals = 1;                /* that camera's view space to the picture's */
     }
-    d.radiance = albedo ? SSGI_GL_RADIANCE_ALBEDO : light && g->direct ? SSGI_GL_RADIANCE_BOTH : light ? SSGI_GL_RADIANCE_LIGHT : SSGI_GL_RADIANCE_DIRECT;
-    return kit_add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders, v < 0 ? receiver : v * m->gather.view_layers + receiver) ? 0 : -1;
+    d.radiance = albedo               ? SSGI_GL_RADIANCE_ALBEDO
+                 : light && g->direct ? SSGI_GL_RADIANCE_BOTH
+                 : light              ? SSGI_GL_RADIANCE_LIGHT
+                                      : SSGI_GL_RADIANCE_DIRECT;
+    return kit_add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders,
+                        v < 0 ? receiver : v * m->gather.view_layers + receiver)
+               ? 0
+               : -1;
 }
 
-/* ---- >>cameras: what is seen, extra cameras, shadow maps ----------------------------------------------------------- */
+/* ---- >>cameras: what is seen, extra cameras, shadow maps --------------------------------------------------------- */
 static int by_value(const void *a, const void *b)
 {
     const float x = *(const float *)a, y = *(const float *)b;
@@ -88,7 +96,8 @@ int kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_erro
             squares += (double)at[k] * (double)at[k];
         }
         sum[3] += 1;
-        if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2) depths[count++] = z[i];
+        if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2)
+            depths[count++] = z[i];
     }
     if (count) {
         qsort(depths, (size_t)count, sizeof *depths, by_value);
@@ -104,14 +113,19 @@ int kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_erro
     }
     kit_camera_point(c, c->width / 2, c->height / 2, median, middle->centre);
     all->radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
-    middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height) * fmaxf(1, (float)c->width / (float)c->height);
+    middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height)
+                     * fmaxf(1, (float)c->width / (float)c->height);
     return 0;
 }
 
 int kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err)
 {
     const char *why = "";
-    return ssgi_view_from_projection(view, projection, depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, width, height, &why) == SSGI_OK ? 0 : kit_fail(err, "%s", why);
+    return ssgi_view_from_projection(view, projection, depth == KIT_DEPTH_NORMAL ? SSGI_CLIP_GL : SSGI_CLIP_ZERO, width,
+                                     height, &why)
+                   == SSGI_OK
+               ? 0
+               : kit_fail(err, "%s", why);
 }
 
 void kit_rotation_of(float rotation[12], const float a[16], const float b[16])
@@ -139,7 +153,8 @@ int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *abou
         ssgi_gl_frame frame;
         kit_gbuffer *g = &run->view[v];
         ssgi_extra_displacement(v, displacement);
-        if (ssgi_extra_camera(to, projection, picture, about->centre, about->radius, displacement, &why) != SSGI_OK) failed = kit_fail(m->err, "extra camera: %s", why);
+        if (ssgi_extra_camera(to, projection, picture, about->centre, about->radius, displacement, &why) != SSGI_OK)
+            failed = kit_fail(m->err, "extra camera: %s", why);
         if (failed) break;
         for (int k = 0; k < 3; ++k) {
             c.eye[k] = -(to[4 * k] * to[12] + to[4 * k + 1] * to[13] + to[4 * k + 2] * to[14]);
@@ -153,8 +168,9 @@ int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *abou
         c.depth = KIT_DEPTH_NORMAL;
         c.shift[0] = c.shift[1] = 0;
         c.width = c.height = size;
-        failed = kit_gbuffer_from_scene(g, m->world->scene, &c, NULL, m->err) || kit_gbuffer_peel(g, m->world->scene, layers, m->err) ||
-                 kit_view_of(&view, g->projection, KIT_DEPTH_NORMAL, size, size, m->err);
+        failed = kit_gbuffer_from_scene(g, m->world->scene, &c, NULL, m->err)
+                 || kit_gbuffer_peel(g, m->world->scene, layers, m->err)
+                 || kit_view_of(&view, g->projection, KIT_DEPTH_NORMAL, size, size, m->err);
         if (failed) break;
         run->views = v + 1;
         kit_camera_matrices(&g->camera, to, projection);
@@ -173,15 +189,19 @@ int kit_add_views(kit_making *m, const float picture[16], const kit_sphere *abou
         run->extra[2 * v + 1] = frame;
         for (int j = 0; j < layers && !failed; ++j) {
             float *out = depth + texels * (size_t)(v * layers + j);
-            if (j ? kit_texture_slice_read(g->layer_depth, j - 1, size, size, 1, out) : kit_texture_read(g->depth, size, size, 1, out))
+            if (j ? kit_texture_slice_read(g->layer_depth, j - 1, size, size, 1, out)
+                  : kit_texture_read(g->depth, size, size, 1, out))
                 failed = kit_fail(m->err, "%s cannot read the extra cameras' depth back", kit_gl_name());
         }
     }
-    if (!failed) run->view_depth = kit_keep(run, kit_texture_array(size, size, m->gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
+    if (!failed)
+        run->view_depth =
+            kit_keep(run, kit_texture_array(size, size, m->gather.views * layers, GL_DEPTH_COMPONENT32F, depth));
     free(depth);
     return failed ? -1 : 0;
 }
-static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear, float zfar, int size)
+static void look(kit_camera *c, const float eye[3], const float along[3], float fovy, float height, float znear,
+                 float zfar, int size)
 {
     memset(c, 0, sizeof *c);
     for (int k = 0; k < 3; ++k) { c->eye[k] = eye[k]; c->target[k] = eye[k] + along[k]; }
@@ -194,7 +214,8 @@ static void look(kit_camera *c, const float eye[3], const float along[3], float 
 }
 
 /* A sun's map looks at the sphere of what is seen, from beyond all that could shadow it. */
-static kit_placed_light sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all, int size)
+static kit_placed_light sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all,
+                            int size)
 {
     kit_placed_light l;
     float eye[3], along[3], nearest = 1e30f, farthest = -1e30f;
@@ -205,7 +226,8 @@ static kit_placed_light sun(const float at[3], const float colour[3], const kit_
     if (!scene) return l;
     for (int i = 0; i < 8; ++i) {
         float t = 0;
-        for (int k = 0; k < 3; ++k) t += ((i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k]) - all->centre[k]) * at[k];
+        for (int k = 0; k < 3; ++k)
+            t += ((i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k]) - all->centre[k]) * at[k];
         nearest = fminf(nearest, t);
         farthest = fmaxf(farthest, t);
     }
@@ -221,7 +243,8 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
     static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
     const kit_lighting *lighting = m->world->lighting;
     const kit_scene *scene = m->world->scene;
-    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"), mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
+    const int suns = (int)kit_method_value(m->method, "suns"), vpls = (int)kit_method_value(m->method, "vpls"),
+              mapped = scene && (m->lights.shadow == SSGI_GL_SHADOW_MAP || m->lights.shadow == SSGI_GL_SHADOW_FILL);
     const size_t room = (size_t)(6 * lighting->lights + suns + vpls + 1);
     int size = (int)kit_method_value(m->method, "shadow_size"), n = 0;
     kit_placed_light *placed = calloc(room, sizeof *placed);
@@ -244,8 +267,16 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
     }
     if (suns && lighting->env.data) {
         ssgi_sun *found = malloc((size_t)suns * sizeof *found);
-        if (!found || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why) != SSGI_OK) { kit_fail(m->err, "suns: %s", why); free(found); free(placed); return NULL; }
-        for (int i = 0; i < suns; ++i) placed[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
+        if (!found
+            || ssgi_environment_suns(found, suns, m->run->equirect, lighting->env.width, lighting->env.height, &why)
+                   != SSGI_OK) {
+            kit_fail(m->err, "suns: %s", why);
+            free(found);
+            free(placed);
+            return NULL;
+        }
+        for (int i = 0; i < suns; ++i)
+            placed[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
         free(found);
     }
     *direct = n;
@@ -254,8 +285,17 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
         size_t pixels;
         ssgi_vpl *found = malloc((size_t)vpls * sizeof *found);
         int failed;
-        if (!scene || !lighting->lights || !found) { kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls); free(found); free(placed); return NULL; }
-        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) { free(found); free(placed); return NULL; }
+        if (!scene || !lighting->lights || !found) {
+            kit_fail(m->err, "--set vpls=%d: needs a scene and a --light", vpls);
+            free(found);
+            free(placed);
+            return NULL;
+        }
+        if (kit_rsm(&position, &normal, &flux, &pixels, scene, &lighting->light[0], 256, m->err)) {
+            free(found);
+            free(placed);
+            return NULL;
+        }
         failed = ssgi_vpl_choose(found, vpls, position, normal, flux, pixels, &why) != SSGI_OK;
         free(position);
         free(normal);
@@ -280,7 +320,8 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
 int kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count)
 {
     kit_shadow_camera *camera = malloc((size_t)count * sizeof *camera);
-    const int size = count && placed[0].mapped ? placed[0].camera.width : 0, columns = size ? 8192 / size < count ? 8192 / size : count : 1;
+    const int size = count && placed[0].mapped ? placed[0].camera.width : 0,
+              columns = size ? 8192 / size < count ? 8192 / size : count : 1;
     int mapped = 0;
     if (!camera) return kit_fail(m->err, "no memory for %d lights", count);
     for (int i = 0; i < count; ++i)
@@ -289,14 +330,17 @@ int kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count)
             kit_camera_matrices(&placed[i].camera, camera[mapped].view, camera[mapped].projection);
             memcpy(camera[mapped++].tile, tile, sizeof tile);
         }
-    if (mapped) m->run->atlas = kit_keep(m->run, kit_shadow_atlas(columns * size, (count + columns - 1) / columns * size, m->world->scene, camera, mapped, m->err));
+    if (mapped)
+        m->run->atlas = kit_keep(m->run, kit_shadow_atlas(columns * size, (count + columns - 1) / columns * size,
+                                                          m->world->scene, camera, mapped, m->err));
     free(camera);
     return mapped && !m->run->atlas ? -1 : 0;
 }
 
 GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
 {
-    const int size = first < last ? placed[first].camera.width : 1, columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
+    const int size = first < last ? placed[first].camera.width : 1,
+              columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
     ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
     GLuint texture;
     for (int i = first; rows && i < last; ++i) {
@@ -340,32 +384,45 @@ int kit_add_environment(kit_making *m)
     enum { SIZE = 64, OPEN = 32, CONES = 8 };
     const kit_image *env = &m->world->lighting->env;
     const size_t pixels = (size_t)env->width * (size_t)env->height;
-    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->shade.shading, mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
+    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->shade.shading,
+              mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
     const int slices = m->shade.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
     kit_run *run = m->run;
     const char *why = "out of memory";
-    float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four), *open = malloc(4 * CONES * OPEN * OPEN * sizeof *open);
+    float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four),
+          *open = malloc(4 * CONES * OPEN * OPEN * sizeof *open);
     int failed;
     run->equirect = malloc(3 * pixels * sizeof *run->equirect);
     failed = !map || !four || !open || !run->equirect;
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
     if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
-        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why) != SSGI_OK
-                 || (kit_method_value(m->method, "dering") > 0 && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
+        failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
+                     != SSGI_OK
+                 || (kit_method_value(m->method, "dering") > 0
+                     && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
     if (!failed && mapped)
-        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height, m->gather.samples ? (float)(2 * PI / m->gather.samples) : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */, &why) != SSGI_OK
+        failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
+                                      m->gather.samples
+                                          ? (float)(2 * PI / m->gather.samples)
+                                          : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */,
+                                      &why)
+                     != SSGI_OK
                  || !(run->environment = kit_keep(run, kit_texture(SIZE, SIZE, GL_RGBA32F, rgba(four, map, SIZE))));
     for (int k = 0; k < slices && !failed && open_too; ++k) {
-        failed = ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why) != SSGI_OK;
+        failed =
+            ssgi_environment_cone(map, OPEN, run->equirect, env->width, env->height, (float)k / (float)slices, &why)
+            != SSGI_OK;
         rgba(open + 4 * k * OPEN * OPEN, map, OPEN);
     }
-    if (!failed && open_too) failed = !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, slices, GL_RGBA32F, open)));
+    if (!failed && open_too)
+        failed = !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, slices, GL_RGBA32F, open)));
     free(map);
     free(four);
     free(open);
     return failed ? kit_fail(m->err, "--env: %s", why) : 0;
 }
-/* s3ho: a vector a pixel, or one a channel, met with the light; *light: what comes out. When nothing else wants the vectors, the gather meets it itself. aside: see kit_pass. */
+/* s3ho: a vector a pixel, or one a channel, met with the light; *light: what comes out. When nothing else wants the
+   vectors, the gather meets it itself. aside: see kit_pass. */
 static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
 {
     kit_run *run = m->run;
@@ -374,11 +431,13 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     const double fetches = run->fetches;
     kit_pass *p;
     gather.transfer = blur.transfer = shade.transfer = transfer;
-    gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;      /* parts are told apart after the same rounding */
+    /* parts are told apart after the same rounding */
+    gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;
     gather.shaded = !vectors && !shade.shading && !shade.lights;
     blur.colour = SSGI_GL_COEFFICIENTS;
     p = kit_add_pass(m, &gather, run->gbuffer, 0, 0, 0, 0);
-    if (p && vectors && m->blurred && (p = kit_add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
+    if (p && vectors && m->blurred && (p = kit_add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0)))
+        p->vectors = run->passes - 2;
     if (p && !gather.shaded && (p = kit_add_pass(m, &shade, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
     if (!p) return -1;
     p->lights = m->rows[0];
@@ -389,7 +448,8 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     return 0;
 }
 
-/* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to the front; and what all of those harmonics lack. */
+/* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to
+   the front; and what all of those harmonics lack. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
 {
     enum { OPEN = 32 };
@@ -411,8 +471,10 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     memset(run->frame.window, 0, sizeof run->frame.window);
     ssgi_sh_window(run->frame.window, bands, window);
     if (m->gather.residual && !m->shade.shading && !failed)
-        failed = (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
-                 || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
+        failed =
+            (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
+            || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK
+            || !(run->irradiance = kit_keep(run, kit_texture_array(OPEN, OPEN, 1, GL_RGBA32F, rgba(four, map, OPEN))));
     free(map);
     free(four);
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
@@ -491,7 +553,8 @@ static int add_reused(kit_making *m, GLuint *light, GLuint *received)
     return 0;
 }
 
-/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves out. */
+/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
+   out. */
 static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
 {
     kit_gbuffer *g = m->run->gbuffer;
@@ -513,7 +576,8 @@ static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
     return kit_add_blur(m, received);
 }
 
-static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16], GLuint *received)
+static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16],
+                    GLuint *received)
 {
     kit_run *run = m->run;
     ssgi_gl_desc d = m->lights;
@@ -591,7 +655,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
 static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first, int last, const GLuint *cube)
 {
     kit_run *run = m->run;
-    const GLuint rows_texture = kit_keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
+    const GLuint rows_texture =
+        kit_keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
     kit_pass *p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
     if (!p) return -1;
     p->lights = rows_texture;
@@ -642,22 +707,28 @@ int kit_open_field(kit_making *m, const float picture[16])
             limits = ssgi_field_limits_of(field[slice[s]]);
             limits.ramp = (float)kit_method_value(m->method, "ramp") * limits.reach;
             limits.power = (float)kit_method_value(m->method, "power");
-            if (kit_method_value(m->method, "inside") >= 0) limits.inside = (float)kit_method_value(m->method, "inside");
-            if (ssgi_gl_occluder_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why) != SSGI_OK) failed = kit_fail(m->err, "object %s: %s", o->name, why);
+            if (kit_method_value(m->method, "inside") >= 0)
+                limits.inside = (float)kit_method_value(m->method, "inside");
+            if (ssgi_gl_occluder_set(&rows[count++], field[slice[s]], &limits, to_view, slice[s], i + 1, &why)
+                != SSGI_OK)
+                failed = kit_fail(m->err, "object %s: %s", o->name, why);
         }
         if (failed || first == count) continue;
         if (m->gather.storage) {
             GLuint cube[2];
-            if (!kit_field_cubes(cube, field[slice[s]])) failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
+            if (!kit_field_cubes(cube, field[slice[s]]))
+                failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
             for (int k = 0; k < 2; ++k) kit_keep(run, cube[k]);
-            for (int i = first; i < count && !failed; i += each ? 1 : count - first) failed = add_occluders(m, rows, i, each ? i + 1 : count, cube);
+            for (int i = first; i < count && !failed; i += each ? 1 : count - first)
+                failed = add_occluders(m, rows, i, each ? i + 1 : count, cube);
         }
     }
     if (!failed && !count) failed = add_occluders(m, rows, 0, 0, NULL);
     if (!failed && count && !m->gather.storage) {
         run->fields = kit_keep(run, kit_field_atlas(field, fields));
         if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
-        for (int i = 0; i < count && !failed; i += each ? 1 : count) failed = add_occluders(m, rows, i, each ? i + 1 : count, NULL);
+        for (int i = 0; i < count && !failed; i += each ? 1 : count)
+            failed = add_occluders(m, rows, i, each ? i + 1 : count, NULL);
     }
     if (!failed && m->gather.cap) {
         const int size = (int)kit_method_value(m->method, "table_size");

@@ -1,8 +1,8 @@
 /* mesh.c - triangles from Wavefront OBJ and MTL files.
 
    Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures.
-   Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection (with more
-   than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped.
+   Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection
+   (with more than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped.
    Materials: of several with one name the last counts; all mtllib files are read before the first usemtl. */
 #include "kit.h"
 
@@ -100,10 +100,12 @@ static int text_fail(const text *t, const char *what)
     return kit_fail(t->err, "%s line %d: %s, not \"%.*s\"", t->path, t->line, what, length, t->at);
 }
 
-/* By hand because strtod obeys the locale and is slow. A double carries the digits, so that the float is rounded once (almost always). */
+/* By hand because strtod obeys the locale and is slow. A double carries the digits, so that the float is rounded once
+   (almost always). */
 static int number(text *t, float *out, const char *what)
 {
-    static const double ten[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+    static const double ten[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
     skip_blanks(t);
     const char *p = t->at, *end = t->end;
     uint64_t digits = 0;
@@ -159,7 +161,8 @@ typedef struct material { char *name; size_t length; float albedo[3]; } material
 
 static const float grey[3] = { 0.8f, 0.8f, 0.8f };
 
-/* The rest of the line without blanks at its ends. Names may hold blanks and '#' ("Material #25"): see without_comment. */
+/* The rest of the line without blanks at its ends. Names may hold blanks and '#' ("Material #25"): see
+   without_comment. */
 static size_t rest(text *t)
 {
     const char *end = t->end;
@@ -204,13 +207,18 @@ static int materials_read(array *materials, const char *path, kit_error *err)
             if (!now) { failed = -1; break; }
             *now = (material){ .name = malloc(length + 1), .length = length };
             memcpy(now->albedo, grey, sizeof grey);
-            if (!now->name) { materials->count--; failed = kit_fail(err, "%s: no memory for its materials", path); break; }
+            if (!now->name) {
+                materials->count--;
+                failed = kit_fail(err, "%s: no memory for its materials", path);
+                break;
+            }
             memcpy(now->name, t.at, length);
         } else if (now && keyword(&t, "Kd")) {
             static const char what[] = "Kd needs 1 or 3 numbers";
             float kd[3];
             skip_blanks(&t);
-            if (t.end - t.at >= 3 && (!memcmp(t.at, "xyz", 3) || !memcmp(t.at, "spe", 3))) continue; /* "xyz", "spectral": no rgb */
+            /* "xyz", "spectral": no rgb */
+            if (t.end - t.at >= 3 && (!memcmp(t.at, "xyz", 3) || !memcmp(t.at, "spe", 3))) continue;
             failed = number(&t, &kd[0], what);
             kd[1] = kd[2] = kd[0];
             if (!failed && at_value(&t) && (number(&t, &kd[1], what) || number(&t, &kd[2], what))) failed = -1;
@@ -246,7 +254,8 @@ typedef struct obj {
     array vertices, normals, materials;    /* float[3], float[3], material */
     array corners;                         /* of the present face */
     array position, normal, albedo;        /* 9, 9, 3 floats a triangle */
-    array named[2];                        /* key: names on o lines, on g lines; the first is that of what comes before any */
+    /* key: names on o lines, on g lines; the first is that of what comes before any */
+    array named[2];
     array line[2];                         /* uint32_t a triangle: which of them */
     array number;                          /* uint32_t a triangle: its object's */
     array objects;                         /* kit_object */
@@ -265,7 +274,8 @@ static int add_triangle(obj *o, const text *t, const corner *a, const corner *b,
     for (int i = 0; i < 3; ++i) n[i] = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
     double area = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     if (!(area > 1e-9 * longest)) return 0;  /* thinner than floats can tell from a line */
-    float *position = array_add(&o->position, 9, sizeof(float), t), *normal = array_add(&o->normal, 9, sizeof(float), t);
+    float *position = array_add(&o->position, 9, sizeof(float), t),
+          *normal = array_add(&o->normal, 9, sizeof(float), t);
     float *colour = array_add(&o->albedo, 3, sizeof(float), t);
     if (!position || !normal || !colour) return -1;
     for (int way = 0; way < 2; ++way) {
@@ -286,12 +296,14 @@ static int add_triangle(obj *o, const text *t, const corner *a, const corner *b,
 
 static double turn(const corner *a, const corner *b, const corner *c) /* > 0: left */
 {
-    return (b->flat[0] - a->flat[0]) * (c->flat[1] - b->flat[1]) - (b->flat[1] - a->flat[1]) * (c->flat[0] - b->flat[0]);
+    return (b->flat[0] - a->flat[0]) * (c->flat[1] - b->flat[1])
+           - (b->flat[1] - a->flat[1]) * (c->flat[0] - b->flat[0]);
 }
 
 static int turn_back(const corner *a, const corner *b, const corner *c)
 {
-    return (b->flat[0] - a->flat[0]) * (c->flat[0] - b->flat[0]) + (b->flat[1] - a->flat[1]) * (c->flat[1] - b->flat[1]) < 0;
+    return (b->flat[0] - a->flat[0]) * (c->flat[0] - b->flat[0]) + (b->flat[1] - a->flat[1]) * (c->flat[1] - b->flat[1])
+           < 0;
 }
 
 static int same(const corner *a, const corner *b) { return a->flat[0] == b->flat[0] && a->flat[1] == b->flat[1]; }
@@ -304,7 +316,8 @@ static int flatten(corner *c, int count)
         for (int i = 0, u, v; i < 3; ++i) {
             const float *o = c[0].position, *p = c[k].position, *q = c[(k + 1) % count].position;
             u = (i + 1) % 3; v = (i + 2) % 3;
-            n[i] += ((double)p[u] - (double)o[u]) * ((double)q[v] - (double)o[v]) - ((double)p[v] - (double)o[v]) * ((double)q[u] - (double)o[u]);
+            n[i] += ((double)p[u] - (double)o[u]) * ((double)q[v] - (double)o[v])
+                    - ((double)p[v] - (double)o[v]) * ((double)q[u] - (double)o[u]);
         }
     int z = fabs(n[0]) > fabs(n[1]) ? (fabs(n[0]) > fabs(n[2]) ? 0 : 2) : fabs(n[1]) > fabs(n[2]) ? 1 : 2;
     for (int k = 0; k < count; ++k) {
@@ -316,7 +329,8 @@ static int flatten(corner *c, int count)
         const corner *p = &c[k], *q = &c[(k + 1) % count], *r = &c[(k + 2) % count];
         double left = turn(p, q, r);
         if (!(left > 0)) return 0;
-        turned += atan2(left, (q->flat[0] - p->flat[0]) * (r->flat[0] - q->flat[0]) + (q->flat[1] - p->flat[1]) * (r->flat[1] - q->flat[1]));
+        turned += atan2(left, (q->flat[0] - p->flat[0]) * (r->flat[0] - q->flat[0])
+                                  + (q->flat[1] - p->flat[1]) * (r->flat[1] - q->flat[1]));
     }
     return turned < 7;                     /* once around is 2 pi; a star polygon turns more often */
 }
@@ -328,7 +342,8 @@ static int is_ear(const corner *c, int a, int b, int d)
     if (!(left > 0)) return 0;
     for (int k = c[d].next; k != a; k = c[k].next)
         if (turn(&c[a], &c[b], &c[k]) >= 0 && turn(&c[b], &c[d], &c[k]) >= 0 && turn(&c[d], &c[a], &c[k]) >= 0
-            && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d])) return 0;   /* holes are bridged by doubled corners */
+            && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d]))
+            return 0; /* holes are bridged by doubled corners */
     return 1;
 }
 
@@ -342,7 +357,8 @@ static int add_polygon(obj *o, const text *t, const float albedo[3])
     }
     for (int a = 0, tries = 0; count > 2 && !failed;) {
         int b = c[a].next, d = c[b].next;
-        if (tries++ < count && !is_ear(c, a, b, d)) { a = b; continue; }        /* none left (it crosses itself): cut anywhere */
+        /* none left (it crosses itself): cut anywhere */
+        if (tries++ < count && !is_ear(c, a, b, d)) { a = b; continue; }
         failed = add_triangle(o, t, &c[a], &c[b], &c[d], albedo);
         c[a].next = d;
         a = d;                             /* moving on avoids fans of slivers */
@@ -360,10 +376,11 @@ static int element_index(text *t, size_t seen, size_t all, const char *what, siz
     size_t v = 0;
     p += negative;
     for (; p < t->end && *p >= '0' && *p <= '9'; ++p) if (v < (size_t)1 << 40) v = 10 * v + (size_t)(*p - '0');
-    if (p == start + negative || (p < t->end && !blank(*p) && *p != '/' && *p != '#')) return text_fail(t, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3");
+    if (p == start + negative || (p < t->end && !blank(*p) && *p != '/' && *p != '#'))
+        return text_fail(t, "a face needs corners such as 1, 1/2, 1//3 or 1/2/3");
     if (v == 0 || v > (negative ? seen : all))
-        return kit_fail(t->err, "%s line %d: there is no %s %.*s (%zu %s)", t->path, t->line, what, (int)(p - start), start,
-                        negative ? seen : all, negative ? "before this line" : "in the file");
+        return kit_fail(t->err, "%s line %d: there is no %s %.*s (%zu %s)", t->path, t->line, what, (int)(p - start),
+                        start, negative ? seen : all, negative ? "before this line" : "in the file");
     t->at = p;
     *out = negative ? seen - v : v - 1;
     return 0;
@@ -379,14 +396,17 @@ static int face(obj *o, text *t, size_t seen_vertices, size_t seen_normals, cons
         *c = (corner){ .position = (const float *)o->vertices.data + 3 * vertex };
         if (t->at == t->end || *t->at != '/') continue;
         ++t->at;
-        if ((t->at == t->end || *t->at != '/') && element_index(t, SIZE_MAX / 2, SIZE_MAX / 2, "vt", &unused)) return -1; /* never used: any index will do */
+        /* never used: any index will do */
+        if ((t->at == t->end || *t->at != '/') && element_index(t, SIZE_MAX / 2, SIZE_MAX / 2, "vt", &unused))
+            return -1;
         if (t->at == t->end || *t->at != '/') continue;
         ++t->at;
         if (element_index(t, seen_normals, o->normals.count / 3, "vn", &normal)) return -1;
         c->normal = (const float *)o->normals.data + 3 * normal;
     }
     if (o->corners.count < 3 || o->corners.count > 1 << 30)
-        return kit_fail(t->err, "%s line %d: a face needs at least 3 corners, this has %zu", t->path, t->line, o->corners.count);
+        return kit_fail(t->err, "%s line %d: a face needs at least 3 corners, this has %zu", t->path, t->line,
+                        o->corners.count);
     return add_polygon(o, t, albedo);
 }
 
@@ -404,7 +424,9 @@ static int first_of_equals(uint32_t *first, const key *keys, size_t count)
         uint32_t hash = 2166136261u;                    /* FNV-1a */
         for (size_t b = 0; b < k->length; ++b) hash = (hash ^ (uint8_t)k->bytes[b]) * 16777619u;
         size_t at = hash & (size - 1);
-        while (slot[at] && (keys[slot[at] - 1].length != k->length || memcmp(keys[slot[at] - 1].bytes, k->bytes, k->length))) at = (at + 1) & (size - 1);
+        while (slot[at]
+               && (keys[slot[at] - 1].length != k->length || memcmp(keys[slot[at] - 1].bytes, k->bytes, k->length)))
+            at = (at + 1) & (size - 1);
         if (!slot[at]) slot[at] = (uint32_t)i + 1;
         first[i] = slot[at] - 1;
     }
@@ -509,7 +531,8 @@ static int objects_find(obj *o, const text *t)
     if (count == 1) count = number_names(number, o, ++way);
     if (count == 1) count = number_parts(number, o), ++way;
     const int many = count > KIT_MAX_OBJECTS;
-    if (count < 0 || (many && keep_largest(number, triangles, (size_t)count))) return kit_fail(t->err, "%s: no memory for its objects", t->path);
+    if (count < 0 || (many && keep_largest(number, triangles, (size_t)count)))
+        return kit_fail(t->err, "%s: no memory for its objects", t->path);
     if (many) count = KIT_MAX_OBJECTS;
     kit_object *object = array_add(&o->objects, (size_t)count, sizeof *object, t);
     if (!object) return -1;
@@ -580,7 +603,11 @@ int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *
     for (size_t i = 0; i < o.materials.count; ++i) free(((material *)o.materials.data)[i].name);
     free(o.vertices.data); free(o.normals.data); free(o.materials.data); free(o.corners.data);
     for (int way = 0; way < 2; ++way) { free(o.named[way].data); free(o.line[way].data); }
-    kit_mesh read = { .triangles = o.position.count / 9, .position = o.position.data, .normal = o.normal.data, .albedo = o.albedo.data, .object = o.number.data };
+    kit_mesh read = { .triangles = o.position.count / 9,
+                      .position = o.position.data,
+                      .normal = o.normal.data,
+                      .albedo = o.albedo.data,
+                      .object = o.number.data };
     if (failed || !object) free(o.objects.data);
     if (failed) {
         kit_mesh_free(&read);

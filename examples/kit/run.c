@@ -11,7 +11,8 @@ int kit_dialect(void) { return kit_gl_is_es() ? SSGI_GL_300ES : SSGI_GL_330; }
 
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
 {
-    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER, GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
+    static const GLenum kinds[SSGI_GL_STAGES] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER, GL_TESS_CONTROL_SHADER,
+                                                  GL_TESS_EVALUATION_SHADER, GL_GEOMETRY_SHADER };
     char *text[SSGI_GL_STAGES];
     const char *source[SSGI_GL_STAGES], *captured[3], *why = "";
     GLenum stages[SSGI_GL_STAGES];
@@ -32,13 +33,19 @@ GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err)
     if (failed) kit_fail(err, "out of memory"); else program = kit_program(source, stages, count, err);
     for (int i = 0; i < count; ++i) free(text[i]);
     if (!program) return 0;
-    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i) if (io[i].kind == SSGI_GL_CAPTURE) captured[captures++] = io[i].name;
+    for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
+        if (io[i].kind == SSGI_GL_CAPTURE) captured[captures++] = io[i].name;
     if (captures) {
         glTransformFeedbackVaryings(program, captures, captured, GL_INTERLEAVED_ATTRIBS);
         GLint linked = 0;
         glLinkProgram(program);
         glGetProgramiv(program, GL_LINK_STATUS, &linked);
-        if (!linked) { kit_fail(err, "pass %s: its varyings cannot be captured by %s", ssgi_gl_pass_name(desc->pass), kit_gl_name()); glDeleteProgram(program); return 0; }
+        if (!linked) {
+            kit_fail(err, "pass %s: its varyings cannot be captured by %s", ssgi_gl_pass_name(desc->pass),
+                     kit_gl_name());
+            glDeleteProgram(program);
+            return 0;
+        }
     }
     glUseProgram(program);
     for (int i = 0, n = ssgi_gl_reflect(desc, io, SSGI_GL_MAX_IO); i < n; ++i)
@@ -72,26 +79,36 @@ GLuint kit_keep(kit_run *run, GLuint texture)
 static GLenum target_format(const kit_making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
 {
     const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
-    if ((desc->pass == SSGI_GL_FIELD || (desc->pass == SSGI_GL_SPLAT && !strcmp(out->type, "float"))) && kit_gl_is_es()) return GL_R16F;         /* blended */
+    /* blended */
+    if ((desc->pass == SSGI_GL_FIELD || (desc->pass == SSGI_GL_SPLAT && !strcmp(out->type, "float"))) && kit_gl_is_es())
+        return GL_R16F;
     if (desc->pass == SSGI_GL_SPLAT && kit_gl_is_es()) return GL_RGBA16F;
     if (desc->pass == SSGI_GL_SHUFFLE) return GL_RGBA32UI;
     if (!strcmp(out->type, "float")) return GL_R32F;
     if (!strcmp(out->type, "vec2")) return GL_RG32F;
-    if (!strcmp(out->type, "uvec4")) return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
+    if (!strcmp(out->type, "uvec4"))
+        return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
     if (strncmp(out->name, "o_ssgi_sh", 9)) return GL_RGBA32F;
     if (desc->bands == 1 || (desc->bands == 3 && !strcmp(out->name, "o_ssgi_sh2"))) return stored ? GL_R32F : GL_R16F;
     return stored ? GL_RGBA32F : GL_RGBA16F;
 }
 
-kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source, GLuint array, int slice)
+kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source,
+                       GLuint array, int slice)
 {
-    static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3, GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
+    static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
+                                                        GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3,
+                                                        GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
     kit_run *run = m->run;
     kit_pass *p = &run->pass[run->passes];
-    const int half = desc->half && desc->pass != SSGI_GL_BLUR, levelled = desc->pass >= SSGI_GL_SHUFFLE && desc->pass <= SSGI_GL_SMOOTH;
+    const int half = desc->half && desc->pass != SSGI_GL_BLUR,
+              levelled = desc->pass >= SSGI_GL_SHUFFLE && desc->pass <= SSGI_GL_SMOOTH;
     const uint64_t key = ssgi_gl_key(desc);
     int outputs = 0;
-    if (run->passes == KIT_MAX_PASSES) { kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES); return NULL; }
+    if (run->passes == KIT_MAX_PASSES) {
+        kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES);
+        return NULL;
+    }
     memset(p, 0, sizeof *p);
     p->desc = *desc;
     p->gbuffer = g;
@@ -119,9 +136,15 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
         ++outputs;
     }
     glDrawBuffers(outputs, attachment);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) { kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass)); return NULL; }
-    if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS) for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
-    if (desc->pass != SSGI_GL_SPLAT) run->fetches += kit_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass));
+        return NULL;
+    }
+    if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS)
+        for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]){ 0, 0, 0, 0 });
+    if (desc->pass != SSGI_GL_SPLAT)
+        run->fetches +=
+            kit_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
 
@@ -140,27 +163,57 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
     for (int i = 0; from && i < from->rows; ++i)
         if (from->io[i].kind == SSGI_GL_OUTPUT && !strcmp(from->io[i].name + 1, name + 1))
             return from->target[from->io[i].slot];
-    const struct { const char *name; GLuint texture; } table[] = {
-        { "depth", p->gbuffer->depth }, { "layers", p->gbuffer->layer_depth }, { "views", run->view_depth }, { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
-        { "albedo", p->desc.receiver ? p->gbuffer->layer_albedo : p->gbuffer->albedo ? p->gbuffer->albedo : run->grey }, { "direct", p->gbuffer->direct }, { "noise", run->noise },
-        { "kernel", run->kernel }, { "environment", run->environment }, { "irradiance", run->irradiance }, { "senders", run->senders }, { "view_senders", run->view_senders },
-        { "shuffled", run->shuffled }, { "levels", p->source }, { "lights", p->lights }, { "occluders", p->lights }, { "fields", run->fields }, { "field", p->cube[0] }, { "field_centre", p->cube[1] }, { "cap", run->cap }, { "objects", p->gbuffer->object }, { "shadow", run->atlas }, { "light", p->source }, { "ao", p->source } };
-    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
+    const struct { const char *name; GLuint texture;
+    } table[] = { { "depth", p->gbuffer->depth },
+                  { "layers", p->gbuffer->layer_depth },
+                  { "views", run->view_depth },
+                  { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
+                  { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
+                              : p->gbuffer->albedo ? p->gbuffer->albedo
+                                                   : run->grey },
+                  { "direct", p->gbuffer->direct },
+                  { "noise", run->noise },
+                  { "kernel", run->kernel },
+                  { "environment", run->environment },
+                  { "irradiance", run->irradiance },
+                  { "senders", run->senders },
+                  { "view_senders", run->view_senders },
+                  { "shuffled", run->shuffled },
+                  { "levels", p->source },
+                  { "lights", p->lights },
+                  { "occluders", p->lights },
+                  { "fields", run->fields },
+                  { "field", p->cube[0] },
+                  { "field_centre", p->cube[1] },
+                  { "cap", run->cap },
+                  { "objects", p->gbuffer->object },
+                  { "shadow", run->atlas },
+                  { "light", p->source },
+                  { "ao", p->source } };
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
+        if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
 }
 
-static GLenum target_of(const ssgi_gl_io *io) { return strstr(io->type, "2DArray") ? GL_TEXTURE_2D_ARRAY : !strcmp(io->type, "samplerCube") ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D; }
+static GLenum target_of(const ssgi_gl_io *io)
+{
+    return strstr(io->type, "2DArray")        ? GL_TEXTURE_2D_ARRAY
+           : !strcmp(io->type, "samplerCube") ? GL_TEXTURE_CUBE_MAP
+                                              : GL_TEXTURE_2D;
+}
 
 /* Bytes of a texel, and how many texels there are. */
 static double texel_of(double *texels, GLuint texture, GLenum target)
 {
-    static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE };
+    static const GLenum bits_of[] = { GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                      GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE };
     const GLenum face = target == GL_TEXTURE_CUBE_MAP ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : target;
     GLint size[3] = { 0 }, bits = 0, all = 0;
     glBindTexture(target, texture);
     for (GLenum i = 0; i < 2; ++i) glGetTexLevelParameteriv(face, 0, GL_TEXTURE_WIDTH + i, &size[i]);
     glGetTexLevelParameteriv(face, 0, GL_TEXTURE_DEPTH, &size[2]);
-    for (size_t i = 0; i < sizeof bits_of / sizeof *bits_of; ++i, all += bits) glGetTexLevelParameteriv(face, 0, bits_of[i], &bits);
+    for (size_t i = 0; i < sizeof bits_of / sizeof *bits_of; ++i, all += bits)
+        glGetTexLevelParameteriv(face, 0, bits_of[i], &bits);
     glBindTexture(target, 0);
     *texels = (double)size[0] * size[1] * (target == GL_TEXTURE_CUBE_MAP ? 6 : size[2]);
     return all / 8.0;
@@ -196,7 +249,8 @@ static double bytes_of(const kit_run *run)
     return bytes / ((double)run->frame.size[0] * run->frame.size[1]);
 }
 
-int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world, kit_error *err)
+int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
+                 kit_error *err)
 {
     static const kit_world nothing;
     kit_making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
@@ -215,9 +269,12 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     m.gather.orthographic = view.orthographic;
     m.gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
     if (kit_settings_apply(&m, radius)) return -1;
-    if (m.gather.half && !m.blurred) return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
-    if (m.gather.layers > g->layers && !m.world->scene) return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
-    if (m.gather.views && !m.world->scene) return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
+    if (m.gather.half && !m.blurred)
+        return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (m.gather.layers > g->layers && !m.world->scene)
+        return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
+    if (m.gather.views && !m.world->scene)
+        return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
     if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
@@ -250,7 +307,8 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     run->bytes = !failed && glGetTexLevelParameteriv ? bytes_of(run) : (double)NAN;
     glGenBuffers(KIT_FRAMES, run->block);
     if (!failed) kit_run_update(run);
-    if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);      /* a last frame to reuse */
+    /* a last frame to reuse */
+    if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);
     if (failed) { kit_run_close(run); return -1; }
     return 0;
 }
@@ -284,9 +342,11 @@ void kit_run_draw(kit_run *run, int timed)
                 glBindTexture(target_of(&p->io[k]), texture_of(run, p, p->io[k].name));
             }
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
-        glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);     /* surfels: any complete one, which a context without a surface has not */
+        /* surfels: any complete one, which a context without a surface has not */
+        glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
         if (p->desc.pass >= SSGI_GL_SHUFFLE && p->desc.pass <= SSGI_GL_SMOOTH) glViewport(0, 0, p->width, p->height);
-        else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR) glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
+        else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR)
+            glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
         glUseProgram(p->program);
         if (timed && !p->aside) kit_timer_begin();
@@ -314,13 +374,17 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
 {
     const kit_gbuffer *g = run->gbuffer;
     const kit_pass *last = &run->pass[run->passes ? run->passes - 1 : 0];
-    const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height, components = run->lit ? 4 : 1;
+    const int width = run->lit ? g->viewport[2] : last->width, height = run->lit ? g->viewport[3] : last->height,
+              components = run->lit ? 4 : 1;
     const size_t pixels = (size_t)width * (size_t)height;
     const GLuint source[3] = { run->light, run->bounce, run->bounce ? run->joint : 0 };
     kit_image image, frame;
     float *texels = malloc(pixels * (size_t)components * sizeof *texels);
     int failed = 0;
-    if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) { free(texels); return -1; }
+    if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) {
+        free(texels);
+        return -1;
+    }
     for (int s = 0; s < (run->lit ? 3 : 1) && !failed; ++s) {
         if (!source[s]) continue;
         failed = kit_texture_read(source[s], width, height, components, texels) != 0;
@@ -335,13 +399,18 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     }
     free(texels);
     if (!failed && run->lit && !(failed = kit_gbuffer_read(&frame, g, err))) {
-        static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" }, { "direct.R", "direct.G", "direct.B" } };
+        static const char *const names[2][3] = { { "albedo.R", "albedo.G", "albedo.B" },
+                                                 { "direct.R", "direct.G", "direct.B" } };
         const float *z = kit_image_channel(&frame, "Z");
         for (size_t c = 0; c < 3; ++c) {
-            const float *albedo = kit_image_channel(&frame, names[0][c]), *direct = kit_image_channel(&frame, names[1][c]);
+            const float *albedo = kit_image_channel(&frame, names[0][c]),
+                        *direct = kit_image_channel(&frame, names[1][c]);
             for (size_t i = 0; i < pixels; ++i)
                 if (z[i] > 0)
-                    image.data[c * pixels + i] = (albedo ? albedo[i] : 0.8f) * (image.data[(3 + c) * pixels + i] + image.data[(6 + c) * pixels + i]) + (direct ? direct[i] : 0.0f);
+                    image.data[c * pixels + i] =
+                        (albedo ? albedo[i] : 0.8f)
+                            * (image.data[(3 + c) * pixels + i] + image.data[(6 + c) * pixels + i])
+                        + (direct ? direct[i] : 0.0f);
         }
         kit_image_free(&frame);
     }

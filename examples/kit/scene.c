@@ -38,7 +38,9 @@ static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
     for (int k = 0; k < 8; k++) {
         double corner[3], x, y, z;
         for (int i = 0; i < 3; i++) corner[i] = (double)(k >> i & 1 ? mesh->upper[i] : mesh->lower[i]) - centre[i];
-        x = fabs(kit_dot(corner, right)) / (tangent * aspect); y = fabs(kit_dot(corner, up)) / tangent; z = kit_dot(corner, back);
+        x = fabs(kit_dot(corner, right)) / (tangent * aspect);
+        y = fabs(kit_dot(corner, up)) / tangent;
+        z = kit_dot(corner, back);
         distance = fmax(distance, z + fmax(x, y));
     }
     for (int i = 0; i < 3; i++) {
@@ -73,8 +75,11 @@ static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *
     if (floor_) {
         kit_build b = resume(scene);
         const double x = 0.5 * ((double)scene->mesh.lower[0] + (double)scene->mesh.upper[0]);
-        const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal, y = (double)scene->mesh.lower[1];
-        const double corner[4][3] = { {x - half, y, z + half}, {x + half, y, z + half}, {x + half, y, z - half}, {x - half, y, z - half} };
+        const double z = 0.5 * ((double)scene->mesh.lower[2] + (double)scene->mesh.upper[2]), half = 2.5 * diagonal,
+                     y = (double)scene->mesh.lower[1];
+        const double corner[4][3] = {
+            { x - half, y, z + half }, { x + half, y, z + half }, { x + half, y, z - half }, { x - half, y, z - half }
+        };
         kit_colour(&b, 0.8, 0.8, 0.8);
         kit_begin_object(&b, "floor", -1);
         kit_sheet(&b, (const double (*)[3])corner, KIT_CUTS(kit_both), KIT_CUTS(kit_both));
@@ -134,18 +139,22 @@ void kit_scene_free(kit_scene *scene)
     memset(scene, 0, sizeof *scene);
 }
 
-int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3], kit_error *err)
+int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[3], const float albedo[3],
+                      kit_error *err)
 {
     const kit_scene before = *scene;
     kit_build b = resume(scene);
     for (int i = 0; i < 3; i++) {
         if (!isfinite(upper[i] - lower[i]) || upper[i] - lower[i] < 1e-4f)
-            return kit_fail(err, "box: sides (upper - lower) must be finite and at least 1e-4, not %g", (double)(upper[i] - lower[i]));
-        if (!(albedo[i] >= 0 && albedo[i] <= 1)) return kit_fail(err, "box: albedo must be in [0, 1], not %g", (double)albedo[i]);
+            return kit_fail(err, "box: sides (upper - lower) must be finite and at least 1e-4, not %g",
+                            (double)(upper[i] - lower[i]));
+        if (!(albedo[i] >= 0 && albedo[i] <= 1))
+            return kit_fail(err, "box: albedo must be in [0, 1], not %g", (double)albedo[i]);
         b.albedo[i] = albedo[i];
     }
     kit_begin_object(&b, "box", -1);
-    kit_box(&b, (double)lower[0], (double)lower[1], (double)lower[2], (double)upper[0], (double)upper[1], (double)upper[2]);
+    kit_box(&b, (double)lower[0], (double)lower[1], (double)lower[2], (double)upper[0], (double)upper[1],
+            (double)upper[2]);
     *scene = b.scene;
     if (b.failed || kit_complete(scene, before.objects)) {
         scene->mesh.triangles = before.mesh.triangles;
@@ -158,15 +167,19 @@ int kit_scene_add_box(kit_scene *scene, const float lower[3], const float upper[
 int kit_scene_place(kit_scene *scene, int object_, const float to_world[16], kit_error *err)
 {
     double column[3][3], third[3], scale;
-    if (object_ < 0 || object_ >= scene->objects) return kit_fail(err, "scene '%s': there is no object %d (0..%d)", scene->name, object_, scene->objects - 1);
+    if (object_ < 0 || object_ >= scene->objects)
+        return kit_fail(err, "scene '%s': there is no object %d (0..%d)", scene->name, object_, scene->objects - 1);
     for (int i = 0; i < 12; i++) if (i % 4 < 3) column[i / 4][i % 4] = (double)to_world[i];
     scale = sqrt(kit_dot(column[0], column[0]));
     kit_cross(column[0], column[1], third);
     for (int i = 0; i < 3; i++) third[i] -= scale * column[2][i];
-    if (!(scale > 0 && scale < 1e15) || !(sqrt(kit_dot(third, third)) < 1e-3 * scale * scale) || !(fabs(kit_dot(column[0], column[1])) < 1e-3 * scale * scale) ||
-        !(fabs(kit_dot(column[1], column[1]) - scale * scale) < 2e-3 * scale * scale) || to_world[3] != 0 || to_world[7] != 0 || to_world[11] != 0 || to_world[15] != 1 ||
-        !(fmaxf(fabsf(to_world[12]), fmaxf(fabsf(to_world[13]), fabsf(to_world[14]))) < 1e15f))
-        return kit_fail(err, "scene '%s', object '%s': its place must be a rotation, a uniform scale and a translation", scene->name, scene->object[object_].name);
+    if (!(scale > 0 && scale < 1e15) || !(sqrt(kit_dot(third, third)) < 1e-3 * scale * scale)
+        || !(fabs(kit_dot(column[0], column[1])) < 1e-3 * scale * scale)
+        || !(fabs(kit_dot(column[1], column[1]) - scale * scale) < 2e-3 * scale * scale) || to_world[3] != 0
+        || to_world[7] != 0 || to_world[11] != 0 || to_world[15] != 1
+        || !(fmaxf(fabsf(to_world[12]), fmaxf(fabsf(to_world[13]), fabsf(to_world[14]))) < 1e15f))
+        return kit_fail(err, "scene '%s', object '%s': its place must be a rotation, a uniform scale and a translation",
+                        scene->name, scene->object[object_].name);
     kit_set_place(scene, object_, to_world);
     kit_mesh_bounds(&scene->mesh);
     return 0;
@@ -178,7 +191,8 @@ void kit_scene_move(kit_scene *scene, double time)
         const kit_object *o = &scene->object[k];
         const float *from = o->loaded, *base = scene->object[o->base].loaded;
         const int way = o->base % 3, hops = 1 + o->base % 2;
-        const double size = sqrt((double)base[0] * (double)base[0] + (double)base[1] * (double)base[1] + (double)base[2] * (double)base[2]);
+        const double size = sqrt((double)base[0] * (double)base[0] + (double)base[1] * (double)base[1]
+                                 + (double)base[2] * (double)base[2]);
         const double start = 2.4 * o->base, now = start + 2 * PI * time, hop = sin(PI * time * hops);
         double arm[3];
         kit_build b;

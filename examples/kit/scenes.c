@@ -65,48 +65,64 @@ static void build_hole(kit_build *b)
 
 static void build_room(kit_build *b)
 {
-    static const double walls[2][4][3] = { {{0,0,6},{0,0,0},{0,2.8,0},{0,2.8,6}}, {{0,0,0},{6,0,0},{6,2.8,0},{0,2.8,0}} };
+    static const double walls[2][4][3] = { { { 0, 0, 6 }, { 0, 0, 0 }, { 0, 2.8, 0 }, { 0, 2.8, 6 } },
+                                           { { 0, 0, 0 }, { 6, 0, 0 }, { 6, 2.8, 0 }, { 0, 2.8, 0 } } };
     static const double ceiling[4][3] = { {0,2.8,0}, {6,2.8,0}, {6,2.8,6}, {0,2.8,6} };
     static const kit_moulding shade[] = { {0.24, 0, 0.08, 0.22, 0.01}, {0.08, 0.22, 0, 0.22, 0} };
-    static const kit_moulding vase[] = { {0, 0, 0.07, 0, 0}, {0.07, 0, 0.05, 0.2, 0.06}, {0.05, 0.2, 0.065, 0.26, -0.012}, {0.065, 0.26, 0, 0.255, 0} };
+    static const kit_moulding vase[] = { { 0, 0, 0.07, 0, 0 },
+                                         { 0.07, 0, 0.05, 0.2, 0.06 },
+                                         { 0.05, 0.2, 0.065, 0.26, -0.012 },
+                                         { 0.065, 0.26, 0, 0.255, 0 } };
     static const double ball = 0.28, globe = 0.09, ring[2] = { 0.16, 0.05 };
     kit_colour(b, 0.62, 0.52, 0.42); kit_level(b, 0, 0, 6, 6, 0);
     kit_colour(b, 0.66, 0.24, 0.18); kit_quad(b, walls[0]);
     kit_colour(b, 0.30, 0.50, 0.34); kit_quad(b, walls[1]);
     kit_colour(b, 0.85, 0.85, 0.83); kit_quad(b, ceiling);
-    kit_box(b, 0, 0, 0.02, 0.02, 0.1, 6); kit_box(b, 0, 0, 0, 6, 0.1, 0.02);                                  /* skirting */
-    kit_box(b, 0, 2.68, 0.1, 0.06, 2.8, 6); kit_box(b, 0, 2.68, 0, 6, 2.8, 0.06); kit_box(b, 0, 2.74, 0.1, 0.12, 2.8, 6); kit_box(b, 0, 2.74, 0, 6, 2.8, 0.12);
+    /* skirting */
+    kit_box(b, 0, 0, 0.02, 0.02, 0.1, 6); kit_box(b, 0, 0, 0, 6, 0.1, 0.02);
+    kit_box(b, 0, 2.68, 0.1, 0.06, 2.8, 6);
+    kit_box(b, 0, 2.68, 0, 6, 2.8, 0.06);
+    kit_box(b, 0, 2.74, 0.1, 0.12, 2.8, 6);
+    kit_box(b, 0, 2.74, 0, 6, 2.8, 0.12);
 
     kit_colour(b, 0.55, 0.38, 0.22);                                                                      /* bookcase */
     for (int i = 0; i < 3; i++) kit_box(b, 1.3 + 0.8 * i, 0, 0.02, 1.33 + 0.8 * i, 1.95, 0.3);
     for (int i = 0; i < 6; i++) kit_box(b, 1.33, 0.08 + 0.37 * i, 0.02, 2.9, 0.1 + 0.37 * i, 0.3);
     for (int i = 0; i < 5; i++)
         for (double x = 1.335, width; x < 2.86; x += width + 0.001) {
-            double height = kit_between(b, 0.2, 0.33), depth = kit_between(b, 0.2, 0.27), lean = kit_chance(b), tone = kit_between(b, 0.2, 0.7);
+            double height = kit_between(b, 0.2, 0.33), depth = kit_between(b, 0.2, 0.27), lean = kit_chance(b),
+                   tone = kit_between(b, 0.2, 0.7);
             double green = tone * kit_between(b, 0.4, 1.0), blue = tone * kit_between(b, 0.3, 0.9);
             width = kit_between(b, 0.018, 0.06);
             if (lean < 0.1) { width = kit_between(b, 0.1, 0.25); continue; }                              /* a gap */
-            if (x < 2.13 && x + width > 2.099) { x = 2.131; width = 0; continue; }                    /* the middle board */
+            /* the middle board */
+            if (x < 2.13 && x + width > 2.099) { x = 2.131; width = 0; continue; }
             if (x + width > 2.899) break;
             kit_colour(b, tone, green, blue);
             kit_box(b, x, 0.1 + 0.37 * i, 0.03, x + width, 0.1 + 0.37 * i + height, 0.03 + depth);
         }
 
-    kit_colour(b, 0.80, 0.80, 0.78);                                                                      /* radiator, picture */
+    /* radiator, picture */
+    kit_colour(b, 0.80, 0.80, 0.78);
     for (int i = 0; i < 14; i++) kit_box(b, 0.06, 0.15, 1.2 + 0.07 * i, 0.16, 0.75, 1.25 + 0.07 * i);
     kit_box(b, 0.09, 0.2, 1.2, 0.13, 0.24, 2.16); kit_box(b, 0.09, 0.66, 1.2, 0.13, 0.7, 2.16);
     kit_colour(b, 0.25, 0.17, 0.10);
-    kit_box(b, 0, 1.3, 1.2, 0.04, 1.35, 2.2); kit_box(b, 0, 2.0, 1.2, 0.04, 2.05, 2.2); kit_box(b, 0, 1.35, 1.2, 0.04, 2.0, 1.25); kit_box(b, 0, 1.35, 2.15, 0.04, 2.0, 2.2);
+    kit_box(b, 0, 1.3, 1.2, 0.04, 1.35, 2.2);
+    kit_box(b, 0, 2.0, 1.2, 0.04, 2.05, 2.2);
+    kit_box(b, 0, 1.35, 1.2, 0.04, 2.0, 1.25);
+    kit_box(b, 0, 1.35, 2.15, 0.04, 2.0, 2.2);
     kit_colour(b, 0.75, 0.70, 0.55); kit_box(b, 0, 1.35, 1.25, 0.01, 2.0, 2.15);
 
-    kit_colour(b, 0.70, 0.62, 0.48);                                                                      /* boxes in the corner */
+    /* boxes in the corner */
+    kit_colour(b, 0.70, 0.62, 0.48);
     kit_place_at(b, 0.55, 0, 0.55, 8);    kit_box(b, -0.38, 0, -0.35, 0.38, 0.7, 0.35);
     kit_place_at(b, 0.5, 0.7, 0.5, -17);  kit_box(b, -0.25, 0, -0.22, 0.25, 0.42, 0.22);
     kit_place_at(b, 0.55, 1.12, 0.52, 31); kit_box(b, -0.13, 0, -0.13, 0.13, 0.22, 0.13);
     kit_colour(b, 0.25, 0.35, 0.60);
     kit_place_at(b, 1.35, 0, 0.75, -24);  kit_box(b, -0.17, 0, -0.14, 0.17, 0.24, 0.14);
 
-    kit_colour(b, 0.45, 0.12, 0.14);                                                                      /* rug, table */
+    /* rug, table */
+    kit_colour(b, 0.45, 0.12, 0.14);
     kit_place_at(b, 2.0, 0, 2.0, 22);     kit_box(b, -1.2, 0, -0.85, 1.2, 0.012, 0.85);
     kit_colour(b, 0.60, 0.42, 0.25);
     kit_box(b, -0.75, 0.71, -0.42, 0.75, 0.75, 0.42);
@@ -135,8 +151,11 @@ static void build_room(kit_build *b)
     kit_colour(b, 0.20, 0.20, 0.22);                                                                      /* railing */
     kit_place_at(b, 3.75, 0, 1.35, -38);
     for (int i = -1; i <= 1; i++) kit_box(b, 0.7 * i - 0.025, 0, -0.025, 0.7 * i + 0.025, 0.98, 0.025);
-    for (int i = 1; i < 14; i++) if (i != 7) kit_box(b, -0.7 + 0.1 * i - 0.008, 0.12, -0.008, -0.7 + 0.1 * i + 0.008, 0.84, 0.008);
-    kit_box(b, -0.7, 0.1, -0.012, 0.7, 0.13, 0.012); kit_box(b, -0.7, 0.83, -0.012, 0.7, 0.86, 0.012); kit_box(b, -0.76, 0.95, -0.04, 0.76, 0.99, 0.04);
+    for (int i = 1; i < 14; i++)
+        if (i != 7) kit_box(b, -0.7 + 0.1 * i - 0.008, 0.12, -0.008, -0.7 + 0.1 * i + 0.008, 0.84, 0.008);
+    kit_box(b, -0.7, 0.1, -0.012, 0.7, 0.13, 0.012);
+    kit_box(b, -0.7, 0.83, -0.012, 0.7, 0.86, 0.012);
+    kit_box(b, -0.76, 0.95, -0.04, 0.76, 0.99, 0.04);
 }
 
 /* ---- >>grass ------------------------------------------------------------------------------------------------ */
@@ -173,7 +192,8 @@ static double stone(const double *seed, const double p[3])
 {
     double q[3] = { p[0] / 1.2, p[1] / 0.75, p[2] };
     double length = sqrt(kit_dot(q, q)), x = q[0] / length, y = q[1] / length, z = q[2] / length, s = seed[1];
-    return length - 1 - 0.10 * sin(3 * x + s) * cos(2.5 * z - s) - 0.07 * sin(5 * y + 4 * x + 2 * s) - 0.03 * sin(9 * z + 7 * x - s) * cos(8 * y);
+    return length - 1 - 0.10 * sin(3 * x + s) * cos(2.5 * z - s) - 0.07 * sin(5 * y + 4 * x + 2 * s)
+           - 0.03 * sin(9 * z + 7 * x - s) * cos(8 * y);
 }
 
 static void stone_surface(const void *shape, double u, double v, kit_vertex *out)
@@ -183,7 +203,8 @@ static void stone_surface(const void *shape, double u, double v, kit_vertex *out
     kit_vertex s;
     kit_sphere_surface(seed, u, v, &s);
     for (int i = 0; i < 3; i++) d[i] = s.n[i] * (i == 0 ? 1.2 : i == 1 ? 0.75 : 1);
-    k = 1 - stone(seed, d);                                              /* the skin is at d * k: stone() is affine along d */
+    /* the skin is at d * k: stone() is affine along d */
+    k = 1 - stone(seed, d);
     for (int i = 0; i < 3; i++) {
         double a[3] = { d[0] * k, d[1] * k, d[2] * k }, c[3];
         memcpy(c, a, sizeof c);
@@ -196,7 +217,11 @@ static void stone_surface(const void *shape, double u, double v, kit_vertex *out
 
 static void build_grass(kit_build *b)
 {
-    static const double stones[][4] = { {-0.75, 0.7, 0.24, 1}, {-0.4, 0.95, 0.10, 4}, {1.15, -0.6, 0.34, 2.2}, {1.75, -0.2, 0.15, 0.3}, {-2.2, -3.6, 0.6, 5} };
+    static const double stones[][4] = { { -0.75, 0.7, 0.24, 1 },
+                                        { -0.4, 0.95, 0.10, 4 },
+                                        { 1.15, -0.6, 0.34, 2.2 },
+                                        { 1.75, -0.2, 0.15, 0.3 },
+                                        { -2.2, -3.6, 0.6, 5 } };
     double dx, dz;
     kit_colour(b, 0.22, 0.21, 0.09);
     kit_patch(b, 160, 104, ground_surface, NULL);
@@ -206,9 +231,12 @@ static void build_grass(kit_build *b)
         kit_place_at(b, s[0], ground(s[0], s[1], &dx, &dz) + 0.3 * s[2], s[1], 70 * i);
         kit_patch(b, 96, 48, stone_surface, shape);
     }
-    for (int i = 0; i < 20000; i++) {                                    /* as many to each ring of distances: even on the picture */
-        double distance = 0.9 * pow(18, kit_chance(b)), angle = kit_between(b, -0.85, 0.85), x = distance * sin(angle), z = 3 - distance * cos(angle);
-        double length = kit_between(b, 0.12, 0.34), width = kit_between(b, 0.008, 0.016), bend = kit_between(b, 0.3, 1.6), lean = kit_between(b, 0, 0.25);
+    /* as many to each ring of distances: even on the picture */
+    for (int i = 0; i < 20000; i++) {
+        double distance = 0.9 * pow(18, kit_chance(b)), angle = kit_between(b, -0.85, 0.85), x = distance * sin(angle),
+               z = 3 - distance * cos(angle);
+        double length = kit_between(b, 0.12, 0.34), width = kit_between(b, 0.008, 0.016),
+               bend = kit_between(b, 0.3, 1.6), lean = kit_between(b, 0, 0.25);
         double shape[4] = { length, width, bend, lean };
         double turn = kit_between(b, 0, 360), green = kit_between(b, 0.7, 1.2), dry = kit_chance(b), inside = 0;
         for (int k = 0; k < 5; k++) {
@@ -242,8 +270,10 @@ static void arch(kit_build *b, double radius, double spring, double top, double 
         kit_box(b, -t, spring, z0 < z1 ? z0 : z1, t, top, z0 < z1 ? z1 : z0);
         for (int i = 0; i < PIECES; i++) {
             double a = PI * i / PIECES, c = PI * (i + 1) / PIECES, x = side * t;
-            double q[4][3] = { {x, spring + radius * sin(a), radius * cos(a)}, {x, spring + radius * sin(c), radius * cos(c)},
-                               {x, top, radius * cos(c)}, {x, top, radius * cos(a)} };
+            double q[4][3] = { { x, spring + radius * sin(a), radius * cos(a) },
+                               { x, spring + radius * sin(c), radius * cos(c) },
+                               { x, top, radius * cos(c) },
+                               { x, top, radius * cos(a) } };
             if (side > 0) {                                              /* turn it to face outwards */
                 double swap[3];
                 memcpy(swap, q[1], sizeof swap); memcpy(q[1], q[3], sizeof swap); memcpy(q[3], swap, sizeof swap);
@@ -255,10 +285,12 @@ static void arch(kit_build *b, double radius, double spring, double top, double 
 
 static void column(kit_build *b)
 {
-    static const kit_moulding profile[] = {
-        { 0.34, 0.10, 0.34, 0.20,  0.05 }, { 0.34, 0.20, 0.31, 0.20, 0 }, { 0.31, 0.20, 0.29, 0.27, -0.02 }, { 0.29, 0.27, 0.30, 0.27, 0 },
-        { 0.30, 0.27, 0.30, 0.33,  0.03 }, { 0.30, 0.33, 0.25, 0.33, 0 }, { 0.25, 0.33, 0.21, 2.60, 0.015 },
-        { 0.21, 2.60, 0.21, 2.65,  0.025 }, { 0.21, 2.65, 0.21, 2.74, 0 }, { 0.21, 2.74, 0.24, 2.74, 0 }, { 0.24, 2.74, 0.34, 2.88, 0.035 } };
+    static const kit_moulding profile[] = { { 0.34, 0.10, 0.34, 0.20, 0.05 },  { 0.34, 0.20, 0.31, 0.20, 0 },
+                                            { 0.31, 0.20, 0.29, 0.27, -0.02 }, { 0.29, 0.27, 0.30, 0.27, 0 },
+                                            { 0.30, 0.27, 0.30, 0.33, 0.03 },  { 0.30, 0.33, 0.25, 0.33, 0 },
+                                            { 0.25, 0.33, 0.21, 2.60, 0.015 }, { 0.21, 2.60, 0.21, 2.65, 0.025 },
+                                            { 0.21, 2.65, 0.21, 2.74, 0 },     { 0.21, 2.74, 0.24, 2.74, 0 },
+                                            { 0.24, 2.74, 0.34, 2.88, 0.035 } };
     kit_box(b, -0.40, 0, -0.40, 0.40, 0.10, 0.40);
     kit_turned(b, profile, (int)(sizeof profile / sizeof *profile), 64);
     kit_box(b, -0.38, 2.88, -0.38, 0.38, 3.0, 0.38);
@@ -267,12 +299,16 @@ static void column(kit_build *b)
 static void build_colonnade(kit_build *b)
 {
     enum { BAYS = 8 };
-    const double bay = 2.6, first = 5.2, end = first - bay * BAYS, wall[4][3] = { {-4.4,0,6}, {-4.4,0,end}, {-4.4,4.9,end}, {-4.4,4.9,6} };
+    const double bay = 2.6, first = 5.2, end = first - bay * BAYS,
+                 wall[4][3] = { { -4.4, 0, 6 }, { -4.4, 0, end }, { -4.4, 4.9, end }, { -4.4, 4.9, 6 } };
     const double back[4][3] = { {-4.4,0,end}, {2.3,0,end}, {2.3,4.9,end}, {-4.4,4.9,end} };
     kit_colour(b, 0.72, 0.70, 0.64);
     kit_level(b, -4.4, end, 2.3, 6, 0);
-    for (int i = 0; i < 4; i++) kit_box(b, 2.3, -0.16 * (i + 1) - 0.02, end, 2.3 + 0.34 * (i + 1), -0.16 * i - (i ? 0 : 1e-3), 6);   /* steps, outside */
-    for (int i = 0; i < 3; i++) kit_box(b, -1.33, 0.15 * i, end, 1.33, 0.15 * i + 0.15, end + 3.2 - 0.34 * i);                          /* and inside */
+    /* steps, outside */
+    for (int i = 0; i < 4; i++)
+        kit_box(b, 2.3, -0.16 * (i + 1) - 0.02, end, 2.3 + 0.34 * (i + 1), -0.16 * i - (i ? 0 : 1e-3), 6);
+    /* and inside */
+    for (int i = 0; i < 3; i++) kit_box(b, -1.33, 0.15 * i, end, 1.33, 0.15 * i + 0.15, end + 3.2 - 0.34 * i);
     kit_colour(b, 0.42, 0.45, 0.36); kit_level(b, 2.3, -40, 60, 40, -0.64);
     kit_colour(b, 0.70, 0.58, 0.46); kit_quad(b, wall); kit_quad(b, back);
     for (int i = 0; i <= BAYS; i++)
@@ -282,13 +318,16 @@ static void build_colonnade(kit_build *b)
             if (i < BAYS) arch(b, bay / 2 - 0.3, 3.0, 4.9, 0.28, bay / 2);
         }
     kit_place_at(b, 0, 0, 0, 0);
-    kit_colour(b, 0.80, 0.77, 0.70); kit_box(b, -4.4, 4.9, end, 2.03, 5.1, 6);                                /* ceiling: slab, ribs in two steps */
+    /* ceiling: slab, ribs in two steps */
+    kit_colour(b, 0.80, 0.77, 0.70); kit_box(b, -4.4, 4.9, end, 2.03, 5.1, 6);
     for (int step = 0; step < 2; step++) {
         const double half = step ? 0.22 : 0.13, y = step ? 4.75 : 4.55;
-        for (int i = 0; i <= 2 * BAYS; i++) kit_box(b, -1.47, y, first - bay / 2 * i - half, 1.47, 4.9, first - bay / 2 * i + half);
+        for (int i = 0; i <= 2 * BAYS; i++)
+            kit_box(b, -1.47, y, first - bay / 2 * i - half, 1.47, 4.9, first - bay / 2 * i + half);
         for (int i = -1; i <= 1; i++) kit_box(b, 0.98 * i - half + 0.02, y + 0.01, end, 0.98 * i + half - 0.02, 4.9, 6);
     }
-    for (int i = 0; i < BAYS; i++) {                                                                  /* pilasters and a bench on the wall */
+    /* pilasters and a bench on the wall */
+    for (int i = 0; i < BAYS; i++) {
         kit_place_at(b, -4.4, 0, first - bay * i, 0);
         kit_colour(b, 0.76, 0.70, 0.60); kit_box(b, 0, 0, -0.3, 0.15, 4.9, 0.3);
         kit_colour(b, 0.60, 0.58, 0.54); kit_box(b, 0, 0.40, -2.1, 0.4, 0.48, -0.5);
@@ -296,14 +335,16 @@ static void build_colonnade(kit_build *b)
     }
 }
 
-/* ---- >>closed scenes: every solid is a closed two-manifold that touches no other, so depth peeling finds fronts and backs in pairs ---- */
+/* ---- >>closed scenes: every solid is a closed two-manifold that touches no other, so depth peeling finds fronts and
+   backs in pairs */
 
 static void build_cornell(kit_build *b)
 {
     const double gap = 0.003;
     kit_colour(b, 0.73, 0.73, 0.73);
     kit_begin_object(b, "walls", 0);
-    kit_box(b, -2.98, -0.2, -5.79, 2.98, 0, 0); kit_box(b, -2.98, 5.49, -5.79, 2.98, 5.69, 0);                /* floor, ceiling, back */
+    /* floor, ceiling, back */
+    kit_box(b, -2.98, -0.2, -5.79, 2.98, 0, 0); kit_box(b, -2.98, 5.49, -5.79, 2.98, 5.69, 0);
     kit_box(b, -2.98, gap, -5.79, 2.98, 5.49 - gap, -5.59);
     kit_begin_object(b, "low box", 1);
     kit_place_at(b, 0.925, gap, -1.69, -17);  kit_box(b, -0.825, 0, -0.825, 0.825, 1.65, 0.825);
@@ -317,7 +358,8 @@ static void build_cornell(kit_build *b)
 
 static void build_columns(kit_build *b)
 {
-    static const double hidden[4][3] = { {0.88, 0.16, 0.48}, {0.10, 0.24, 0.85}, {0.88, 0.70, 0.06}, {0, 0, 0} };   /* none behind the last */
+    /* none behind the last */
+    static const double hidden[4][3] = { {0.88, 0.16, 0.48}, {0.10, 0.24, 0.85}, {0.88, 0.70, 0.06}, {0, 0, 0} };
     const double gap = 0.003;
     kit_colour(b, 0.60, 0.60, 0.60);
     kit_box(b, -7, -0.2, -1.7, 7, 0, 4); kit_box(b, -7, gap, -1.7, 7, 4, -1.4);
@@ -332,7 +374,8 @@ static void build_columns(kit_build *b)
         if (i < 3) kit_box(b, -0.27, 0, -0.28, 0.27, 1.9, 0.28);
     }
     kit_place_at(b, 0, gap, 0, 0);
-    kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);                              /* a panel seen edge-on */
+    /* a panel seen edge-on */
+    kit_colour(b, 0.10, 0.60, 0.16); kit_box(b, -0.03, 0, -1.2, 0.03, 1.1, 0.2);
     /* right of the picture */
     kit_colour(b, 0.88, 0.24, 0.04); kit_place_at(b, 4.08, gap, -0.63, -28);
     kit_box(b, -0.32, 0, -0.32, 0.32, 1.4, 0.32);
@@ -347,12 +390,15 @@ static void build_plates(kit_build *b)
     kit_place_at(b, 0.95, 0.28, 0.75, -12);   kit_box(b, -0.42, -0.015, -0.32, 0.42, 0.015, 0.32);
     kit_colour(b, 0.70, 0.26, 0.20); kit_place_at(b, -0.75, 0.4, -0.2, 30);
     kit_box(b, -0.38, -0.012, -0.3, 0.38, 0.012, 0.3);
-    kit_colour(b, 0.24, 0.42, 0.66); kit_place_tilted(b, 1.15, 0.75, -0.55, -35, 35);  kit_box(b, -0.4, -0.012, -0.4, 0.4, 0.012, 0.4);
+    kit_colour(b, 0.24, 0.42, 0.66);
+    kit_place_tilted(b, 1.15, 0.75, -0.55, -35, 35);
+    kit_box(b, -0.4, -0.012, -0.4, 0.4, 0.012, 0.4);
     kit_colour(b, 0.30, 0.55, 0.28); kit_place_at(b, -1.0, 0.12, 1.0, 35);
     kit_box(b, -0.45, 0, -0.012, 0.45, 0.5, 0.012);
     kit_colour(b, 0.78, 0.62, 0.22); kit_place_at(b, 0.2, 1.3, 0.15, -30);
     kit_box(b, -1.6, -0.03, -0.03, 1.6, 0.03, 0.03);
-    kit_place_tilted(b, 0.1, 0.42, 1.2, 80, 12);                                   kit_box(b, -0.025, -0.025, -0.75, 0.025, 0.025, 0.75);
+    kit_place_tilted(b, 0.1, 0.42, 1.2, 80, 12);
+    kit_box(b, -0.025, -0.025, -0.75, 0.025, 0.025, 0.75);
     kit_colour(b, 0.68, 0.68, 0.70);
     kit_place_at(b, 0.3, 0.55, 0.1, 0);                  kit_patch(b, 96, 24, kit_torus_surface, lying);
     kit_place_tilted(b, -1.75, 0.5, 0.35, 50, 70);    kit_patch(b, 96, 24, kit_torus_surface, standing);
@@ -360,16 +406,19 @@ static void build_plates(kit_build *b)
 
 static void build_pebbles(kit_build *b)
 {
-    static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };   /* x, z, turn, half sides, height */
+    /* x, z, turn, half sides, height */
+    static const double tables[2][6] = { {-0.25, -0.2, 24, 0.24, 0.15, 0.30}, {0.48, 0.22, -31, 0.11, 0.11, 0.17} };
     const double gap = 0.0005, cell = 0.1, leg = 0.007;
     kit_colour(b, 0.60, 0.58, 0.55); kit_box(b, -1.8, -0.1, -1.8, 1.8, 0, 1.8);
     for (int i = 0; i < 24 * 24; i++) {                                  /* one to a cell, and within it */
-        double x = cell * (i % 24 - 11.5), z = cell * (i / 24 - 11.5), size = kit_between(b, 0.01, 0.032), kind = kit_chance(b), tone = kit_between(b, 0.50, 0.72);
+        double x = cell * (i % 24 - 11.5), z = cell * (i / 24 - 11.5), size = kit_between(b, 0.01, 0.032),
+               kind = kit_chance(b), tone = kit_between(b, 0.50, 0.72);
         double height = size * kit_between(b, 0.3, 1.5), slack = cell / 2 - 1.42 * size, turn = kit_between(b, 0, 360);
         int blocked = kit_chance(b) < 0.2;
         x += slack * kit_between(b, -1, 1); z += slack * kit_between(b, -1, 1);
         for (int k = 0; k < 2; k++) {                                    /* a table's leg is here */
-            const double *t = tables[k], c = cos(t[2] * PI / 180), s = sin(t[2] * PI / 180), dx = x - t[0], dz = z - t[1];
+            const double *t = tables[k], c = cos(t[2] * PI / 180), s = sin(t[2] * PI / 180), dx = x - t[0],
+                         dz = z - t[1];
             blocked |= hypot(fabs(c * dx - s * dz) - t[3], fabs(s * dx + c * dz) - t[4]) < 1.42 * (size + leg);
         }
         if (blocked) continue;
@@ -409,7 +458,8 @@ static void build_blocks(kit_build *b)
     kit_begin_object(b, "floor", 0);
     kit_box(b, -12, -0.2, -12, 12, 0, 7);
     for (int i = 0; i < 12; i++) {
-        const double wide = kit_between(b, 0.26, 0.38), deep = kit_between(b, 0.26, 0.38), high = kit_between(b, 0.5, 2.2);
+        const double wide = kit_between(b, 0.26, 0.38), deep = kit_between(b, 0.26, 0.38),
+                     high = kit_between(b, 0.5, 2.2);
         kit_begin_object(b, "block", 1);
         kit_place_at(b, 1.05 * (i % 4 - 1.5) + kit_between(b, -0.1, 0.1), gap,
             1.05 * (i / 4 - 1) + kit_between(b, -0.1, 0.1), 0);
@@ -449,9 +499,12 @@ static void make_table(kit_build *b)
 }
 
 enum { CUBE, BALL, TORUS, CONE, TABLE, KINDS };
-static const struct { const char *name; void (*make)(kit_build *); double albedo[3]; } kinds[KINDS] = {
-    { "cube",  make_cube,  {0.78, 0.74, 0.66} }, { "ball",  make_ball, {0.70, 0.42, 0.34} }, { "torus", make_torus, {0.40, 0.55, 0.66} },
-    { "cone",  make_cone,  {0.72, 0.62, 0.30} }, { "table", make_table, {0.48, 0.58, 0.42} } };
+static const struct { const char *name; void (*make)(kit_build *); double albedo[3];
+} kinds[KINDS] = { { "cube", make_cube, { 0.78, 0.74, 0.66 } },
+                   { "ball", make_ball, { 0.70, 0.42, 0.34 } },
+                   { "torus", make_torus, { 0.40, 0.55, 0.66 } },
+                   { "cone", make_cone, { 0.72, 0.62, 0.30 } },
+                   { "table", make_table, { 0.48, 0.58, 0.42 } } };
 
 /* An object of a kind, resting on the level y: the ground at 0, else on the object before or its stack. */
 static void occluder(kit_build *b, int kind, double size, double x, double y, double z, double turn, double tilt)
@@ -483,15 +536,19 @@ static void build_ground(kit_build *b, double half)
 
 static void build_casters(kit_build *b)
 {
-    static const struct { int kind; double size, x, y, z, turn, tilt; } set[] = {
-        { CUBE, 1.2, -2.6, 0, -1.6, 20, 0 },   { CUBE, 0.7, -2.5, 1.2, -1.6, 55, 0 },  { BALL, 0.5, -2.5, 1.9, -1.6, 0, 0 },
-        { CUBE, 0.8, -1.6, 0, -0.5, -12, 0 },  { CUBE, 1.0, -0.35, 0, -1.9, 38, 0 },   { CUBE, 0.6, -3.5, 0, 0.1, 5, 0 },
-        { CUBE, 0.5, -0.6, 0, 0.5, 62, 0 },    { CUBE, 0.35, -0.6, 0.5, 0.5, 20, 0 },  { CUBE, 0.9, -2.45, 0, 0.75, 30, 33 },
-        { TABLE, 1.7, 1.5, 0, -1.1, -18, 0 },  { CONE, 0.7, 1.05, 1.224, -1.2, 0, 0 }, { TORUS, 0.8, 1.9, 1.224, -0.95, 0, 0 },
-        { BALL, 0.3, 1.9, 1.224, -0.95, 0, 0 }, { BALL, 0.7, 1.4, 0, -1.0, 0, 0 },
-        { BALL, 1.1, 3.2, 0, 0.5, 0, 0 },      { CONE, 1.3, 0.6, 0, 0.7, 0, 0 },       { CONE, 0.9, 2.0, 0, 1.4, 40, 114 },
-        { TORUS, 1.2, -1.4, 0, 1.7, 0, 0 },    { TORUS, 1.1, 3.55, 0, -1.2, 60, 72 },  { TORUS, 0.7, 0.1, 0, 1.9, 25, 90 },
-        { TABLE, 0.8, 1.1, 0, 2.3, 30, 180 },  { TABLE, 0.9, -3.7, 0, 1.6, -40, 90 },  { BALL, 0.6, -2.4, 0, 2.2, 0, 0 }, { CUBE, 0.45, 2.9, 0, 2.1, 15, 45 } };
+    static const struct { int kind; double size, x, y, z, turn, tilt;
+    } set[] = { { CUBE, 1.2, -2.6, 0, -1.6, 20, 0 },    { CUBE, 0.7, -2.5, 1.2, -1.6, 55, 0 },
+                { BALL, 0.5, -2.5, 1.9, -1.6, 0, 0 },   { CUBE, 0.8, -1.6, 0, -0.5, -12, 0 },
+                { CUBE, 1.0, -0.35, 0, -1.9, 38, 0 },   { CUBE, 0.6, -3.5, 0, 0.1, 5, 0 },
+                { CUBE, 0.5, -0.6, 0, 0.5, 62, 0 },     { CUBE, 0.35, -0.6, 0.5, 0.5, 20, 0 },
+                { CUBE, 0.9, -2.45, 0, 0.75, 30, 33 },  { TABLE, 1.7, 1.5, 0, -1.1, -18, 0 },
+                { CONE, 0.7, 1.05, 1.224, -1.2, 0, 0 }, { TORUS, 0.8, 1.9, 1.224, -0.95, 0, 0 },
+                { BALL, 0.3, 1.9, 1.224, -0.95, 0, 0 }, { BALL, 0.7, 1.4, 0, -1.0, 0, 0 },
+                { BALL, 1.1, 3.2, 0, 0.5, 0, 0 },       { CONE, 1.3, 0.6, 0, 0.7, 0, 0 },
+                { CONE, 0.9, 2.0, 0, 1.4, 40, 114 },    { TORUS, 1.2, -1.4, 0, 1.7, 0, 0 },
+                { TORUS, 1.1, 3.55, 0, -1.2, 60, 72 },  { TORUS, 0.7, 0.1, 0, 1.9, 25, 90 },
+                { TABLE, 0.8, 1.1, 0, 2.3, 30, 180 },   { TABLE, 0.9, -3.7, 0, 1.6, -40, 90 },
+                { BALL, 0.6, -2.4, 0, 2.2, 0, 0 },      { CUBE, 0.45, 2.9, 0, 2.1, 15, 45 } };
     build_ground(b, 14);
     for (size_t i = 0; i < sizeof set / sizeof *set; i++)
         occluder(b, set[i].kind, set[i].size, set[i].x, set[i].y, set[i].z, set[i].turn, set[i].tilt);
@@ -501,7 +558,8 @@ static void build_crowd(kit_build *b)
 {
     build_ground(b, 24);
     for (int i = 0; i < 100; i++) {                                      /* every third leans or lies */
-        const double size = kit_between(b, 0.5, 1.1), x = 1.7 * (i % 10 - 4.5) + kit_between(b, -0.3, 0.3), z = 1.7 * (i / 10 - 4.5) + kit_between(b, -0.3, 0.3);
+        const double size = kit_between(b, 0.5, 1.1), x = 1.7 * (i % 10 - 4.5) + kit_between(b, -0.3, 0.3),
+                     z = 1.7 * (i / 10 - 4.5) + kit_between(b, -0.3, 0.3);
         const double turn = kit_between(b, 0, 360), tilt = kit_between(b, 20, 160);
         occluder(b, (i + i / 10 * 2) % KINDS, size, x, 0, z, turn, i % 3 ? 0 : tilt);
     }
@@ -510,22 +568,127 @@ static void build_crowd(kit_build *b)
 /* ---- >>all -------------------------------------------------------------------------------------------------- */
 
 static const kit_builtin builtins[] = {
-    { "room",      "corner of a furnished room: boxes, books, thin railing, torus, lamp", build_room, {4.55f, 1.75f, 4.25f}, {1.35f, 0.85f, 0.85f}, 50, 0.1f, 0.5f },
-    { "grass",     "some thousands of bent blades on rolling ground, with stones", build_grass, {0, 0.85f, 3}, {0, 0.05f, 0.2f}, 42, 0.05f, 0.3f },
-    { "colonnade", "columns, arches, coffered ceiling and steps", build_colonnade, {-0.75f, 1.75f, 2.9f}, {0.35f, 2.0f, -6}, 55, 0.05f, 0.8f },
-    { "cornell",   "open box: red and green walls, two white boxes", build_cornell, {0, 2.745f, 7.7f}, {0, 2.745f, 0}, 38, 0.1f, 1.5f },
-    { "columns",   "white columns, coloured ones hidden behind them, a box beside the picture", build_columns, {0, 1.7f, 6.2f}, {0, 0.95f, 0}, 33, 0.1f, 1 },
-    { "plates",    "thin plates, bars and hoops floating over a floor", build_plates, {1.3f, 3.3f, 4.0f}, {0, 0.45f, 0.05f}, 36, 0.1f, 0.8f },
-    { "pebbles",   "some hundred small boxes, studs and balls, two tables on thin legs", build_pebbles, {0.35f, 0.65f, 1.5f}, {0.05f, 0.08f, 0}, 36, 0.05f, 0.08f },
-    { "boxes",     "three white boxes near each other on a floor", build_boxes, {0.25f, 3.3f, 3.6f}, {0, 0.3f, 0}, 34, 0.1f, 0.6f },
-    { "blocks",    "a dozen of white tower blocks, from above", build_blocks, {2.4f, 6.0f, 4.6f}, {0.1f, 0.5f, 0.1f}, 31, 0.1f, 0.5f },
-    { "casters",   "two dozen shapes standing, leaning, lying on a ground and on each other", build_casters, {2.2f, 5.6f, 8.3f}, {0, 0.4f, 0}, 34, 0.1f, 0.8f },
-    { "crowd",     "a hundred such shapes on a wide ground", build_crowd, {5.5f, 9.5f, 16}, {0, 0, 0.8f}, 33, 0.1f, 0.8f },
-    { "plane",     "one big square", build_plane, {0, 1.5f, 2}, {0, 0, 0}, 45, 0.1f, 0.5f },
-    { "corner",    "floor (y = 0) and wall (x = 0) at a right angle", build_corner, {3.2f, 1.9f, 2.6f}, {0.4f, 0.5f, 0}, 40, 0.1f, 0.5f },
-    { "groove",    "a square groove in a plane, 1 wide and 1 deep, along z", build_groove, {0.9f, 2.4f, 2.6f}, {0, -0.3f, 0}, 34, 0.1f, 0.5f },
-    { "sphere",    "a sphere of radius 1 on a big plane", build_sphere, {1.5f, 3.6f, 4.2f}, {0, 0.7f, 0}, 34, 0.1f, 1 },
-    { "hole",      "a cubic hole in a plane, 1 wide and 1 deep", build_hole, {0.9f, 2.2f, 1.9f}, {0, -0.3f, 0}, 30, 0.1f, 0.5f },
+    { "room",
+      "corner of a furnished room: boxes, books, thin railing, torus, lamp",
+      build_room,
+      { 4.55f, 1.75f, 4.25f },
+      { 1.35f, 0.85f, 0.85f },
+      50,
+      0.1f,
+      0.5f },
+    { "grass",
+      "some thousands of bent blades on rolling ground, with stones",
+      build_grass,
+      { 0, 0.85f, 3 },
+      { 0, 0.05f, 0.2f },
+      42,
+      0.05f,
+      0.3f },
+    { "colonnade",
+      "columns, arches, coffered ceiling and steps",
+      build_colonnade,
+      { -0.75f, 1.75f, 2.9f },
+      { 0.35f, 2.0f, -6 },
+      55,
+      0.05f,
+      0.8f },
+    { "cornell",
+      "open box: red and green walls, two white boxes",
+      build_cornell,
+      { 0, 2.745f, 7.7f },
+      { 0, 2.745f, 0 },
+      38,
+      0.1f,
+      1.5f },
+    { "columns",
+      "white columns, coloured ones hidden behind them, a box beside the picture",
+      build_columns,
+      { 0, 1.7f, 6.2f },
+      { 0, 0.95f, 0 },
+      33,
+      0.1f,
+      1 },
+    { "plates",
+      "thin plates, bars and hoops floating over a floor",
+      build_plates,
+      { 1.3f, 3.3f, 4.0f },
+      { 0, 0.45f, 0.05f },
+      36,
+      0.1f,
+      0.8f },
+    { "pebbles",
+      "some hundred small boxes, studs and balls, two tables on thin legs",
+      build_pebbles,
+      { 0.35f, 0.65f, 1.5f },
+      { 0.05f, 0.08f, 0 },
+      36,
+      0.05f,
+      0.08f },
+    { "boxes",
+      "three white boxes near each other on a floor",
+      build_boxes,
+      { 0.25f, 3.3f, 3.6f },
+      { 0, 0.3f, 0 },
+      34,
+      0.1f,
+      0.6f },
+    { "blocks",
+      "a dozen of white tower blocks, from above",
+      build_blocks,
+      { 2.4f, 6.0f, 4.6f },
+      { 0.1f, 0.5f, 0.1f },
+      31,
+      0.1f,
+      0.5f },
+    { "casters",
+      "two dozen shapes standing, leaning, lying on a ground and on each other",
+      build_casters,
+      { 2.2f, 5.6f, 8.3f },
+      { 0, 0.4f, 0 },
+      34,
+      0.1f,
+      0.8f },
+    { "crowd",
+      "a hundred such shapes on a wide ground",
+      build_crowd,
+      { 5.5f, 9.5f, 16 },
+      { 0, 0, 0.8f },
+      33,
+      0.1f,
+      0.8f },
+    { "plane", "one big square", build_plane, { 0, 1.5f, 2 }, { 0, 0, 0 }, 45, 0.1f, 0.5f },
+    { "corner",
+      "floor (y = 0) and wall (x = 0) at a right angle",
+      build_corner,
+      { 3.2f, 1.9f, 2.6f },
+      { 0.4f, 0.5f, 0 },
+      40,
+      0.1f,
+      0.5f },
+    { "groove",
+      "a square groove in a plane, 1 wide and 1 deep, along z",
+      build_groove,
+      { 0.9f, 2.4f, 2.6f },
+      { 0, -0.3f, 0 },
+      34,
+      0.1f,
+      0.5f },
+    { "sphere",
+      "a sphere of radius 1 on a big plane",
+      build_sphere,
+      { 1.5f, 3.6f, 4.2f },
+      { 0, 0.7f, 0 },
+      34,
+      0.1f,
+      1 },
+    { "hole",
+      "a cubic hole in a plane, 1 wide and 1 deep",
+      build_hole,
+      { 0.9f, 2.2f, 1.9f },
+      { 0, -0.3f, 0 },
+      30,
+      0.1f,
+      0.5f },
 };
 enum { BUILTINS = sizeof builtins / sizeof *builtins };
 

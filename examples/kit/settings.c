@@ -5,9 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- >>settings: a row each; where its value goes in a desc or in the frame ---------------------------------------- */
+/* ---- >>settings: a row each; where its value goes in a desc or in the frame -------------------------------------- */
 
-enum { GATHER = 1, LIGHTS = 2, BLUR = 4 /* fields of those passes' descs */, FRAME = 8, SCALED = 16 /* of the frame; times the radius */, PLAN = 0 /* the method asks for it itself */ };
+enum {
+    GATHER = 1,
+    LIGHTS = 2,
+    BLUR = 4 /* fields of those passes' descs */,
+    FRAME = 8,
+    SCALED = 16 /* of the frame; times the radius */,
+    PLAN = 0 /* the method asks for it itself */
+};
 
 typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
@@ -15,141 +22,379 @@ typedef struct row { kit_setting setting; int where; size_t offset; } row;
 
 static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 },
     PLAN, 0 };
-static const row normal_row    = { { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0 };
-static const row thickness_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness) };
-static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0, 100, 0 }, SCALED, FRAMED(thickness) };
-static const row most_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.7, 0, 100, 0 }, SCALED, FRAMED(thickness) };
-static const row thin_row      = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0, 1, 1 }, GATHER, DESC(thin) };
-static const row half_row      = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1, 1 }, GATHER | BLUR, DESC(half) };
+static const row normal_row = {
+    { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0
+};
+static const row thickness_row = {
+    { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness)
+};
+static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0,
+                                      100, 0 },
+                                    SCALED,
+                                    FRAMED(thickness) };
+static const row most_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.7, 0,
+                                      100, 0 },
+                                    SCALED,
+                                    FRAMED(thickness) };
+static const row thin_row = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0,
+                                1, 1 },
+                              GATHER,
+                              DESC(thin) };
+static const row half_row = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1,
+                                1 },
+                              GATHER | BLUR,
+                              DESC(half) };
 static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, GATHER, DESC(hard) };
-static const row offset_row    = { { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, FRAME, FRAMED(offset) };
+static const row offset_row = {
+    { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, FRAME, FRAMED(offset)
+};
 static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, PLAN, 0 };
-static const row filter_row    = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR, DESC(filter) };
-static const row compare_row   = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 }, BLUR, DESC(filter_normals) };
+static const row filter_row = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR, DESC(filter) };
+static const row compare_row = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 },
+                                 BLUR,
+                                 DESC(filter_normals) };
 static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
-static const row layers_row    = { { "layers", "depth layers, peeled; the scene must be of closed solids", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(layers) };
-static const row views_row     = { { "views", "extra cameras; the scene must be of closed solids", NULL, 0, 0, 4, 1 }, GATHER | LIGHTS, DESC(views) };
-static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS, 1 }, GATHER | LIGHTS, DESC(view_layers) };
-static const row view_size_row = { { "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1 }, PLAN, 0 };
+static const row layers_row = { { "layers", "depth layers, peeled; the scene must be of closed solids", NULL, 1, 1,
+                                  KIT_MAX_LAYERS, 1 },
+                                GATHER | LIGHTS,
+                                DESC(layers) };
+static const row views_row = { { "views", "extra cameras; the scene must be of closed solids", NULL, 0, 0, 4, 1 },
+                               GATHER | LIGHTS,
+                               DESC(views) };
+static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS,
+                                       1 },
+                                     GATHER | LIGHTS,
+                                     DESC(view_layers) };
+static const row view_size_row = { { "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1 },
+                                   PLAN,
+                                   0 };
 
 static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
-static const row march_row     = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps) };
+static const row march_row = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 },
+                               GATHER,
+                               DESC(steps) };
 static const row falloff_row   = { { "falloff",
     "weight of a blocker at distance t: 1 - t/radius, or the square of that ratio", "linear square", 0, 0, 1, 1 },
     GATHER, DESC(falloff) };
 static const row fade_row      = { { "fade", "how blockers fade with the distance at which they are seen",
     "none smooth lambda", 0, 0, 2, 1 }, GATHER, DESC(fade) };
-static const row lambda_row    = { { "lambda", "of that fading, per radius: more is weaker", NULL, 4, 0, 1000, 0 }, FRAME, FRAMED(lambda) };
-static const row range_row     = { { "range", "1: what is seen beyond the radius or below the receiver's plane blocks nothing", NULL, 0, 0, 1, 1 }, GATHER, DESC(range) };
-static const row fade_from_row = { { "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0 }, SCALED, FRAMED(fade) };
-static const row sets_row      = { { "sets", "sets of directions in a texture, one a pixel; 0 = one set, turned", NULL, 0, 0, 256, 1 }, PLAN, 0 };
-static const row slices_row    = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 }, GATHER, DESC(directions) };
-static const row dirs_row      = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 }, GATHER, DESC(directions) };
+static const row lambda_row = { { "lambda", "of that fading, per radius: more is weaker", NULL, 4, 0, 1000, 0 },
+                                FRAME,
+                                FRAMED(lambda) };
+static const row range_row = {
+    { "range", "1: what is seen beyond the radius or below the receiver's plane blocks nothing", NULL, 0, 0, 1, 1 },
+    GATHER,
+    DESC(range)
+};
+static const row fade_from_row = { { "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0 },
+                                   SCALED,
+                                   FRAMED(fade) };
+static const row sets_row = {
+    { "sets", "sets of directions in a texture, one a pixel; 0 = one set, turned", NULL, 0, 0, 256, 1 }, PLAN, 0
+};
+static const row slices_row = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 },
+                                GATHER,
+                                DESC(directions) };
+static const row dirs_row = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 },
+                              GATHER,
+                              DESC(directions) };
 static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1 }, GATHER, DESC(steps) };
-static const row rays_row      = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 }, GATHER, DESC(normal_rays) };
+static const row rays_row = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 },
+                              GATHER,
+                              DESC(normal_rays) };
 
 static const row environment_row = { { "environment", "how --env is used", "map sh none", 0, 0, 2, 1 }, PLAN, 0 };
 static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch", 1, 0,
     2, 1 }, GATHER, DESC(bounce) };
-static const row reuse_row     = { { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
-static const row distance_clamp_row   = { { "distance_clamp", "clamp of the distance to a patch, in radii", NULL, 0.25, 0, 100, 0 }, FRAME, FRAMED(distance_clamp) };
+static const row reuse_row = {
+    { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0
+};
+static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 },
+                                   GATHER,
+                                   DESC(two_sided) };
+static const row distance_clamp_row = { { "distance_clamp", "clamp of the distance to a patch, in radii", NULL, 0.25, 0,
+                                          100, 0 },
+                                        FRAME,
+                                        FRAMED(distance_clamp) };
 static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME,
     FRAMED(gain) };
-static const row shadows_row   = { { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space", "segment map fill none", 2, 0, 3, 1 }, LIGHTS, DESC(shadow) };
-static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 }, LIGHTS, DESC(shadow) };
-static const row points_row    = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
-static const row solid_row     = { { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row max_slope_row  = { { "max_slope", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope) };
-static const row shadow_row    = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
-static const row suns_row      = { { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 }, PLAN, 0 };
-static const row vpls_row      = { { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0, 4096, 1 }, PLAN, 0 };
+static const row shadows_row = {
+    { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space",
+      "segment map fill none", 2, 0, 3, 1 },
+    LIGHTS,
+    DESC(shadow)
+};
+static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 },
+                                   LIGHTS,
+                                   DESC(shadow) };
+static const row points_row = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
+static const row solid_row = {
+    { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0
+};
+static const row max_slope_row = {
+    { "max_slope", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope)
+};
+static const row shadow_row = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
+static const row suns_row = {
+    { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 },
+    PLAN,
+    0
+};
+static const row vpls_row = {
+    { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0,
+      4096, 1 },
+    PLAN,
+    0
+};
 
-static const row bands_row     = { { "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, 1 }, GATHER | BLUR, DESC(bands) };
-static const row few_bands_row = { { "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1 }, GATHER, DESC(bands) };
-static const row store_row     = { { "store", "coefficients as halves, halves packed into integers, or floats", "half packed float", 0, 0, 2, 1 }, PLAN, 0 };
-static const row indirect_row  = { { "indirect", "one bounce: no, in one gather with the occlusion, in one of its own", "none joint apart", 1, 0, 2, 1 }, PLAN, 0 };
+static const row bands_row = { { "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, 1 },
+                               GATHER | BLUR,
+                               DESC(bands) };
+static const row few_bands_row = { { "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1 },
+                                   GATHER,
+                                   DESC(bands) };
+static const row store_row = { { "store", "coefficients as halves, halves packed into integers, or floats",
+                                 "half packed float", 0, 0, 2, 1 },
+                               PLAN,
+                               0 };
+static const row indirect_row = { { "indirect", "one bounce: no, in one gather with the occlusion, in one of its own",
+                                    "none joint apart", 1, 0, 2, 1 },
+                                  PLAN,
+                                  0 };
 static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
-static const row dering_row    = { { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row residual_row     = { { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0, 1, 1 }, GATHER, DESC(residual) };
+static const row dering_row = {
+    { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0
+};
+static const row residual_row = {
+    { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0,
+      1, 1 },
+    GATHER,
+    DESC(residual)
+};
 static const row window_row    = { { "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1 }, PLAN, 0 };
-static const row lights_row    = { { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0 };
-static const row cone_row      = { { "cone", "the environment over the cone of free directions, or its irradiance along their mean", "normal cone", 1, 0, 1, 1 }, PLAN, 0 };
+static const row lights_row = {
+    { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0
+};
+static const row cone_row = { { "cone",
+                                "the environment over the cone of free directions, or its irradiance along their mean",
+                                "normal cone", 1, 0, 1, 1 },
+                              PLAN,
+                              0 };
 
-static const row resolution_row = { { "resolution", "texels along a side of a field's cube map; with error at most", NULL, 16, 2, 128, 1 }, PLAN, 0 };
-static const row radii_row     = { { "radii", "distances sampled along each direction; with error at most", NULL, 12, 4, 64, 1 }, PLAN, 0 };
+static const row resolution_row = {
+    { "resolution", "texels along a side of a field's cube map; with error at most", NULL, 16, 2, 128, 1 }, PLAN, 0
+};
+static const row radii_row = {
+    { "radii", "distances sampled along each direction; with error at most", NULL, 12, 4, 64, 1 }, PLAN, 0
+};
 static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
-static const row error_row     = { { "error", "above 0: the smallest resolution and fewest radii with which 95 % of receivers are within it", NULL, 0, 0, 1, 0 }, PLAN, 0 };
-static const row measure_row   = { { "measure", "what a field keeps: vector irradiance and fill, or solid angle as published", "vector solid-angle", 0, 0, 1, 1 }, GATHER, DESC(measure) };
+static const row error_row = {
+    { "error", "above 0: the smallest resolution and fewest radii with which 95 % of receivers are within it", NULL, 0,
+      0, 1, 0 },
+    PLAN,
+    0
+};
+static const row measure_row = { { "measure",
+                                   "what a field keeps: vector irradiance and fill, or solid angle as published",
+                                   "vector solid-angle", 0, 0, 1, 1 },
+                                 GATHER,
+                                 DESC(measure) };
 static const row bits_row      = { { "bits", "a component of a field", "16 8", 0, 0, 1, 1 }, GATHER, DESC(eight_bits) };
-static const row storage_row   = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0, 0, 1, 1 }, GATHER, DESC(storage) };
-static const row cap_row       = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
+static const row storage_row = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0,
+                                   0, 1, 1 },
+                                 GATHER,
+                                 DESC(storage) };
+static const row cap_row = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
 static const row table_row     = { { "table_size", "of that table", NULL, 64, 2, 1024, 1 }, PLAN, 0 };
-static const row reach_row     = { { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0 };
-static const row ramp_row      = { { "ramp", "where they begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 }, PLAN, 0 };
-static const row inside_row    = { { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0 };
+static const row reach_row = {
+    { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
+};
+static const row ramp_row = { { "ramp", "where they begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 },
+                              PLAN,
+                              0 };
+static const row inside_row = {
+    { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0
+};
 static const row power_row     = { { "power", "p: how fast it is reached", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
-static const row draw_row      = { { "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0 };
+static const row draw_row = {
+    { "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0
+};
 static const row own_row       = { { "own", "1: occluders shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row occluders_row   = { { "occluders", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0 };
+static const row occluders_row = {
+    { "occluders", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0
+};
 
-static const row size_row      = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 }, PLAN, 0 };
-static const row epsilon_row   = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
-static const row deep_epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon) };
-static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
-static const row levels_row    = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 }, GATHER, DESC(levels) };
-static const row way_row       = { { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once", "cpu capture direct", 0, 0, 2, 1 }, PLAN, 0 };
-static const row near_row      = { { "near_samples", "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4, 1, 16, 1 }, GATHER, DESC(near_samples) };
-static const row offscreen_growth_row     = { { "offscreen_growth", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 }, PLAN, 0 };
-static const row near_depth_row     = { { "near_depth", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row both_row      = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1, 1 }, GATHER, DESC(two_sided) };
-static const row keep_small_row     = { { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row each_row      = { { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row jitter_row    = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 }, PLAN, 0 };
-static const row splits_row    = { { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0 };
-static const row shrink_row    = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 }, PLAN, 0 };
-static const row scale_radius_row   = { { "scale_radius", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 }, GATHER, DESC(scale_radius) };
-static const row overlap_row   = { { "overlap", "where surfels hide each other: form factors as shares of what is left, or added", "share add", 0, 0, 1, 1 }, GATHER, DESC(overlap) };
+static const row size_row = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 },
+                              PLAN,
+                              0 };
+static const row epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 },
+                                 FRAME,
+                                 FRAMED(epsilon) };
+static const row deep_epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 },
+                                      FRAME,
+                                      FRAMED(epsilon) };
+static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 },
+                                     GATHER,
+                                     DESC(levels) };
+static const row levels_row = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 },
+                                GATHER,
+                                DESC(levels) };
+static const row way_row = {
+    { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
+      "cpu capture direct", 0, 0, 2, 1 },
+    PLAN,
+    0
+};
+static const row near_row = { { "near_samples",
+                                "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4,
+                                1, 16, 1 },
+                              GATHER,
+                              DESC(near_samples) };
+static const row offscreen_growth_row = {
+    { "offscreen_growth", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 },
+    PLAN,
+    0
+};
+static const row near_depth_row = {
+    { "near_depth", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0
+};
+static const row both_row = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1,
+                                1 },
+                              GATHER,
+                              DESC(two_sided) };
+static const row keep_small_row = {
+    { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0
+};
+static const row each_row = {
+    { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 },
+    PLAN,
+    0
+};
+static const row jitter_row = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 },
+                                PLAN,
+                                0 };
+static const row splits_row = {
+    { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0
+};
+static const row shrink_row = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 },
+                                PLAN,
+                                0 };
+static const row scale_radius_row = {
+    { "scale_radius", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 },
+    GATHER,
+    DESC(scale_radius)
+};
+static const row overlap_row = { { "overlap",
+                                   "where surfels hide each other: form factors as shares of what is left, or added",
+                                   "share add", 0, 0, 1, 1 },
+                                 GATHER,
+                                 DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row likeness_row  = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 }, GATHER, DESC(filter_normals) };
+static const row likeness_row = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 },
+                                  GATHER,
+                                  DESC(filter_normals) };
 static const row exponent_row  = { { "exponent", "of the lobe", NULL, 32, 0, 10000, 0 }, FRAME, FRAMED(exponent) };
-static const row sky_row       = { { "sky", "1: --env lights surfels, too, as if nothing stood before them", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row material_row  = { { "material", "published constants of scattering", "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1 }, PLAN, 0 };
+static const row sky_row = {
+    { "sky", "1: --env lights surfels, too, as if nothing stood before them", NULL, 1, 0, 1, 1 }, PLAN, 0
+};
+static const row material_row = {
+    { "material", "published constants of scattering",
+      "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1 },
+    PLAN,
+    0
+};
 static const row unit_row      = { { "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0 }, PLAN, 0 };
 
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
-#define SLICES { &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row }
+#define SLICES \
+    { \
+        &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, \
+            &blur_row, &filter_row, &compare_row \
+    }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
-#define SSDO { &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
-    &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, \
-    &blur_row, &filter_row, &compare_row }
-#define VECTORS &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, \
-    &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row
+#define SSDO \
+    { \
+        &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
+            &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
+            &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
+            &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, \
+            &filter_row, &compare_row \
+    }
+#define VECTORS \
+    &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
+        &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
+        &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
+        &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, &dering_row, VECTORS }
-#define SURFELS(every, epsilon, levels) &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &shrink_row, &scale_radius_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+#define SURFELS(every, epsilon, levels) \
+    &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
+        &shrink_row, &scale_radius_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
-    { "ssao", "point samples in the hemisphere", SSGI_GL_SSAO, 0, SSGI_GL_BALANCED,
-      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
+    { "ssao",
+      "point samples in the hemisphere",
+      SSGI_GL_SSAO,
+      0,
+      SSGI_GL_BALANCED,
+      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
+        &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
         &filter_row, &compare_row } },
-    { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SLICES },
+    { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED,
+      SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
-    { "hsao-march", "the paper's horizon march and normal rays", SSGI_GL_HSAO, SSGI_GL_MARCH, SSGI_GL_BALANCED,
-      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &half_thick_row, &hard_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
-    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED, SSDO },
+    { "hsao-march",
+      "the paper's horizon march and normal rays",
+      SSGI_GL_HSAO,
+      SSGI_GL_MARCH,
+      SSGI_GL_BALANCED,
+      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &half_thick_row, &hard_row, &offset_row, DEEP,
+        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED,
+      SSDO },
     { "ssdo-fast", "the same, half size, fewer directions", SSGI_GL_SSDO, 0, SSGI_GL_FAST, SSDO },
     { "ssdo-best", "the same, more directions", SSGI_GL_SSDO, 0, SSGI_GL_BEST, SSDO },
-    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, S3HO },
+    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO, 0,
+      SSGI_GL_BALANCED, S3HO },
     { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
     { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
-    { "ssbn", "bent normals and cones, looked up in --env filtered beforehand", SSGI_GL_S3HO, 0, SSGI_GL_BALANCED, { &cone_row, VECTORS } },
-    { "dss", "deep screen space: surfels of all triangles, seen or not, splatted: occlusion", SSGI_GL_SPLAT, SSGI_GL_EFFECT_OCCLUSION, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row } },
-    { "dss-lit", "the same: directional occlusion of --env, --light with shadow maps, one bounce", SSGI_GL_SPLAT, SSGI_GL_EFFECT_LIGHT, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS } },
-    { "dss-gloss", "the same: one specular bounce; irradiance: radiance of the lobe", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SPECULAR, SSGI_GL_BALANCED, { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
-    { "dss-scatter", "the same: multiple scattering under surfaces; irradiance: radiance that leaves them", SSGI_GL_SPLAT, SSGI_GL_EFFECT_SCATTER, SSGI_GL_BALANCED, { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), LIT_SURFELS, &material_row, &unit_row } },
-    { "aof", "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius", SSGI_GL_FIELD, 0, SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row, &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &occluders_row, &normal_row } }
+    { "ssbn",
+      "bent normals and cones, looked up in --env filtered beforehand",
+      SSGI_GL_S3HO,
+      0,
+      SSGI_GL_BALANCED,
+      { &cone_row, VECTORS } },
+    { "dss",
+      "deep screen space: surfels of all triangles, seen or not, splatted: occlusion",
+      SSGI_GL_SPLAT,
+      SSGI_GL_EFFECT_OCCLUSION,
+      SSGI_GL_BALANCED,
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row } },
+    { "dss-lit",
+      "the same: directional occlusion of --env, --light with shadow maps, one bounce",
+      SSGI_GL_SPLAT,
+      SSGI_GL_EFFECT_LIGHT,
+      SSGI_GL_BALANCED,
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS } },
+    { "dss-gloss",
+      "the same: one specular bounce; irradiance: radiance of the lobe",
+      SSGI_GL_SPLAT,
+      SSGI_GL_EFFECT_SPECULAR,
+      SSGI_GL_BALANCED,
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
+    { "dss-scatter",
+      "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
+      SSGI_GL_SPLAT,
+      SSGI_GL_EFFECT_SCATTER,
+      SSGI_GL_BALANCED,
+      { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), LIT_SURFELS, &material_row, &unit_row } },
+    { "aof",
+      "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
+      SSGI_GL_FIELD,
+      0,
+      SSGI_GL_BALANCED,
+      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row,
+        &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -162,7 +407,8 @@ int kit_method_at(kit_method *method, int i)
     m.name = plans[i].name;
     m.about = plans[i].about;
     m.between = plans[i].pass == SSGI_GL_FIELD;
-    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO || (plans[i].pass == SSGI_GL_SPLAT && plans[i].search);
+    m.lit = plans[i].pass == SSGI_GL_SSDO || plans[i].pass == SSGI_GL_S3HO
+            || (plans[i].pass == SSGI_GL_SPLAT && plans[i].search);
     memset(&desc, 0, sizeof desc);
     desc.pass = plans[i].pass;
     if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;
@@ -215,12 +461,14 @@ static int set_one(kit_method *m, const char *text, size_t length, kit_error *er
         } else {
             v = strtod(value, &end);
             if (end == value || *end || !(v >= s->least && v <= s->most) || (s->whole && v != floor(v)))
-                return kit_fail(err, "--set %s=%s: must be a %snumber in %g..%g", key, value, s->whole ? "whole " : "", s->least, s->most);
+                return kit_fail(err, "--set %s=%s: must be a %snumber in %g..%g", key, value, s->whole ? "whole " : "",
+                                s->least, s->most);
         }
         s->value = v;
         return 0;
     }
-    return kit_fail(err, "--set %s=%s: method %s has no such setting (--list %s names them)", key, value, m->name, m->name);
+    return kit_fail(err, "--set %s=%s: method %s has no such setting (--list %s names them)", key, value, m->name,
+                    m->name);
 }
 
 int kit_method_set(kit_method *method, const char *text, kit_error *err)
@@ -285,7 +533,8 @@ int kit_settings_apply(kit_making *m, float radius)
         const int bent = !m->gather.bands;
         if (bent) {
             m->gather.bands = 2;
-            m->shade.shading = kit_method_value(m->method, "cone") > 0 ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
+            m->shade.shading =
+                kit_method_value(m->method, "cone") > 0 ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
         m->gather.packed = (int)kit_method_value(m->method, "store") == 1;
         m->shade.bands = m->blur.bands = m->gather.bands;
@@ -294,6 +543,7 @@ int kit_settings_apply(kit_making *m, float radius)
         m->shade.normal = m->gather.normal;
         if (!(kit_method_value(m->method, "lights") > 0)) m->lights.shadow = SSGI_GL_SHADOW_NONE;
     }
-    if (kit_method_value(m->method, "normal") > 0) m->gather.normal = m->lights.normal = m->blur.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+    if (kit_method_value(m->method, "normal") > 0)
+        m->gather.normal = m->lights.normal = m->blur.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }

@@ -17,7 +17,8 @@ static void draw(const kit_mesh *mesh, const kit_shadow_camera *camera, GLint at
     float clip[16];
     for (int i = 0; i < 16; i++) {
         double sum = 0;
-        for (int k = 0; k < 4; k++) sum += (double)camera->projection[4 * k + i % 4] * (double)camera->view[i / 4 * 4 + k];
+        for (int k = 0; k < 4; k++)
+            sum += (double)camera->projection[4 * k + i % 4] * (double)camera->view[i / 4 * 4 + k];
         clip[i] = (float)sum;
     }
     glUniformMatrix4fv(at, 1, GL_FALSE, clip);
@@ -26,7 +27,8 @@ static void draw(const kit_mesh *mesh, const kit_shadow_camera *camera, GLint at
     glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
 }
 
-GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count, kit_error *err)
+GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit_shadow_camera *camera, int count,
+                        kit_error *err)
 {
     static const GLenum none = GL_NONE;
     static const GLfloat clear = 1;
@@ -37,7 +39,9 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
     kit_soup soup;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (width < 1 || height < 1 || width > limit || height > limit || mesh->triangles > 0x7fffffff / 3) {
-        kit_fail(err, "shadow atlas of %s: %d x %d texels with %zu triangles is more or less than this context can draw (1 to %d texels, %d triangles)",
+        kit_fail(err,
+                 "shadow atlas of %s: %d x %d texels with %zu triangles is more or less than this context can draw (1 "
+                 "to %d texels, %d triangles)",
                  scene->name, width, height, mesh->triangles, (int)limit, 0x7fffffff / 3);
         return 0;
     }
@@ -79,8 +83,10 @@ GLuint kit_shadow_atlas(int width, int height, const kit_scene *scene, const kit
 
 /* ---- >>rsm -------------------------------------------------------------------------------------------------- */
 
-/* The camera of face i: of a cube around a point light, or along the sun around the bounds. direction: unit, to the sun. */
-static kit_camera camera_of(const kit_light *light, const double direction[3], int face, const kit_mesh *mesh, int resolution)
+/* The camera of face i: of a cube around a point light, or along the sun around the bounds. direction: unit, to the
+   sun. */
+static kit_camera camera_of(const kit_light *light, const double direction[3], int face, const kit_mesh *mesh,
+                            int resolution)
 {
     kit_camera camera;
     double diagonal = 0;
@@ -92,15 +98,19 @@ static kit_camera camera_of(const kit_light *light, const double direction[3], i
     camera.depth = glClipControl ? KIT_DEPTH_REVERSED : KIT_DEPTH_NORMAL;
     for (int i = 0; i < 3; i++) {
         const double centre = 0.5 * ((double)mesh->lower[i] + (double)mesh->upper[i]);
-        camera.target[i] = (float)(light->kind == KIT_SUN ? centre : (double)light->at[i] + (i == face / 2 ? face % 2 ? -diagonal : diagonal : 0));
+        camera.target[i] = (float)(light->kind == KIT_SUN
+                                       ? centre
+                                       : (double)light->at[i] + (i == face / 2 ? face % 2 ? -diagonal : diagonal : 0));
         camera.eye[i]    = (float)(light->kind == KIT_SUN ? centre + diagonal * direction[i] : (double)light->at[i]);
     }
     if (light->kind == KIT_SUN) {
         float view[16], projection[16];
-        kit_camera_matrices(&camera, view, projection);         /* for its axes: the widest extent of the bounds across the light */
+        /* for its axes: the widest extent of the bounds across the light */
+        kit_camera_matrices(&camera, view, projection);
         for (int r = 0; r < 2; r++) {
             double extent = 0;
-            for (int i = 0; i < 3; i++) extent += fabs((double)view[4 * i + r]) * ((double)mesh->upper[i] - (double)mesh->lower[i]);
+            for (int i = 0; i < 3; i++)
+                extent += fabs((double)view[4 * i + r]) * ((double)mesh->upper[i] - (double)mesh->lower[i]);
             camera.ortho_height = fmaxf(camera.ortho_height, (float)extent);
         }
         if (!(camera.ortho_height > 0)) camera.ortho_height = (float)diagonal;
@@ -121,20 +131,24 @@ static double pixel_angle(size_t x, size_t y, size_t resolution)
     return corner_angle(u + w, v + w) - corner_angle(u, v + w) - corner_angle(u + w, v) + corner_angle(u, v);
 }
 
-int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene, const kit_light *light, int resolution, kit_error *err)
+int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, const kit_scene *scene,
+            const kit_light *light, int resolution, kit_error *err)
 {
-    const size_t size = (size_t)resolution, face_pixels = size * size, faces = light->kind == KIT_POINT ? 6 : 1, count = faces * face_pixels;
+    const size_t size = (size_t)resolution, face_pixels = size * size, faces = light->kind == KIT_POINT ? 6 : 1,
+                 count = faces * face_pixels;
     double direction[3], length = 0;
     float *map[3];
     int result = 0;
     for (int i = 0; i < 3; i++) length += (double)light->at[i] * (double)light->at[i];
     length = sqrt(length);
     for (int i = 0; i < 3; i++) direction[i] = (double)light->at[i] / length;
-    if ((light->kind != KIT_SUN && light->kind != KIT_POINT) || !isfinite(length) || (light->kind == KIT_SUN && !(length > 0)))
+    if ((light->kind != KIT_SUN && light->kind != KIT_POINT) || !isfinite(length)
+        || (light->kind == KIT_SUN && !(length > 0)))
         return kit_fail(err, "light: must be a sun with a direction, or a point light at a finite place");
     if (resolution < 1 || resolution > 4096) return kit_fail(err, "resolution %d: must be 1..4096", resolution);
     for (int i = 0; i < 3; i++) map[i] = calloc(3 * count, sizeof *map[i]);
-    if (!map[0] || !map[1] || !map[2]) result = kit_fail(err, "resolution %d: no memory for %zu pixels", resolution, count);
+    if (!map[0] || !map[1] || !map[2])
+        result = kit_fail(err, "resolution %d: no memory for %zu pixels", resolution, count);
     for (size_t face = 0; face < faces && !result; face++) {
         const kit_camera camera = camera_of(light, direction, (int)face, &scene->mesh, resolution);
         const double area = pow((double)camera.ortho_height / resolution, 2);
@@ -153,8 +167,10 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
             if (!(frame.data[i] > 0)) continue;
             kit_camera_point(&camera, (int)x, (int)y, (double)frame.data[i], map[0] + at);
             for (size_t c = 0; c < 3; c++) {
-                for (size_t r = 0; r < 3; r++) map[1][at + c] += view[4 * c + r] * frame.data[(1 + r) * face_pixels + i];
-                map[2][at + c] = (float)((double)frame.data[(4 + c) * face_pixels + i] * (double)light->colour[c] * power);
+                for (size_t r = 0; r < 3; r++)
+                    map[1][at + c] += view[4 * c + r] * frame.data[(1 + r) * face_pixels + i];
+                map[2][at + c] =
+                    (float)((double)frame.data[(4 + c) * face_pixels + i] * (double)light->colour[c] * power);
             }
         }
         kit_image_free(&frame);

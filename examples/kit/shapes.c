@@ -67,7 +67,8 @@ static int grow(kit_build *b)
 
 void kit_rotate(const kit_build *b, const double in[3], double out[3])
 {
-    const double c = cos(b->turn * PI / 180), s = sin(b->turn * PI / 180), ct = cos(b->tilt * PI / 180), st = sin(b->tilt * PI / 180);
+    const double c = cos(b->turn * PI / 180), s = sin(b->turn * PI / 180), ct = cos(b->tilt * PI / 180),
+                 st = sin(b->tilt * PI / 180);
     const double z = st * in[1] + ct * in[2];
     out[0] = c * in[0] + s * z;
     out[1] = ct * in[1] - st * in[2];
@@ -169,7 +170,8 @@ void kit_patch(kit_build *b, int nu, int nv, kit_surface *surface, const void *s
 
 void kit_sphere_surface(const void *shape, double u, double v, kit_vertex *out)
 {
-    const double radius = *(const double *)shape, y = v >= 1 ? 1 : -cos(PI * v), r = v >= 1 ? 0 : sin(PI * v), a = 2 * PI * fmod(u, 1);
+    const double radius = *(const double *)shape, y = v >= 1 ? 1 : -cos(PI * v), r = v >= 1 ? 0 : sin(PI * v),
+                 a = 2 * PI * fmod(u, 1);
     out->n[0] = r * cos(a); out->n[1] = y; out->n[2] = r * sin(a);
     for (int i = 0; i < 3; i++) out->p[i] = radius * out->n[i];
 }
@@ -200,7 +202,9 @@ void kit_turned(kit_build *b, const kit_moulding *profile, int count, int around
 
 void kit_cylinder(kit_build *b, double radius, double height, int around)
 {
-    const kit_moulding profile[] = { {0, 0, radius, 0, 0}, {radius, 0, radius, height, 0}, {radius, height, 0, height, 0} };
+    const kit_moulding profile[] = { { 0, 0, radius, 0, 0 },
+                                     { radius, 0, radius, height, 0 },
+                                     { radius, height, 0, height, 0 } };
     kit_turned(b, profile, 3, around);
 }
 

@@ -26,7 +26,8 @@ static int normalise(double v[3])                   /* 0 if v has no direction, 
 
 /* ---- cameras ------------------------------------------------------------------------------------------------ */
 
-/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it, an eye on the target looks along -z. */
+/* Rows of the rotation: right, up, backward. An up along the line of sight is replaced by the axis farthest from it, an
+   eye on the target looks along -z. */
 static void camera_axes(const kit_camera *camera, double axes[3][3])
 {
     double *right = axes[0], *up = axes[1], *back = axes[2], wish[3];
@@ -47,13 +48,15 @@ static void camera_axes(const kit_camera *camera, double axes[3][3])
     cross(back, right, up);
 }
 
-static void camera_half(const kit_camera *camera, double half[2])  /* half the picture's extent: at view depth 1, or orthographic in world units */
+/* half the picture's extent: at view depth 1, or orthographic in world units */
+static void camera_half(const kit_camera *camera, double half[2])
 {
     half[1] = camera->fovy > 0 ? tan((double)camera->fovy * pi / 360) : 0.5 * (double)camera->ortho_height;
     half[0] = half[1] * camera->width / camera->height;
 }
 
-/* View-space ray through a pixel's centre: a point at view depth z is o + d z. shift counts in pixels, +x to the right, +y upward. */
+/* View-space ray through a pixel's centre: a point at view depth z is o + d z. shift counts in pixels, +x to the right,
+   +y upward. */
 static void camera_view_ray(const kit_camera *camera, int x, int y, double o[3], double d[3])
 {
     double half[2];
@@ -69,7 +72,8 @@ static void camera_view_ray(const kit_camera *camera, int x, int y, double o[3],
     d[2] = -1;
 }
 
-/* The near plane lies a little before the bounds, but at a thousandth of the far plane at least: window depth must stay usable. */
+/* The near plane lies a little before the bounds, but at a thousandth of the far plane at least: window depth must stay
+   usable. */
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
 {
     double axes[3][3], nearest = 1e300, farthest = 0;
@@ -77,13 +81,15 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
     for (int corner = 0; mesh->triangles && corner < 8; ++corner) {
         double depth = 0;
         for (int i = 0; i < 3; ++i)
-            depth -= axes[2][i] * ((double)(corner >> i & 1 ? mesh->upper[i] : mesh->lower[i]) - (double)camera->eye[i]);
+            depth -=
+                axes[2][i] * ((double)(corner >> i & 1 ? mesh->upper[i] : mesh->lower[i]) - (double)camera->eye[i]);
         nearest = fmin(nearest, depth);
         farthest = fmax(farthest, depth);
     }
     if (!(farthest > 0) || !isfinite(farthest)) farthest = 1;      /* nothing before the camera */
     if (!(camera->zfar > 0)) camera->zfar = (float)fmax(farthest * 1.01, (double)camera->znear * 2);
-    if (!(camera->znear > 0)) camera->znear = (float)fmin(fmax(nearest * 0.99, (double)camera->zfar * 1e-3), (double)camera->zfar * 0.9);
+    if (!(camera->znear > 0))
+        camera->znear = (float)fmin(fmax(nearest * 0.99, (double)camera->zfar * 1e-3), (double)camera->zfar * 0.9);
 }
 
 /* An orthographic camera has no far plane at infinity: INFINITE is REVERSED for it. */
@@ -91,7 +97,8 @@ void kit_camera_matrices(const kit_camera *camera, float view[16], float project
 {
     double axes[3][3], half[2], eye[3], p[16] = { 0 };
     const double n = (double)camera->znear, f = (double)camera->zfar;
-    const double shift[2] = { 2 * (double)camera->shift[0] / camera->width, 2 * (double)camera->shift[1] / camera->height };
+    const double shift[2] = { 2 * (double)camera->shift[0] / camera->width,
+                              2 * (double)camera->shift[1] / camera->height };
     camera_axes(camera, axes);
     camera_half(camera, half);
     for (int i = 0; i < 3; ++i) eye[i] = (double)camera->eye[i];
@@ -107,8 +114,12 @@ void kit_camera_matrices(const kit_camera *camera, float view[16], float project
         p[8] = -shift[0];
         p[9] = -shift[1];
         p[11] = -1;
-        p[10] = camera->depth == KIT_DEPTH_NORMAL ? -(f + n) / (f - n) : camera->depth == KIT_DEPTH_REVERSED ? n / (f - n) : 0;
-        p[14] = camera->depth == KIT_DEPTH_NORMAL ? -2 * f * n / (f - n) : camera->depth == KIT_DEPTH_REVERSED ? f * n / (f - n) : n;
+        p[10] = camera->depth == KIT_DEPTH_NORMAL     ? -(f + n) / (f - n)
+                : camera->depth == KIT_DEPTH_REVERSED ? n / (f - n)
+                                                      : 0;
+        p[14] = camera->depth == KIT_DEPTH_NORMAL     ? -2 * f * n / (f - n)
+                : camera->depth == KIT_DEPTH_REVERSED ? f * n / (f - n)
+                                                      : n;
     } else {
         p[12] = shift[0];
         p[13] = shift[1];
@@ -151,7 +162,9 @@ typedef struct ambient {
     int        attenuation, rays;
     const kit_scene *others;        /* NULL, or only objects of this scene that cast count, except number own */
     uint32_t   own;
-    uint32_t  *points;              /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at least */
+    /* Sobol's second dimension, bits reversed (the first dimension's are the index); a power of two of them, rays at
+       least */
+    uint32_t  *points;
     uint32_t   mask;                /* that power less one */
 } ambient;
 
@@ -171,7 +184,8 @@ static uint32_t hash(uint32_t x)    /* PCG's [O'Neill 2014] */
     return x >> 22 ^ x;
 }
 
-static uint32_t scramble(uint32_t reversed, uint32_t seed)  /* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020] */
+/* nested uniform scrambling by a hash [Laine and Karras 2011; Burley 2020] */
+static uint32_t scramble(uint32_t reversed, uint32_t seed)
 {
     uint32_t x = reversed ^ reversed * 0x3d20adeau;
     x += seed;
@@ -184,9 +198,11 @@ static uint32_t scramble(uint32_t reversed, uint32_t seed)  /* nested uniform sc
 static int ambient_begin(ambient *a, float radius, int attenuation, int rays, const char *what, kit_error *err)
 {
     memset(a, 0, sizeof *a);
-    if (attenuation < KIT_ATTENUATION_LINEAR || attenuation > KIT_ATTENUATION_SQUARE) return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
+    if (attenuation < KIT_ATTENUATION_LINEAR || attenuation > KIT_ATTENUATION_SQUARE)
+        return kit_fail(err, "%s: attenuation %d: there is no such", what, attenuation);
     if (!(radius > 0) || (!isfinite(radius) && attenuation != KIT_ATTENUATION_NONE))
-        return kit_fail(err, "%s: radius %g: must be above 0, and finite unless nothing is attenuated", what, (double)radius);
+        return kit_fail(err, "%s: radius %g: must be above 0, and finite unless nothing is attenuated", what,
+                        (double)radius);
     if (rays < 1 || rays > 65536) return kit_fail(err, "%s: rays %d: must be 1..65536", what, rays);
     a->radius = radius;
     a->attenuation = attenuation;
@@ -213,7 +229,8 @@ static void ambient_point(const ambient *a, uint32_t i, uint32_t seed, float at[
 static void turned(const float n[3], float x, float y, float z, float d[3])
 {
     const float sign = n[2] < 0 ? -1.0f : 1.0f, k = -1.0f / (sign + n[2]), m = n[0] * n[1] * k;
-    const float s[3] = { 1 + sign * n[0] * n[0] * k, sign * m, -sign * n[0] }, t[3] = { m, sign + n[1] * n[1] * k, -n[1] };
+    const float s[3] = { 1 + sign * n[0] * n[0] * k, sign * m, -sign * n[0] },
+                t[3] = { m, sign + n[1] * n[1] * k, -n[1] };
     for (int i = 0; i < 3; ++i) d[i] = x * s[i] + y * t[i] + z * n[i];
 }
 
@@ -239,7 +256,8 @@ static int blocked_by_others(const ambient *a, const float origin[3], const floa
     return 0;
 }
 
-/* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not matter */
+/* How much the nearest hit within radius takes from a direction, [0,1]; hit: where it is, NULL if that does not
+   matter */
 static double blocked(const ambient *a, const float origin[3], const float d[3], ssgi_hit *hit)
 {
     ssgi_hit nearest;
@@ -255,13 +273,15 @@ static double blocked(const ambient *a, const float origin[3], const float d[3],
     }
 }
 
-/* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of coordinates as magnitude. */
+/* Off the surface at p along the unit vector lift, by some ten times the rounding of points as far from the origin of
+   coordinates as magnitude. */
 static void lift_off(const float p[3], float magnitude, const float lift[3], float origin[3])
 {
     for (int i = 0; i < 3; ++i) origin[i] = p[i] + lift[i] * 4e-6f * magnitude;
 }
 
-static float ambient_at(const ambient *a, uint32_t pixel, const float origin[3], const float n[3])     /* visibility; n unit */
+/* visibility; n unit */
+static float ambient_at(const ambient *a, uint32_t pixel, const float origin[3], const float n[3])
 {
     const uint32_t seed = hash(pixel);
     double sum = 0;
@@ -276,13 +296,15 @@ static float ambient_at(const ambient *a, uint32_t pixel, const float origin[3],
 
 static int skipped(int x, int y, int stride) { return x % stride != stride / 2 || y % stride != stride / 2; }
 
-static int trace_new(ssgi_trace *trace, void **memory, const float *position, const uint32_t *index, size_t triangles, const char *what, kit_error *err)
+static int trace_new(ssgi_trace *trace, void **memory, const float *position, const uint32_t *index, size_t triangles,
+                     const char *what, kit_error *err)
 {
     const char *why = "";
     const size_t size = ssgi_trace_size(triangles);
     *memory = size ? malloc(size) : NULL;
     if (!*memory) return kit_fail(err, "%s: no memory to trace %zu triangles", what, triangles);
-    if (ssgi_trace_build(trace, *memory, size, position, 3 * sizeof(float), index, triangles, &why) == SSGI_OK) return 0;
+    if (ssgi_trace_build(trace, *memory, size, position, 3 * sizeof(float), index, triangles, &why) == SSGI_OK)
+        return 0;
     free(*memory);
     *memory = NULL;
     return kit_fail(err, "%s: %s", what, why);
@@ -290,9 +312,11 @@ static int trace_new(ssgi_trace *trace, void **memory, const float *position, co
 
 static int camera_check(const kit_camera *camera, const char *what, kit_error *err)
 {
-    if (camera->width < 1 || camera->height < 1) return kit_fail(err, "%s: camera of %d x %d pixels", what, camera->width, camera->height);
+    if (camera->width < 1 || camera->height < 1)
+        return kit_fail(err, "%s: camera of %d x %d pixels", what, camera->width, camera->height);
     if (!(camera->fovy > 0 ? camera->fovy < 180 : camera->ortho_height > 0))
-        return kit_fail(err, "%s: camera: fovy %g must be below 180, or 0 with an ortho_height above 0 (%g)", what, (double)camera->fovy, (double)camera->ortho_height);
+        return kit_fail(err, "%s: camera: fovy %g must be below 180, or 0 with an ortho_height above 0 (%g)", what,
+                        (double)camera->fovy, (double)camera->ortho_height);
     return 0;
 }
 
@@ -340,7 +364,8 @@ struct truth {
     kit_camera          camera;
     kit_image           out;
     int                 stride;
-    void              (*pixel)(const truth *job, uint32_t pixel, const place *at, float *value);     /* one value a channel */
+    /* one value a channel */
+    void              (*pixel)(const truth *job, uint32_t pixel, const place *at, float *value);
     float               background;
     const kit_lighting *lighting;
     int                 bounce;
@@ -360,7 +385,9 @@ static int truth_primary(const truth *job, int x, int y, place *at)
     /* the planes cut as they do in the G-buffer */
     const double slant = -dot(d, axes[2]);
     const float  first = (float)((double)job->camera.znear / slant);
-    const float  last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0 ? 1e30f : (float)((double)job->camera.zfar / slant);
+    const float last = job->camera.depth == KIT_DEPTH_INFINITE && job->camera.fovy > 0
+                           ? 1e30f
+                           : (float)((double)job->camera.zfar / slant);
     if (!ssgi_trace_closest(&job->ambient.trace, origin, direction, first, last, &hit)) return 0;
     place_at(job->mesh, &hit, direction, at);
     return 1;
@@ -382,8 +409,8 @@ static void truth_row(void *context, int y)
 }
 
 /* job: pixel, background and what that needs; channels: of the picture */
-static int truth_run(truth *job, kit_image *out, const char *channels, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride,
-                     kit_error *err)
+static int truth_run(truth *job, kit_image *out, const char *channels, const kit_scene *scene, const kit_camera *camera,
+                     float radius, int attenuation, int rays, int stride, kit_error *err)
 {
     void *memory = NULL;
     if (camera_check(camera, "truth", err)) return -1;
@@ -395,8 +422,9 @@ static int truth_run(truth *job, kit_image *out, const char *channels, const kit
     job->camera = *camera;
     job->stride = stride;
     kit_camera_planes(&job->camera, job->mesh);
-    const int failed = trace_new(&job->ambient.trace, &memory, job->mesh->position, NULL, job->mesh->triangles, "truth", err) ||
-                       kit_image_new(&job->out, camera->width, camera->height, channels, err);
+    const int failed =
+        trace_new(&job->ambient.trace, &memory, job->mesh->position, NULL, job->mesh->triangles, "truth", err)
+        || kit_image_new(&job->out, camera->width, camera->height, channels, err);
     if (!failed) {
         kit_parallel("truth", camera->height, truth_row, job);
         *out = job->out;
@@ -406,9 +434,13 @@ static int truth_run(truth *job, kit_image *out, const char *channels, const kit
     return failed ? -1 : 0;
 }
 
-static void ambient_pixel(const truth *job, uint32_t pixel, const place *at, float *value) { *value = ambient_at(&job->ambient, pixel, at->origin, at->n); }
+static void ambient_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
+{
+    *value = ambient_at(&job->ambient, pixel, at->origin, at->n);
+}
 
-int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+int kit_truth_ao(kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation,
+                 int rays, int stride, kit_error *err)
 {
     truth job = { .pixel = ambient_pixel, .background = 1 };
     return truth_run(&job, out, "Y", scene, camera, radius, attenuation, rays, stride, err);
@@ -422,7 +454,8 @@ static void objects_pixel(const truth *job, uint32_t pixel, const place *at, flo
     *value = ambient_at(&a, pixel, at->origin, at->n);
 }
 
-int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride, kit_error *err)
+int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *camera, int rays, int stride,
+                      kit_error *err)
 {
     truth job = { .pixel = objects_pixel, .background = 1 };
     return truth_run(&job, out, "Y", scene, camera, INFINITY, KIT_ATTENUATION_NONE, rays, stride, err);
@@ -430,7 +463,8 @@ int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *
 
 /* ---- light ------------------------------------------------------------------------------------------------------ */
 
-/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and returns their mean. */
+/* Turns the weights at cdf[1..n] into their running sum, from cdf[0] = 0 to cdf[n] = 1 (all 0 if there is none), and
+   returns their mean. */
 static double accumulate(float *cdf, int n)
 {
     double total = 0, sum = 0;
@@ -454,7 +488,8 @@ static double pick(const float *cdf, int n, float u)        /* where the running
     return low + fmin((double)(u - cdf[low]) / (double)(cdf[high] - cdf[low]), 0.999999);
 }
 
-/* A texel is picked by the mean luminance that bilinear look-ups find in it (the midpoints of its quarters tell exactly), times its solid angle. */
+/* A texel is picked by the mean luminance that bilinear look-ups find in it (the midpoints of its quarters tell
+   exactly), times its solid angle. */
 static void env_build_row(void *context, int y)
 {
     const truth *job = context;
@@ -479,7 +514,8 @@ static int env_begin(truth *job, kit_error *err)
     if (!env->data) return 0;
     job->env_row = malloc(((size_t)env->height + 1) * sizeof(float));
     job->env_column = malloc((size_t)env->height * ((size_t)env->width + 1) * sizeof(float));
-    if (!job->env_row || !job->env_column) return kit_fail(err, "truth: no memory for an environment of %d x %d", env->width, env->height);
+    if (!job->env_row || !job->env_column)
+        return kit_fail(err, "truth: no memory for an environment of %d x %d", env->width, env->height);
     kit_parallel(NULL, env->height, env_build_row, job);
     if (!(accumulate(job->env_row, env->height) > 0)) {
         free(job->env_row);
@@ -502,15 +538,21 @@ static double env_density(const truth *job, const float d[3])       /* of env_di
     kit_env_place(env, d, at);
     const size_t x = (size_t)fmin(at[0], env->width - 1), y = (size_t)fmin(at[1], env->height - 1);
     const float *row = job->env_row + y, *column = job->env_column + y * ((size_t)env->width + 1) + x;
-    const double share = (double)(row[1] - row[0]) * (double)(column[1] - column[0]), flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
+    const double share = (double)(row[1] - row[0]) * (double)(column[1] - column[0]),
+                 flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
     return share * env->width * env->height / (2 * pi * pi * fmax(flat, 1e-9));
 }
 
-static double facing(const float n[3], const float d[3]) { return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2]; }
+static double facing(const float n[3], const float d[3])
+{
+    return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2];
+}
 
-/* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and rays[1] of them: multiple importance
-   sampling with the balance heuristic [Veach and Guibas 1995], so that it does not matter whose direction it is. */
-static void add_env(const truth *job, const float n[3], const float d[3], double visible, const int rays[2], double sum[3])
+/* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and
+   rays[1] of them: multiple importance sampling with the balance heuristic [Veach and Guibas 1995], so that it does not
+   matter whose direction it is. */
+static void add_env(const truth *job, const float n[3], const float d[3], double visible, const int rays[2],
+                    double sum[3])
 {
     const double cosine = facing(n, d) / pi;
     float rgb[3];
@@ -527,27 +569,32 @@ static void add_light(const truth *job, const place *at, const kit_light *light,
     for (int i = 0; i < 3; ++i) to[i] = light->at[i] - (sun ? 0 : at->origin[i]);
     const double length = sqrt(facing(to, to)), weight = facing(at->n, to) / length / pi / (sun ? 1 : length * length);
     if (!(weight > 0) || !isfinite(weight)) return;
-    if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, sun ? INFINITY : 0.99999f)) return;      /* what holds the light does not shadow it */
+    /* what holds the light does not shadow it */
+    if (ssgi_trace_any(&job->ambient.trace, at->origin, to, 0, sun ? INFINITY : 0.99999f)) return;
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)light->colour[c];
 }
 
-static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2], double irradiance[3], double *bounce);
+static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2],
+                   double irradiance[3], double *bounce);
 
 /* What the hit of ray number r sends back, weighted */
-static void add_sent(const truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed, double weight, int rays, double sum[3])
+static void add_sent(const truth *job, const ssgi_hit *hit, const float d[3], uint32_t r, uint32_t seed, double weight,
+                     int rays, double sum[3])
 {
     const uint32_t hit_seed = hash(seed ^ 0xc2b2ae35u), shuffle = hash(seed ^ 0x27d4eb2fu);
     const int one[2] = { job->env_row != NULL, job->env_row != NULL };
     double light[3] = { 0 };
     place next;
     place_at(job->mesh, hit, d, &next);
-    gather(job, &next, hit_seed, scramble(reverse(r), shuffle) & job->ambient.mask, one, light, NULL);      /* shuffled: hits and directions from there stay independent */
+    /* shuffled: hits and directions from there stay independent */
+    gather(job, &next, hit_seed, scramble(reverse(r), shuffle) & job->ambient.mask, one, light, NULL);
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)next.albedo[c] * light[c] / rays;
 }
 
-/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around reflect. rays: by cosine, by environment, both from
-   point first on. */
-static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2], double irradiance[3], double *bounce)
+/* Adds up the irradiance over pi at a place; and, unless bounce is NULL, that of light which the hits around reflect.
+   rays: by cosine, by environment, both from point first on. */
+static void gather(const truth *job, const place *at, uint32_t seed, uint32_t first, const int rays[2],
+                   double irradiance[3], double *bounce)
 {
     const ambient *a = &job->ambient;
     const uint32_t env_seed = hash(seed ^ 0x85ebca6bu);
@@ -570,7 +617,8 @@ static void gather(const truth *job, const place *at, uint32_t seed, uint32_t fi
 
 static void lit_pixel(const truth *job, uint32_t pixel, const place *at, float *value)
 {
-    const int by_env = job->env_row ? job->ambient.rays / 2 : 0, rays[2] = { job->env_row || job->bounce ? job->ambient.rays - by_env : 0, by_env };
+    const int by_env = job->env_row ? job->ambient.rays / 2 : 0,
+              rays[2] = { job->env_row || job->bounce ? job->ambient.rays - by_env : 0, by_env };
     double irradiance[3] = { 0 }, bounce[3] = { 0 };
     gather(job, at, hash(pixel), 0, rays, irradiance, job->bounce ? bounce : NULL);
     for (int c = 0; c < 3; ++c) {
@@ -581,19 +629,23 @@ static void lit_pixel(const truth *job, uint32_t pixel, const place *at, float *
 }
 
 /* job: pixel and what that needs */
-static int lit_run(truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+static int lit_run(truth *job, kit_image *out, const kit_scene *scene, const kit_camera *camera, float radius,
+                   int attenuation, int rays, int stride, kit_error *err)
 {
     const kit_lighting *lighting = job->lighting;
-    if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
-    if (lighting->env.data && lighting->env.channels < 3) return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
-    const int failed = env_begin(job, err) || truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
+    if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS)
+        return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
+    if (lighting->env.data && lighting->env.channels < 3)
+        return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
+    const int failed = env_begin(job, err)
+                       || truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
     free(job->env_row);
     free(job->env_column);
     return failed ? -1 : 0;
 }
 
-int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, int bounce, int rays,
-                  int stride, kit_error *err)
+int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                  float radius, int attenuation, int bounce, int rays, int stride, kit_error *err)
 {
     truth job = { .pixel = lit_pixel, .lighting = lighting, .bounce = bounce };
     if (bounce != 0 && bounce != 1) return kit_fail(err, "truth: bounce %d: must be 0 or 1", bounce);
@@ -606,14 +658,16 @@ static void gloss_pixel(const truth *job, uint32_t pixel, const place *at, float
     const uint32_t seed = hash(pixel);
     float origin[3], toward[3], mirrored[3];
     double sum[3] = { 0 };
-    kit_camera_ray(&job->camera, (int)(pixel % (uint32_t)job->camera.width), (int)(pixel / (uint32_t)job->camera.width), origin, toward);
+    kit_camera_ray(&job->camera, (int)(pixel % (uint32_t)job->camera.width), (int)(pixel / (uint32_t)job->camera.width),
+                   origin, toward);
     const float along = 2 * (float)facing(at->n, toward);
     for (int i = 0; i < 3; ++i) mirrored[i] = toward[i] - along * at->n[i];
     for (uint32_t r = 0; r < (uint32_t)a->rays; ++r) {
         ssgi_hit hit;
         float u[2], d[3];
         ambient_point(a, r, seed, u);
-        const double z = pow((double)u[0], 1 / (job->exponent + 1)), flat = sqrt(fmax(0, 1 - z * z)), turn = 2 * pi * (double)u[1];
+        const double z = pow((double)u[0], 1 / (job->exponent + 1)), flat = sqrt(fmax(0, 1 - z * z)),
+                     turn = 2 * pi * (double)u[1];
         turned(mirrored, (float)(flat * cos(turn)), (float)(flat * sin(turn)), (float)z, d);
         const double weight = facing(at->n, d) > 0 ? blocked(a, at->origin, d, &hit) : 0;
         if (weight > 0) add_sent(job, &hit, d, r, seed, weight, a->rays, sum);
@@ -625,8 +679,8 @@ static void gloss_pixel(const truth *job, uint32_t pixel, const place *at, float
     }
 }
 
-int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, float radius, int attenuation, double exponent, int rays,
-                    int stride, kit_error *err)
+int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                    float radius, int attenuation, double exponent, int rays, int stride, kit_error *err)
 {
     truth job = { .pixel = gloss_pixel, .lighting = lighting, .exponent = exponent };
     if (!(exponent >= 0 && exponent <= 1e5)) return kit_fail(err, "truth: exponent %g: must be 0..1e5", exponent);
@@ -639,7 +693,8 @@ enum { REFLECTANCES = 16384 };                  /* the dipole's, by distance, a 
 typedef struct scattering {
     truth  job;
     float *area;                                /* running sum over the triangles */
-    float *sample;                              /* position, irradiance over pi: 4 each; of the lit ones alone when all are made */
+    /* position, irradiance over pi: 4 each; of the lit ones alone when all are made */
+    float *sample;
     size_t samples;
     float  per_unit, table[REFLECTANCES][4];    /* table entries a world unit; times a sample's area; the fourth is 0 */
 } scattering;
@@ -654,7 +709,10 @@ static void scatter_place(void *context, int block)
         float u[2];
         ssgi_r2((uint32_t)i, u);
         const float root = sqrtf(u[0]);
-        const ssgi_hit hit = { .triangle = (uint32_t)pick(s->area, (int)mesh->triangles, (float)(((double)i + 0.5) / (double)s->samples)), .u = root * (1 - u[1]), .v = root * u[1] };
+        const ssgi_hit hit = { .triangle = (uint32_t)pick(s->area, (int)mesh->triangles,
+                                                          (float)(((double)i + 0.5) / (double)s->samples)),
+                               .u = root * (1 - u[1]),
+                               .v = root * u[1] };
         const float *n = mesh->normal + 9 * (size_t)hit.triangle;
         float *sample = s->sample + 8 * i, inward[3];
         double light[3] = { 0 };
@@ -674,9 +732,12 @@ static void scatter_pixel(const truth *job, uint32_t pixel, const place *at, flo
     (void)pixel;
     for (size_t i = 0; i < s->samples;) {
         float sum[4] = { 0, 0, 0, 0 };
-        for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {    /* few at a time: sums of floats */
-            const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1], z = p[2] - at->origin[2];
-            const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];     /* none is farther than the bounds' diagonal */
+        /* few at a time: sums of floats */
+        for (const size_t end = i + 256 < s->samples ? i + 256 : s->samples; i < end; ++i) {
+            const float *p = s->sample + 8 * i, x = p[0] - at->origin[0], y = p[1] - at->origin[1],
+                        z = p[2] - at->origin[2];
+            /* none is farther than the bounds' diagonal */
+            const float d = s->per_unit * sqrtf(x * x + y * y + z * z), t = d - (float)(int)d, *a = s->table[(int)d];
             for (int c = 0; c < 4; ++c) sum[c] += p[4 + c] * (a[c] + t * (a[4 + c] - a[c]));
         }
         for (int c = 0; c < 3; ++c) all[c] += (double)sum[c];
@@ -688,7 +749,8 @@ static void scatter_pixel(const truth *job, uint32_t pixel, const place *at, flo
     }
 }
 
-static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, kit_error *err)
+static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, const kit_lighting *lighting,
+                         const ssgi_dipole *dipole, float unit, kit_error *err)
 {
     const kit_mesh *mesh = &scene->mesh;
     double area = 0, diagonal = 0;
@@ -708,11 +770,15 @@ static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, 
         s->area[t + 1] = (float)(0.5 * sqrt(dot(n, n)));
     }
     area = accumulate(s->area, (int)mesh->triangles) * (double)mesh->triangles;
-    for (int k = 0; k < 3; ++k) diagonal += ((double)mesh->upper[k] - (double)mesh->lower[k]) * ((double)mesh->upper[k] - (double)mesh->lower[k]);
+    for (int k = 0; k < 3; ++k)
+        diagonal +=
+            ((double)mesh->upper[k] - (double)mesh->lower[k]) * ((double)mesh->upper[k] - (double)mesh->lower[k]);
     diagonal = sqrt(diagonal);
     s->per_unit = (float)((REFLECTANCES - 2) / diagonal);
     for (int k = 0; k < REFLECTANCES; ++k)
-        for (int c = 0; c < 3; ++c) s->table[k][c] = (float)(ssgi_dipole_reflectance(dipole, c, k / (double)s->per_unit / (double)unit) / ((double)unit * (double)unit) * area / (double)samples);
+        for (int c = 0; c < 3; ++c)
+            s->table[k][c] = (float)(ssgi_dipole_reflectance(dipole, c, k / (double)s->per_unit / (double)unit)
+                                     / ((double)unit * (double)unit) * area / (double)samples);
     s->job.scene = scene;
     s->job.mesh = mesh;
     s->job.lighting = lighting;
@@ -727,18 +793,21 @@ static int scatter_begin(scattering *s, size_t samples, const kit_scene *scene, 
     return 0;
 }
 
-int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting, const ssgi_dipole *dipole, float unit, size_t samples,
-                      int stride, kit_error *err)
+int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
+                      const ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err)
 {
     truth job = { .pixel = scatter_pixel, .lighting = lighting };
     scattering *s = calloc(1, sizeof *s);
     int failed = 0;
-    if (samples < 1 || samples > 1u << 26 || !(unit > 0)) failed = kit_fail(err, "truth: %zu samples, unit %g: must be 1..2^26, above 0", samples, (double)unit);
-    else if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS) failed = kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
+    if (samples < 1 || samples > 1u << 26 || !(unit > 0))
+        failed = kit_fail(err, "truth: %zu samples, unit %g: must be 1..2^26, above 0", samples, (double)unit);
+    else if (lighting->lights < 0 || lighting->lights > KIT_MAX_LIGHTS)
+        failed = kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
     else if (!s) failed = kit_fail(err, "truth: out of memory");
     else failed = scatter_begin(s, samples, scene, lighting, dipole, unit, err);
     job.within = s;
-    failed = failed || truth_run(&job, out, KIT_LIT_CHANNELS, scene, camera, INFINITY, KIT_ATTENUATION_NONE, 1, stride, err);
+    failed =
+        failed || truth_run(&job, out, KIT_LIT_CHANNELS, scene, camera, INFINITY, KIT_ATTENUATION_NONE, 1, stride, err);
     if (s) { free(s->area); free(s->sample); }
     free(s);
     return failed ? -1 : 0;
@@ -768,7 +837,8 @@ static void floor_normal(const floor_job *job, size_t pixel, const double ray[3]
     normalise(n);
 }
 
-/* How much the view depth grows from pixel a to pixel b on the tangent plane of a. Beyond 89 degrees (n within 1/64 of edge-on) the plane is turned back. */
+/* How much the view depth grows from pixel a to pixel b on the tangent plane of a. Beyond 89 degrees (n within 1/64 of
+   edge-on) the plane is turned back. */
 static double plane_step(const double a[3], double depth, const double n[3], const double o[3], const double d[3])
 {
     double facing = dot(n, d), height = 0;
@@ -777,10 +847,11 @@ static double plane_step(const double a[3], double depth, const double n[3], con
     return height / facing;
 }
 
-/* Whether two neighbouring pixels lie on one surface: the tangent planes must meet between them. So the step in depth from one to the other must lie between
-   the steps that either plane predicts, give or take half a pixel's footprint and half of the smaller step (normals are interpolated, surfaces bend). Planes stay
-   joined at any slant, creases too; silhouettes are cut, as what lies behind does not lead up to them. Where only one of the planes is steep, it predicts 16 footprints
-   at most: the rim of a ball in front of a wall looks like a crease to two pixels. */
+/* Whether two neighbouring pixels lie on one surface: the tangent planes must meet between them. So the step in depth
+   from one to the other must lie between the steps that either plane predicts, give or take half a pixel's footprint
+   and half of the smaller step (normals are interpolated, surfaces bend). Planes stay joined at any slant, creases too;
+   silhouettes are cut, as what lies behind does not lead up to them. Where only one of the planes is steep, it predicts
+   16 footprints at most: the rim of a ball in front of a wall looks like a crease to two pixels. */
 static int joined(const floor_job *job, int xa, int ya, int xb, int yb)
 {
     const size_t a = (size_t)ya * (size_t)job->width + (size_t)xa, b = (size_t)yb * (size_t)job->width + (size_t)xb;
@@ -798,7 +869,8 @@ static int joined(const floor_job *job, int xa, int ya, int xb, int yb)
     }
     const double footprint = 2 * half[1] / job->height * (job->camera.fovy > 0 ? fmin(za, zb) : 1);
     double from_a = plane_step(pa, za, na, ob, db), from_b = -plane_step(pb, zb, nb, oa, da);
-    const double step = zb - za, least = fmin(fabs(from_a), fabs(from_b)), slack = 0.5 * (footprint + least), most = 16 * footprint + 2 * least;
+    const double step = zb - za, least = fmin(fabs(from_a), fabs(from_b)), slack = 0.5 * (footprint + least),
+                 most = 16 * footprint + 2 * least;
     from_a = fmax(-most, fmin(most, from_a));
     from_b = fmax(-most, fmin(most, from_b));
     return step >= fmin(from_a, from_b) - slack && step <= fmax(from_a, from_b) + slack;
@@ -811,15 +883,20 @@ static void floor_place(void *context, int y)
         const size_t i = (size_t)y * (size_t)job->width + (size_t)x;
         double o[3], d[3];
         camera_view_ray(&job->camera, x, y, o, d);
-        for (int k = 0; k < 3; ++k) job->position[3 * i + (size_t)k] = surface(job, i) ? (float)(o[k] + d[k] * (double)job->z[i]) : 0;
+        for (int k = 0; k < 3; ++k)
+            job->position[3 * i + (size_t)k] = surface(job, i) ? (float)(o[k] + d[k] * (double)job->z[i]) : 0;
     }
 }
 
-/* Of the two diagonals of a block, the one that keeps more triangles, else the shorter in depth. Corners 0 1 over 2 3. */
+/* Of the two diagonals of a block, the one that keeps more triangles, else the shorter in depth. Corners 0 1 over 2
+   3. */
 static void floor_join(void *context, int y)
 {
     static const int edge[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 3 }, { 2, 3 }, { 0, 3 }, { 1, 2 } };
-    static const int triple[4][6] = { { 0, 2, 3, 1, 3, 4 }, { 0, 3, 1, 0, 2, 4 }, { 0, 2, 1, 0, 1, 5 }, { 1, 2, 3, 2, 3, 5 } };   /* corners; edges */
+    /* corners; edges */
+    static const int triple[4][6] = {
+        { 0, 2, 3, 1, 3, 4 }, { 0, 3, 1, 0, 2, 4 }, { 0, 2, 1, 0, 1, 5 }, { 1, 2, 3, 2, 3, 5 }
+    };
     const floor_job *job = context;
     uint32_t *index = job->index + 6 * (size_t)y * (size_t)(job->width - 1), count = 0;
     for (int x = 0; x + 1 < job->width; ++x) {
@@ -827,10 +904,12 @@ static void floor_join(void *context, int y)
         const uint32_t corner[4] = { first, first + 1, first + (uint32_t)job->width, first + (uint32_t)job->width + 1 };
         int on[6], whole[4];
         for (int e = 0; e < 6; ++e)
-            on[e] = joined(job, x + (edge[e][0] & 1), y + (edge[e][0] >> 1), x + (edge[e][1] & 1), y + (edge[e][1] >> 1));
+            on[e] =
+                joined(job, x + (edge[e][0] & 1), y + (edge[e][0] >> 1), x + (edge[e][1] & 1), y + (edge[e][1] >> 1));
         for (int t = 0; t < 4; ++t) whole[t] = on[triple[t][3]] && on[triple[t][4]] && on[triple[t][5]];
         const int kept = whole[0] + whole[1] - whole[2] - whole[3];
-        const float down = fabsf(job->z[corner[0]] - job->z[corner[3]]), up = fabsf(job->z[corner[1]] - job->z[corner[2]]);
+        const float down = fabsf(job->z[corner[0]] - job->z[corner[3]]),
+                    up = fabsf(job->z[corner[1]] - job->z[corner[2]]);
         const int t0 = kept > 0 || (kept == 0 && down <= up) ? 0 : 2;
         for (int t = t0; t < t0 + 2; ++t)
             if (whole[t]) {
@@ -859,7 +938,8 @@ static void floor_row(void *context, int y)
     }
 }
 
-int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation, int rays, int stride, kit_error *err)
+int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, int attenuation,
+                 int rays, int stride, kit_error *err)
 {
     static const char *const names[4] = { "Z", "N.X", "N.Y", "N.Z" };
     floor_job job = { .camera = *camera, .width = frame->width, .height = frame->height, .stride = stride };
@@ -871,13 +951,16 @@ int kit_floor_ao(kit_image *out, const kit_image *frame, const kit_camera *camer
     if (camera_check(camera, "floor", err)) return -1;
     if (stride < 1) return kit_fail(err, "floor: stride %d: must be 1 or more", stride);
     if (frame->width != camera->width || frame->height != camera->height)
-        return kit_fail(err, "floor: the frame has %d x %d pixels, the camera %d x %d", frame->width, frame->height, camera->width, camera->height);
+        return kit_fail(err, "floor: the frame has %d x %d pixels, the camera %d x %d", frame->width, frame->height,
+                        camera->width, camera->height);
     for (int i = 0; i < 4; ++i)
-        if (!(channel[i] = kit_image_channel(frame, names[i]))) return kit_fail(err, "floor: the frame has no channel %s", names[i]);
+        if (!(channel[i] = kit_image_channel(frame, names[i])))
+            return kit_fail(err, "floor: the frame has no channel %s", names[i]);
     job.z = channel[0];
     for (int i = 0; i < 3; ++i) job.n[i] = channel[1 + i];
     if (ambient_begin(&job.ambient, radius, attenuation, rays, "floor", err)) return -1;
-    const size_t pixels = (size_t)job.width * (size_t)job.height, row = 2 * (size_t)(job.width - 1), blocks = (size_t)(job.height - 1);
+    const size_t pixels = (size_t)job.width * (size_t)job.height, row = 2 * (size_t)(job.width - 1),
+                 blocks = (size_t)(job.height - 1);
     job.position = malloc(3 * pixels * sizeof *job.position);
     job.index = malloc((3 * row * blocks + 1) * sizeof *job.index);
     job.count = malloc((blocks + 1) * sizeof *job.count);

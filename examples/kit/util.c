@@ -117,7 +117,8 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     pthread_t thread[MOST];
     int started = 0;
     if (what) kit_progress(what, 0);
-    while (started < threads - 1 && started < count - 1 && !pthread_create(&thread[started], NULL, parallel_thread, &p)) ++started;
+    while (started < threads - 1 && started < count - 1 && !pthread_create(&thread[started], NULL, parallel_thread, &p))
+        ++started;
     while (parallel_block(&p))
         if (what) kit_progress(what, fmin(0.999, (double)atomic_load(&p.next) / count));
     for (int i = 0; i < started; ++i) pthread_join(thread[i], NULL);
@@ -179,7 +180,8 @@ int kit_file_write(const char *path, const void *data, size_t size, kit_error *e
 {
     struct stat status;
     if (!stat(path, &status) && !S_ISREG(status.st_mode))
-        return kit_fail(err, "%s: cannot be written: %s", path, S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
+        return kit_fail(err, "%s: cannot be written: %s", path,
+                        S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
     char *name = led_to(path);             /* a link stays a link: what it points to is replaced */
     size_t length = name ? strlen(name) + 32 : 0;
     char *part = name ? malloc(length) : NULL;
