@@ -9,13 +9,21 @@ done
 if ! command -v apt-get >/dev/null 2>&1; then
     command -v dpkg-query >/dev/null 2>&1 || { echo "note: not a Debian system; wanted:$missing" >&2; exit 0; }
 fi
-if [ "$(id -u)" = 0 ]; then sudo=; elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then sudo=sudo; else
+if [ "$(id -u)" = 0 ]; then
+    sudo=
+elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+    sudo=sudo
+else
     echo "please install:$missing   (apt-get install$missing)" >&2
     exit 1
 fi
 echo "installing:$missing"
 log=$(mktemp)
-{ $sudo apt-get update && DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1 || {
+install() {
+    $sudo apt-get update &&
+        DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y --no-install-recommends $missing
+}
+install >"$log" 2>&1 || {
     tail -5 "$log" >&2
     rm -f "$log"
     echo "could not install:$missing" >&2
