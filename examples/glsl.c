@@ -17,6 +17,7 @@
                                      shows which variants a change touches */
 #include "kit/kit_gl.h"
 #include <errno.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,21 +68,48 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 
 /* ---- >>passes: as Markdown --------------------------------------------------------------------------------------- */
 
-/* The first [tag: ..] of a comment. */
-static void print_tag(const char *comment, const char *end, const char *tag)
+/* An item of a list, gathered, then printed in lines of at most 120 columns. */
+static struct { char text[8192]; size_t length; } item;
+
+static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int n = vsnprintf(item.text + item.length, sizeof item.text - item.length, format, arguments);
+    va_end(arguments);
+    if (n > 0) item.length += (size_t)n;
+    if (item.length >= sizeof item.text) item.length = sizeof item.text - 1;
+}
+
+static void print_item(void)
+{
+    int column = 1;
+    while (item.length && strchr(": ", item.text[item.length - 1])) item.text[--item.length] = 0;
+    putchar('-');
+    for (const char *word = strtok(item.text, " \n"); word; word = strtok(NULL, " \n")) {
+        const int n = (int)strlen(word);
+        if (column + 1 + n > 120) column = printf("\n ") - 1;
+        column += printf(" %s", word);
+    }
+    putchar('\n');
+    item.length = 0;
+}
+
+/* The first [tag: ..] of a comment, after a word. */
+static void add_tag(const char *word, const char *comment, const char *end, const char *tag)
 {
     const char *at = strstr(comment, tag);
-    printf("| ");
-    if (at && at < end) printf("%.*s ", (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
+    if (at && at < end) add("%s %.*s", word, (int)strcspn(at + strlen(tag), "]"), at + strlen(tag));
 }
 
 /* The enumerators from the one that a comment names on, to the end of its enum; as in "SSGI_GL_BILATERAL,
    SSGI_GL_GAUSSIAN" or "SSGI_GL_SSAO ..". */
-static void print_names(const char *header, const char *comment, const char *end)
+static void add_names(const char *header, const char *comment, const char *end)
 {
     char first[80] = "enum { ";
     const char *name = strstr(comment, "SSGI_"), *at;
     const size_t length = name && name < end ? strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") : 0;
+    const char *between = ", ";
     if (!length || length > 64) return;
     strncat(first, name, length);
     at = strstr(header, first);
@@ -90,7 +118,10 @@ static void print_names(const char *header, const char *comment, const char *end
         const size_t n = strspn(at, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
         if (!strncmp(at, "/*", 2)) { at = strstr(at, "*/"); if (!at) return; at += 2; continue; }
         if (!strncmp(at, "SSGI_", 5) && strncmp(at, "SSGI_GL_PASSES", n)
-            && strncmp(at, "SSGI_GL_DIALECTS", n)) printf("`%.*s` ", (int)n, at);
+            && strncmp(at, "SSGI_GL_DIALECTS", n)) {
+            add("%s`%.*s`", between, (int)n, at);
+            between = " ";
+        }
         at += n ? n : 1;
     }
 }
@@ -108,26 +139,26 @@ static int print_fields(const char *path, kit_error *err)
         free(header);
         return kit_fail(err, "%s: has no ssgi_gl_desc", path);
     }
-    puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what the third column says where that "
-         "has an entry.\n\n"
-         "| field | values | default | what |\n|---|---|---|---|");
+    puts("\n## Fields of `ssgi_gl_desc`\n\n0 is each field's default, and means what follows `default` where that "
+         "is there.\n");
     while ((at = strchr(at, '\n')) != NULL && ++at < end) {
         const char *comment = strstr(at, "/*"), *stop = comment ? strstr(comment, "*/") : NULL,
             *semicolon = strchr(at, ';'), *name = semicolon;
         if (!semicolon || !stop || semicolon > comment || comment > end) continue;
         while (name[-1] != ' ' && name[-1] != '*') --name;
-        printf("| `%.*s` ", (int)(semicolon - name), name);
-        print_tag(comment, stop, "[limit: ");
-        print_names(header, comment, stop);
-        print_tag(comment, stop, "[default: ");
-        printf("|");
+        add("`%.*s`", (int)(semicolon - name), name);
+        add_tag(",", comment, stop, "[limit: ");
+        add_names(header, comment, stop);
+        add_tag(", default", comment, stop, "[default: ");
+        add(":");
         const char *limit = strstr(comment, "[limit: "), *value = strstr(comment, "[default: ");
         for (const char *c = comment + 2; c < stop; ++c) {
-            if (c == limit || c == value) { c = strchr(c, ']'); continue; }
-            if (*c == '|') putchar('\\');
-            if (!strchr(" \n", *c) || !strchr(" \n", c[1])) putchar(*c == '\n' ? ' ' : *c);
+            if (c == limit || c == value) c = strchr(c, ']');
+            else if (!strncmp(c, "SSGI_", 5)) c += strspn(c, "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_,. ;") - 1;
+            else if (c > comment + 2 && !strncmp(c, "   ", 3) && c[3] != ' ' && c[-1] != ' ' && c[-1] != ']') add(": ");
+            else add("%c", *c);
         }
-        puts("|");
+        print_item();
         at = stop;
     }
     free(header);
@@ -137,29 +168,28 @@ static int print_fields(const char *path, kit_error *err)
 /* What each pass reads and writes. */
 static void print_passes(void)
 {
+    static const char *const words[3] = { "reads", "per frame", "writes" };
+    static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE },
+                                     { SSGI_GL_PARAM, SSGI_GL_PARAM },
+                                     { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
     puts("# Passes\n\nMade by `make passes`. `ssgi_gl_reflect` returns these rows for your variant, with formats, "
-         "slots, and offsets in `ssgi_gl_frame`; the\n"
-         "declarations in the text are printed from them. Fetches: the most that a pixel (of `surfels`: a surfel) "
-         "takes at default counts, as the text has it.\n");
-    puts("| pass | reads | per frame | writes | fetches |\n|---|---|---|---|---|");
+         "slots, and offsets in\n`ssgi_gl_frame`; the declarations in the text are printed from them. Fetches: the "
+         "most that a pixel (of `surfels`: a\nsurfel) takes at default counts, as the text has it.");
     for (int i = 0; i < variants_count; ++i) {
-        static const int kinds[3][2] = { { SSGI_GL_TEXTURE, SSGI_GL_ATTRIBUTE },
-                                         { SSGI_GL_PARAM, SSGI_GL_PARAM },
-                                         { SSGI_GL_OUTPUT, SSGI_GL_CAPTURE } };
         ssgi_gl_io io[SSGI_GL_MAX_IO];
         const int n = ssgi_gl_reflect(&variants[i].desc, io, SSGI_GL_MAX_IO);
-        printf("| %s ", variants[i].title);
+        printf("\n### %s: %d fetches\n\n", variants[i].title, kit_fetches(&variants[i].desc));
         for (size_t k = 0; k < 3; ++k) {
-            const char *between = "| ";
+            const char *between = " ";
             for (int r = 0; r < n; ++r) {
                 if (io[r].kind != kinds[k][0] && io[r].kind != kinds[k][1]) continue;
-                if (k == 2) printf("%s`%s` %s: %s", between, io[r].name, io[r].type, io[r].format);
-                else printf("%s`%s`", between, io[r].name);
-                between = ", ";
+                if (*between == ' ') add("%s", words[k]);
+                if (k == 2) add("%s`%s` %s: %s", between, io[r].name, io[r].type, io[r].format);
+                else add("%s`%s`", between, io[r].name);
+                between = k == 2 ? "; " : ", ";
             }
-            printf(" ");
+            if (*between != ' ') print_item();
         }
-        printf("| %d |\n", kit_fetches(&variants[i].desc));
     }
 }
 
