@@ -571,7 +571,7 @@ static const char once[] =
     "- `dss` where the picture shows nothing (`make demo`, 320x180, `size` 0.03), error beside `hsao`'s: off\n"
     "  screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339\n"
     "- surfels without `offscreen_growth` and `max_distance`, 480x270, for the same pixels: 6.6 times as many in\n"
-    "  `room`, 66 times in   `colonnade`\n"
+    "  `room`, 66 times in `colonnade`\n"
     "- a calibration of 3000 places of 64 rays, one core: 0.08 s in the bunny's 70,000 triangles, 0.05 s in a tree;\n"
     "  within 3 to 6 % of the whole picture's error\n"
     "- errors that the plan predicts spread by 3 to 14 % for `hsao`, 13 % for `dss`, 28 % with cameras, 12 to 25\n"
