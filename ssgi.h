@@ -38,7 +38,7 @@
       >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
-      >>cap        spherical caps under the cosine: closed form, table
+      >>cap        cosine-weighted occlusion of spherical caps, in closed form
       >>bias       pixel footprint, normal offset, shadow map bias
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
@@ -328,11 +328,6 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024].
-   Upload it size x size, R16F, R32F or R16, LINEAR, CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest
-   error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
-SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
-
 /* ==== >>bias =================================================================================================== */
 
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
@@ -531,25 +526,18 @@ SSGI_DEF const ssgi_material *ssgi_material_of(int i);
    hull to the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
-      uint32_t *texels = malloc(ssgi_field_size(16, 16));          16 x 16 texels a face, 16 bits a component
+      uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
       size_t    size = ssgi_field_bake_size(&d, triangles);
       void     *work = malloc(size);
       if (ssgi_field_bake(&field, texels, work, size, &d, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
       free(work);                                                  field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the occluder. VECTOR: the length of its vector irradiance, and how densely it fills its cap
-   (holes, legs): occlusion is then exact wherever the whole occluder is above the receiver's horizon, and 1/length of a
-   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the occluder. */
-enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
-
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
     int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
-    int   measure;      /* SSGI_FIELD_VECTOR .. */
-    int   bits;         /* [limit: 0, 8, 16] [default: 16] a component */
     float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
     float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
                            radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
@@ -566,15 +554,15 @@ typedef struct ssgi_field_desc {
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
     const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
-                               border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
+                               border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
                                first: three logarithms of the distance function, the hull's distance, the characteristic
-                               centre's x y z, the covered share of the cap. Upload as RGBA32UI or RG32UI */
-    int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
-    int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
+                               centre's x y z, the covered share of the cap. Upload as RG32UI */
+    int   resolution;       /* texels along a side of a face */
+    int   radii;            /* distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
     float reach;            /* [units: the mesh's] the field's end, from the centre */
     float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
-    float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
+    float low[8], span[8];  /* what 0 and 255 of each component stand for: low, low + span */
     float median, p95, max_error;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
                                directions between texels, radii between those sampled, any normal */
 } ssgi_field;
@@ -587,10 +575,10 @@ typedef struct ssgi_field_limits {
 
 /* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
    resolution^2 of the largest resolution. 0 for bad arguments. */
-SSGI_DEF size_t ssgi_field_size(int resolution, int bits);
+SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position,
+/* Bakes. texels: ssgi_field_size of desc's resolution; they belong to the field from then on. position,
    stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles are left out. Directions are sampled
    at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
    number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
@@ -610,16 +598,11 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
-   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
+/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered; at
+   the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
    point's distance from the centre over the hull's. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
-
-/* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the
-   logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or
-   RGBA8 cube maps, LINEAR, seamless. Either may be NULL. */
-SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
 
 /* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
    0: field is NULL, or no field. */
@@ -1812,38 +1795,25 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
 
 /* ==== >>cap (implementation) =================================================================================== */
 
-/* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it
-   lies above the horizon. One text for both precisions. */
-#define SSGI__CAP(name, real, root, arc) \
-    real name(real solid_angle, real cosine) \
-    { \
-        const real pi = (real)SSGI__PI; \
-        real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine; \
-        real s, x, w, a; \
-        const int most = h > 1;             /* more than half of the sphere: what is left over is a cap, too */ \
-        if (most) { h = h < 2 ? 2 - h : 0; c = -c; } \
-        s = h * (2 - h);                    /* squared sine of its radius; not (1 - k)(1 + k), which cancels */ \
-        if (!(s > 0)) a = 0; \
-        else if (c * c >= s) a = c > 0 ? s * c : 0; \
-        else { \
-            x = (1 - h) / root(s); \
-            w = root(1 - c * c / s); \
-            a = ((c * arc(w, -x * c) - x * w) * s + arc(w, x)) / pi; \
-            a = a > 0 ? a < 1 ? a : 1 : 0; \
-        } \
-        return most ? 1 - a : a; \
-    }
-SSGI__FN SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
-SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
-
-SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
+/* The integral of the clamped cosine over a cap: by the two arcs, of the cap and of the horizon, that bound its part
+   above the horizon. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
 {
-    SSGI__THERE(out);
-    SSGI__RANGE(size, 2, 1024);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            *out++ = (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
-    return SSGI_OK;
+    const float pi = 3.14159265f;
+    float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
+    float s, x, w, a;
+    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
+    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
+    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    if (!(s > 0.0f)) a = 0.0f;
+    else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
+    else {
+        x = (1.0f - h) / sqrtf(s);
+        w = sqrtf(1.0f - c * c / s);
+        a = ((c * atan2f(w, -x * c) - x * w) * s + atan2f(w, x)) / pi;
+        a = ssgi__max(0.0f, ssgi__min(a, 1.0f));
+    }
+    return large ? 1.0f - a : a;
 }
 
 /* ==== >>bias (implementation) ================================================================================== */
@@ -3363,8 +3333,6 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
-
 /* What a point at r along w from the centre sees of the occluder, by rays in the cone that holds it; and that point. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
@@ -3387,8 +3355,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
               y = texel / size % size, x = texel % size;
-    const int vector = b->field->measure == SSGI_FIELD_VECTOR;
-    const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
+    const double reach = (double)b->field->reach;
     float *out = b->fine + 8 * (size_t)texel, point[3];
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
@@ -3399,8 +3366,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
         ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
-        values[i] = vector ? length : sum[0];
-        if (values[i] > most) values[i] = most;
+        values[i] = length < SSGI__PI ? length : SSGI__PI;
         if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
@@ -3409,7 +3375,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         }
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
-    ssgi__field_fit(q, radii, values, b->radii, most);
+    ssgi__field_fit(q, radii, values, b->radii, SSGI__PI);
     /* within the rays' noise, which a centre near the hull would follow */
     ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
     length = sqrt(ssgi__dot(c, c));
@@ -3418,7 +3384,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
-    out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
+    out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
@@ -3439,14 +3405,11 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-static int ssgi__field_words(int bits) { return bits == 8 ? 2 : 4; }
-
 /* Ranges, integers, borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
-    const int size = f->resolution, words = ssgi__field_words(f->bits);
-    const float most = f->bits == 8 ? 255.0f : 65535.0f;
+    const int size = f->resolution;
     float high[8];
     for (int n = 0; n < 8; ++n) {
         f->low[n] = high[n] = b->coarse[n];
@@ -3459,17 +3422,17 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
     f->texels = texels;
     for (int face = 0; face < 6; ++face)
         for (int y = -1; y <= size; ++y)
-            for (int x = -1; x <= size; ++x, texels += words) {
+            for (int x = -1; x <= size; ++x, texels += 2) {
                 const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
                 const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
                 const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
                             *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
                             *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
-                memset(texels, 0, (size_t)words * sizeof *texels);
+                texels[0] = texels[1] = 0;
                 for (int n = 0; n < 8; ++n) {
                     float v = corner ? (a[n] + up[n] + own[n]) / 3.0f : a[n];
-                    v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
-                    texels[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
+                    v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * 255.0f + 0.5f : 0.0f;
+                    texels[n / 4] |= (uint32_t)(v < 255.0f ? v : 255.0f) << 8 * (n % 4);
                 }
             }
 }
@@ -3547,10 +3510,10 @@ SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
     f->median = ssgi__min(f->median, f->p95);
 }
 
-SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
+SSGI_DEF size_t ssgi_field_size(int resolution)
 {
-    if (resolution < 2 || resolution > 128 || (bits != 8 && bits != 16)) return 0;
-    return (size_t)(6 * (resolution + 2) * (resolution + 2) * ssgi__field_words(bits)) * sizeof(uint32_t);
+    if (resolution < 2 || resolution > 128) return 0;
+    return (size_t)(12 * (resolution + 2) * (resolution + 2)) * sizeof(uint32_t);
 }
 
 SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
@@ -3559,7 +3522,6 @@ SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
     if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
     if (!d.radii) d.radii = d.error > 0.0f ? 24 : 12;
     if (!d.rays) d.rays = 128;
-    if (!d.bits) d.bits = 16;
     if (!(d.reach > 0.0f)) d.reach = 8.0f;
     return d;
 }
@@ -3570,9 +3532,6 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
     SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
     SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
-    SSGI__CHECK(desc->measure == SSGI_FIELD_VECTOR || desc->measure == SSGI_FIELD_SOLID_ANGLE,
-                "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
-    SSGI__CHECK(!desc->bits || desc->bits == 8 || desc->bits == 16, "desc.bits: must be 0, 8 or 16");
     SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
     SSGI__CHECK(ssgi__within(desc->error, 0.0f, 1.0f), "desc.error: must be 0..1");
     return SSGI_OK;
@@ -3636,8 +3595,6 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     SSGI__TRY(ssgi_trace_build(&b.occluder.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
                                position, stride_bytes, index, triangles, why));
     SSGI__CHECK(ssgi__field_measure(&b.occluder), "position: no triangle has an area");
-    f.bits = d.bits;
-    f.measure = d.measure;
     f.radius = (float)b.occluder.radius;
     f.reach = d.reach * f.radius;
     ssgi__floats(f.centre, b.occluder.centre);
@@ -3679,18 +3636,12 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
 static const uint32_t *ssgi__field_at(const ssgi_field *f, int face, int x, int y)
 {
     const int row = f->resolution + 2;
-    return f->texels + (size_t)ssgi__field_words(f->bits) * (size_t)((face * row + y) * row + x);
-}
-
-static uint32_t ssgi__field_component(const ssgi_field *f, const uint32_t *texel, int n)
-{
-    return texel[n * f->bits / 32] >> n * f->bits % 32 & (f->bits == 8 ? 0xffu : 0xffffu);
+    return f->texels + 2 * ((face * row + y) * row + x);
 }
 
 /* The components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
-    const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
     const int face = ssgi__cube_place(at, w);
     int cell[2];
@@ -3705,17 +3656,17 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
         for (int k = 0; k < 2; ++k) {
             const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
-            for (int n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
+            for (int n = 0; n < 8; ++n) out[n] += weight * (float)(texel[n / 4] >> 8 * (n % 4) & 255u);
         }
-    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
+    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] / 255.0f * f->span[n];
 }
 
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill)
 {
-    const float most = (float)ssgi__field_most(field->measure);
+    const float most = 3.14159265f;
     double w[3], v[3];
-    float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
+    float direction[3], c[8], r, hull, t, q0, q1, q2, q, s;
     for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
@@ -3727,15 +3678,10 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     q2 = exp2f(c[2]);
     q1 = exp2f(c[1]) - sqrtf(q0 * q2);
     q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
-    value = q * most > 1.0f ? 1.0f / q : most;
-    *fill = 1.0f;
-    if (field->measure == SSGI_FIELD_VECTOR) {
-        float s = value / most;
-        *fill = c[7] > s ? c[7] : s;
-        s /= *fill;
-        value = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
-    }
-    *solid_angle = value;
+    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f;         /* vector irradiance over pi */
+    *fill = ssgi__max(c[7], s);
+    s /= *fill;
+    *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
     if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
     for (int k = 0; k < 3; ++k) axis[k] = (float)v[k];
@@ -3763,29 +3709,11 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
 }
 
-SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
-{
-    const int size = field->resolution;
-    if (face < 0 || face > 5) return;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const uint32_t *texel = ssgi__field_at(field, face, x + 1, y + 1);
-            for (int n = 0; n < 8; ++n) {
-                const uint32_t v = ssgi__field_component(field, texel, n);
-                void *out = n < 4 ? distance : centre;
-                const int i = 4 * (y * size + x) + n % 4;
-                if (!out) continue;
-                if (field->bits == 8) ((uint8_t *)out)[i] = (uint8_t)v;
-                else ((uint16_t *)out)[i] = (uint16_t)v;
-            }
-        }
-}
-
 /* ---- files: 32-bit words, lowest byte first */
 
-#define SSGI__FIELD_HEAD    32              /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_HEAD    29              /* words before the texels; after them two of checksum */
 #define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
-#define SSGI__FIELD_VERSION 0x31464f41u     /* "AOF1" */
+#define SSGI__FIELD_VERSION 0x32464f41u     /* "AOF2" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3817,25 +3745,22 @@ SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
     unsigned char *bytes = (unsigned char *)out;
-    const size_t words = field ? ssgi_field_size(field->resolution, field->bits) / 4 : 0,
+    const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
     ssgi_field f;
     float *number[25];
     uint64_t h;
     if (!words || capacity < size || !out) return size;
     f = *field;
-    memset(out, 0, 4 * SSGI__FIELD_HEAD);
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
-    ssgi__field_put(bytes, 3, (uint32_t)f.bits);
-    ssgi__field_put(bytes, 4, (uint32_t)f.measure);
-    ssgi__field_put(bytes, 5, (uint32_t)f.radii);
+    ssgi__field_put(bytes, 3, (uint32_t)f.radii);
     ssgi__field_numbers(number, &f);
     for (size_t i = 0; i < 25; ++i) {
         uint32_t word;
         memcpy(&word, number[i], sizeof word);
-        ssgi__field_put(bytes, 6 + i, word);
+        ssgi__field_put(bytes, 4 + i, word);
     }
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     h = ssgi__field_checksum(bytes, size - 8);
@@ -3849,22 +3774,20 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
     float *number[25];
-    uint32_t head[6] = { 0 };
+    uint32_t head[4] = { 0 };
     size_t words = 0;
     uint64_t h;
     SSGI__THERE(file);
-    for (size_t i = 0; i < 6 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
+    for (size_t i = 0; i < 4 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
     SSGI__CHECK(head[0] == SSGI__FIELD_MAGIC && (head[1] & 0xffffffu) == (SSGI__FIELD_VERSION & 0xffffffu),
                 "file: is not an ambient occlusion field");
     SSGI__CHECK(head[1] == SSGI__FIELD_VERSION, "file: is of another version");
     SSGI__CHECK(size >= 4 * SSGI__FIELD_HEAD, "file: is cut short");
     memset(f, 0, sizeof *f);
-    if (head[2] <= 128u && head[3] <= 16u) words = ssgi_field_size((int)head[2], (int)head[3]) / 4;
-    SSGI__CHECK(words && head[4] <= 1u && head[5] <= 64u, corrupt);
+    if (head[2] <= 128u) words = ssgi_field_size((int)head[2]) / 4;
+    SSGI__CHECK(words && head[3] <= 64u, corrupt);
     f->resolution = (int)head[2];
-    f->bits = (int)head[3];
-    f->measure = (int)head[4];
-    f->radii = (int)head[5];
+    f->radii = (int)head[3];
     SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
     h = ssgi__field_checksum(bytes, size - 8);
@@ -3872,7 +3795,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
     ssgi__field_numbers(number, f);
     for (size_t i = 0; i < 25; ++i) {
-        const uint32_t word = ssgi__field_get(bytes, 6 + i);
+        const uint32_t word = ssgi__field_get(bytes, 4 + i);
         memcpy(number[i], &word, sizeof word);
         SSGI__CHECK(ssgi__within(*number[i], i < 17 ? -1e15f : 0.0f, 1e15f), corrupt);
     }
@@ -3887,7 +3810,7 @@ SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t fil
     ssgi_field f;
     SSGI__THERE(bytes);
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    *bytes = ssgi_field_size(f.resolution, f.bits);
+    *bytes = ssgi_field_size(f.resolution);
     return SSGI_OK;
 }
 
@@ -3898,7 +3821,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
     size_t words;
     SSGI__THERE2(field, texels);
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    words = ssgi_field_size(f.resolution, f.bits) / 4;
+    words = ssgi_field_size(f.resolution) / 4;
     SSGI__ENOUGH(size, 4 * words, "size: must be at least what ssgi_field_peek tells");
     for (size_t i = 0; i < words; ++i)
         texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);

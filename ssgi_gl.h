@@ -23,11 +23,11 @@
       Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, depth test and blending off, the
       viewport on the picture inside the target, glDrawArrays(GL_TRIANGLES, 0, 3). Textures are read by texelFetch at
       level 0, so wrap modes do not matter, but a texture must be complete: one without mip levels reads 0 under GL's
-      default minifying filter, and the picture is black. GL_NEAREST is right for all but field's cube maps and cap
-      table; depth and 32-bit float textures need it in GLES and WebGL. A texture has one unit, by its name, in every
-      variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
-      layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
-      glUniformBlockBinding). This header calls no GL and includes no GL header.
+      default minifying filter, and the picture is black. GL_NEAREST is right for all; depth and 32-bit float textures
+      need it in GLES and WebGL. A texture has one unit, by its name, in every variant of a pass. The uniform block
+      "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding) the rows' slots are in
+      the text; in the others set them once by name (glUniform1i, glUniformBlockBinding). This header calls no GL and
+      includes no GL header.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: horizon search, slices or the paper's march [HSAO08]
@@ -171,14 +171,6 @@ enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12
        SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean free direction */
        SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as free directions are spread [SSBN11] */
        SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
-/* desc.storage: how fields are kept */
-enum { SSGI_GL_STORAGE_ATLAS = 0,  /* ssgi_field.texels, a slice of one integer array a field; every dialect; 4 fetches
-                                      */
-       SSGI_GL_STORAGE_CUBE };     /* one field as two cube maps, seamless (ssgi_field_cube); 16 bits not in GLES; 2
-                                      fetches */
-/* desc.cap: how a cap becomes occlusion */
-enum { SSGI_GL_CAP_CLOSED = 0,     /* closed form: two arcs */
-       SSGI_GL_CAP_TABLE };        /* your texture of ssgi_cap_table: 1 fetch */
 /* desc.objects: which object a pixel shows, so that no occluder shades itself */
 enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders shade whatever is there */
        SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_occluder.object leaves its own pixels
@@ -279,10 +271,6 @@ typedef struct ssgi_gl_desc {
     int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* field */
-    int storage;         /* SSGI_GL_STORAGE_ATLAS .. */
-    int measure;         /* SSGI_FIELD_VECTOR ..: as the fields were baked */
-    int eight_bits;      /* ATLAS   1: the fields have 8 bits a component */
-    int cap;             /* SSGI_GL_CAP_CLOSED .. */
     int objects;         /* SSGI_GL_OBJECTS_NONE .. */
 
     /* surfels, shuffle, splat, unshuffle, smooth, sum */
@@ -346,11 +334,10 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's
-   storage, measure, eight_bits and cap; the samplers t_ssgi_occluders, t_ssgi_fields (or the two cube maps), t_ssgi_cap
-   are declared in it. float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of
-   1 - occlusion over rows 0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was
-   given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), the same for
+   every desc that ssgi_gl_check accepts; the samplers t_ssgi_occluders and t_ssgi_fields are declared in it. float
+   ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
+   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -1559,25 +1546,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
-{ "SSGI_FIELD_UNIT", __LINE__, "const float SSGI_FIELD_UNIT = 1.0 / 255.0; // #if eight_bits\n"
-    "const float SSGI_FIELD_UNIT = 1.0 / 65535.0; // #if !eight_bits\n" },
 { "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
-    "#if eight_bits\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
     "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
-    "#else\n"
-    "    uvec4 v = texelFetch(t_ssgi_fields, p, 0);\n"
-    "    a += weight * vec4(v.x & 65535u, v.x >> 16, v.y & 65535u, v.y >> 16);\n"
-    "    b += weight * vec4(v.z & 65535u, v.z >> 16, v.w & 65535u, v.w >> 16);\n"
-    "#endif\n"
     "}\n" },
-{ "ssgi_field_fetch", __LINE__, "#if storage == CUBE\n"
-    "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
-    "    a = textureLod(t_ssgi_field, w, 0.0);\n"
-    "    b = textureLod(t_ssgi_field_centre, w, 0.0);\n"
-    "}\n"
-    "#else\n"
+{ "ssgi_field_fetch", __LINE__ + 1,
     "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w);\n"
@@ -1603,31 +1577,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
-    "    a *= SSGI_FIELD_UNIT;\n"
-    "    b *= SSGI_FIELD_UNIT;\n"
-    "}\n"
-    "#endif\n" },
+    "    a *= 1.0 / 255.0;\n"
+    "    b *= 1.0 / 255.0;\n"
+    "}\n" },
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most half of the\n"
-    "// sphere; c: cosine between its axis and the normal\n"
+    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most a hemisphere;\n"
+    "// c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
     "}\n" },
-{ "ssgi_cap_any", __LINE__, "#if cap == TABLE\n"
-    "// the same from a table: h: solid angle / 2 pi; coordinates hit texel centres\n"
-    "float ssgi_cap_any(float h, float c) {\n"
-    "    float n = float(textureSize(t_ssgi_cap, 0).x);\n"
-    "    return textureLod(t_ssgi_cap, (vec2(h, c + 1.0) * (0.5 * n - 0.5) + 0.5) / n, 0.0).x;\n"
-    "}\n"
-    "#else\n"
-    "// h: solid angle / 2 pi, in [0,2]; what a large cap leaves over is a cap, too\n"
-    "float ssgi_cap_any(float h, float c) {\n"
-    "    float a = ssgi_cap(abs(1.0 - h), h * (2.0 - h), h > 1.0 ? -c : c);\n"
-    "    return h > 1.0 ? 1.0 - a : a;\n"
-    "}\n"
-    "#endif\n" },
 { "ssgi_field_at", __LINE__ + 1,
     "// where a point is about the occluder: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
     "// to_field on\n"
@@ -1649,15 +1609,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
     "    float c = dot(axis, normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n))));\n"
-    "#if measure == SOLID_ANGLE\n"
-    "    float A = ssgi_cap_any(0.159154943 / max(q, 0.0795774715), c);\n"
-    "#else\n"
     "    // the cap of this vector irradiance, and the share of it that is covered\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
-    "    float A = fill * ssgi_cap_any(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c); // #if cap == TABLE\n"
-    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if cap != TABLE\n"
-    "#endif\n"
+    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
@@ -2247,11 +2202,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
     SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
     SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__T("fields", 4, "!eight_bits", "usampler2DArray", "RGBA32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("fields", 4, "eight_bits", "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("field", 5, NULL, "samplerCube", "RGBA16 or RGBA8, LINEAR, seamless: ssgi_field_cube, distance"),
-    SSGI_GL__T("field_centre", 6, NULL, "samplerCube", "the same: ssgi_field_cube, centre"),
-    SSGI_GL__T("cap", 7, NULL, "sampler2D", "R16F or R32F, LINEAR, CLAMP_TO_EDGE: ssgi_cap_table"),
+    SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
     SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao or hsao wrote"),
@@ -2372,9 +2323,6 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__B(shaded), SSGI_GL__B(residual),
     SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
     SSGI_GL__B(lights), SSGI_GL__B(albedo),
-    SSGI_GL__E(storage, SSGI_GL_STORAGE_CUBE, "SSGI_GL_STORAGE", "ATLAS CUBE"),
-    SSGI_GL__E(measure, SSGI_FIELD_SOLID_ANGLE, "SSGI_FIELD", "VECTOR SOLID_ANGLE"), SSGI_GL__B(eight_bits),
-    SSGI_GL__E(cap, SSGI_GL_CAP_TABLE, "SSGI_GL_CAP", "CLOSED TABLE"),
     SSGI_GL__E(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS", "NONE TEXTURE CUSTOM"),
     SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
@@ -2911,7 +2859,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
     if (dialect->es)
         ssgi_gl__print(t, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                          "precision highp sampler2DArray;\nprecision highp samplerCube;\nprecision highp usampler2D;\n"
+                          "precision highp sampler2DArray;\nprecision highp usampler2D;\n"
                           "precision highp usampler2DArray;\n");
     for (i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);

@@ -210,8 +210,8 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
    loaded. */
 static void fields(const float *f, size_t count, const uint8_t *data, size_t size)
 {
-    static uint32_t texels[6 * 4 * 4 * 4];
-    static unsigned char kept[4 * (SSGI__FIELD_HEAD + 6 * 4 * 4 * 4 + 2)], file[sizeof kept];
+    static uint32_t texels[6 * 4 * 4 * 2];
+    static unsigned char kept[4 * (SSGI__FIELD_HEAD + 6 * 4 * 4 * 2 + 2)], file[sizeof kept];
     static size_t length, calls;
     ssgi_field_desc d = { 0 };
     ssgi_field field;
@@ -220,8 +220,6 @@ static void fields(const float *f, size_t count, const uint8_t *data, size_t siz
     d.resolution = 2;
     d.radii = 4;
     d.rays = 16;
-    d.bits = count & 1 ? 8 : 16;
-    d.measure = count >> 1 & 1;
     if (!length || (count >= 27 && calls % 16000 == 15999)) {
         static const float one[9] = { 0, 0, 0, 1, 0, 0, 0, 1, 1 };
         const float *from = length ? f : one;

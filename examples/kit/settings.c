@@ -194,18 +194,6 @@ static const row error_row = {
     PLAN,
     0
 };
-static const row measure_row = { { "measure",
-                                   "what a field keeps: vector irradiance and fill, or solid angle as published",
-                                   "vector solid-angle", 0, 0, 1, 1 },
-                                 GATHER,
-                                 DESC(measure) };
-static const row bits_row      = { { "bits", "a component of a field", "16 8", 0, 0, 1, 1 }, GATHER, DESC(eight_bits) };
-static const row storage_row = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0,
-                                   0, 1, 1 },
-                                 GATHER,
-                                 DESC(storage) };
-static const row cap_row = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
-static const row table_row     = { { "table_size", "of that table", NULL, 64, 2, 1024, 1 }, PLAN, 0 };
 static const row reach_row = {
     { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
 };
@@ -393,8 +381,8 @@ static const plan plans[] = {
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row,
-        &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &occluders_row, &normal_row } }
+      { &resolution_row, &radii_row, &rays_a_row, &error_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row,
+        &own_row, &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -496,8 +484,6 @@ ssgi_field_desc kit_method_field(const kit_method *method)
     d.resolution = (int)kit_method_value(method, "resolution");
     d.radii = (int)kit_method_value(method, "radii");
     d.rays = (int)kit_method_value(method, "rays");
-    d.measure = (int)kit_method_value(method, "measure");
-    d.bits = kit_method_value(method, "bits") > 0 ? 8 : 16;
     d.reach = (float)kit_method_value(method, "reach");
     d.error = (float)kit_method_value(method, "error");
     return d;
