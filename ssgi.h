@@ -409,8 +409,9 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 /* ==== >>surfels ================================================================================================ */
 
 /* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing
-   angles, beside the picture and behind the eye, too. Passes of ssgi_gl.h make the same surfels on the GPU
-   (SSGI_GL_SURFELS), with the shrink INCENTRE alone; SSGI_GL_SPLAT takes either. */
+   angles, off screen and behind the eye, too. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
+   SSGI_GL_SPLAT takes either. Points keep off a triangle's edges: it is scaled about the centre of its inscribed circle
+   by 1 - r / the circle's radius, at least 1/4, so that discs end at the edges unless they are wider than it. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
@@ -427,17 +428,9 @@ SSGI_DEF int ssgi_tess_count(int level);
    at least 1, for level 0 culls. Beyond 3169 discs triangles want splits. */
 SSGI_DEF int ssgi_tess_level(double area, double radius);
 
-/* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them. INCENTRE: scaled about the
-   centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider
-   than the triangle. CENTROID: as published, corners move by r toward the centroid, by 0.9 of the way at most: it
-   leaves half of what protrudes. */
-enum { SSGI_SHRINK_INCENTRE = 0, SSGI_SHRINK_CENTROID };
-
 typedef struct ssgi_surfel_desc {
     float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    float jitter;   /* [units: radii] [limit: 0..1] how far surfels are moved, to hide the tessellator's pattern */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
-    int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
     float offscreen_growth;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
                        frustum, where no visible pixel is close; below 1e-3: none, as published */
     int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
@@ -457,10 +450,10 @@ typedef struct ssgi_surfel_source {
     float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
-   splits, defaults in place; and ssgi_gl_frame.offscreen: offscreen_growth, keep_small. */
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
-                                       const ssgi_view *view, const char **why);
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, aside, splits;
+   defaults in place. */
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why);
 
 /* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
    horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->max_distance. Others
@@ -2470,7 +2463,6 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
    Twin of the tessellation control shader. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
-    const int published = m->desc.shrink == SSGI_SHRINK_CENTROID;
     int row = (int)sqrt((double)part), place;
     double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], d[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
@@ -2500,7 +2492,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     if (!((float)p->radius > 0.0f)) return 0;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
-        edge[c] = published ? 1.0 : sqrt(ssgi__dot(d, d));
+        edge[c] = sqrt(ssgi__dot(d, d));
         perimeter += edge[c];
     }
     for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, edge[c] / perimeter, p->at[c]);
@@ -2508,10 +2500,6 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     if (f < 0.25) f = 0.25;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[c], -1.0, centre);
-        if (published) {
-            const double length = sqrt(ssgi__dot(d, d));
-            f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
-        }
         ssgi__along(p->at[c], centre, f, d);
     }
     return 1;
@@ -2521,21 +2509,15 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
                                  const int place[3])
 {
-    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
-                   h2 = ssgi__hash(h);
-    const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
-                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0, c = cos(angle), s = sin(angle);
-    double u[3], v[3], at[3], normal[3], colour[3], w[3];
+    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14));
+    double at[3], normal[3], colour[3], w[3];
     for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    ssgi__along(u, p->at[1], -1.0, p->at[0]);
-    ssgi__normalise(u);
-    ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
         for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
-    for (int i = 0; i < 3; ++i) out->position[i] = (float)(at[i] + away * (c * u[i] + s * v[i]));
+    ssgi__floats(out->position, at);
     ssgi__floats(out->normal, normal);
     ssgi__floats(out->colour, colour);
     out->radius = (float)p->radius;
@@ -2551,10 +2533,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
         return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
     SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
                 "desc.size: must be 1e-4..1, or 0 for the default");
-    SSGI__CHECK(desc->jitter >= 0.0f && desc->jitter <= 1.0f, "desc.jitter: must be 0..1");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
-    SSGI__CHECK(desc->shrink >= SSGI_SHRINK_INCENTRE && desc->shrink <= SSGI_SHRINK_CENTROID,
-                "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
     SSGI__CHECK(desc->offscreen_growth >= 0.0f && desc->offscreen_growth <= 1.0f, "desc.offscreen_growth: must be 0..1");
     SSGI__CHECK(ssgi__positive(&desc->max_distance, 1), "desc.max_distance: must be 0 or more and finite");
@@ -2565,20 +2544,18 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
-                                       const ssgi_view *view, const char **why)
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why)
 {
     ssgi_surfel_desc d;
     double s[2];
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
-    SSGI__CHECK(scale && offscreen, "scale, offscreen: must not be NULL");
+    SSGI__THERE(scale);
     ssgi__surfel_scale(s, view, (double)d.size);
     scale[0] = (float)s[0];
     scale[1] = (float)s[1];
-    scale[2] = 1.0f - d.jitter;
+    scale[2] = d.offscreen_growth;
     scale[3] = (float)d.splits;
-    offscreen[0] = d.offscreen_growth;
-    offscreen[1] = (float)d.keep_small;
     return SSGI_OK;
 }
 

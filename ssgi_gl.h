@@ -185,9 +185,6 @@ enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius,
                                       normalised */
        SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole over what surfels receive
                                       */
-/* desc.overlap: surfel-surfel visibility is ignored; how overlapping form factors are combined */
-enum { SSGI_GL_OVERLAP_SHARE = 0,  /* each hides its share of what the others leave: 1 - exp(-sum of form factors) */
-       SSGI_GL_OVERLAP_ADD };      /* form factors add up, to 1 at most, as published */
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
 enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
        SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
@@ -280,11 +277,8 @@ typedef struct ssgi_gl_desc {
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
                             320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int scale_radius;         /* splat   levels draw to 1 pixel of 4^level; 0: so weighted; 1: so enlarged, the paper's, up
-                            to 1/3 too dark */
     int near_samples;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
-    int overlap;         /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;            /* smooth  0: along x; 1: along y */
 
     /* blur */
@@ -399,14 +393,14 @@ typedef struct ssgi_gl_frame {
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   offscreen[2];    /* surfels: ssgi_surfel_desc.offscreen_growth, .keep_small: ssgi_gl_surfels_set */
+    float   every;       /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
     float   near_depth;      /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
                             nearest depth seen, of the last frame, say, saves most of what stands around the eye */
-    float   gap_;
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends (times the lobe's peak): a tenth of what counts as bright */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
+    float   gap_[2];
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
@@ -414,7 +408,7 @@ typedef struct ssgi_gl_frame {
    view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets what surfels are made with: view, desc (but shrink, and frame.radius in place of most) and mesh_to_view as in
+/* Sets what surfels are made with: view, desc (with frame.radius in place of most) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
    tells how many it asks for. */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
@@ -1712,10 +1706,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float area = whole / float(n * n), aside = ssgi_outside(middle);\n"
     "    float extent = max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle)));\n"
     "    empty = empty || aside - extent > u_ssgi_radius;\n"
-    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_offscreen.x * aside;\n"
+    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
-    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_offscreen.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_every > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
     "    int alive = 0; // of a small triangle's three points: others stand for the rest\n"
     "    for (int i = 0; i < 3; ++i)\n"
     "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
@@ -1750,9 +1744,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "patch in vec4 v_ssgi_patch;\n"
     "void main() {\n"
     "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
-    "    vec3 u = v_ssgi_corner[1] - v_ssgi_corner[0], v = v_ssgi_corner[2] - v_ssgi_corner[0];\n"
+    "    vec3 flat_ = normalize(cross(v_ssgi_corner[1] - v_ssgi_corner[0], v_ssgi_corner[2] - v_ssgi_corner[0]));\n"
     "    vec3 n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
-    "    vec3 flat_ = normalize(cross(u, v));\n"
     "    vec3 colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
     "    n = dot(n, n) > 0.0 ? normalize(n) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
     "    // which point of the tessellator's rings this is: the same number on every machine\n"
@@ -1760,11 +1753,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
-    "    uint h2 = ssgi_hash(h);\n"
-    "    u = normalize(u);\n"
-    "    float away = (1.0 - u_ssgi_surfel.z) * v_ssgi_patch.x * sqrt(float(h2 >> 16) / 65536.0);\n"
-    "    float angle = 6.28318531 * float(h2 & 65535u) / 65536.0;\n"
-    "    P += away * (cos(angle) * u + sin(angle) * cross(flat_, u));\n"
     "#if sends == LIGHTS\n"
     "    colour *= ssgi_surfel_light(P, n);\n"
     "#elif sends == CUSTOM\n"
@@ -1843,14 +1831,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // hashed, not in turn\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 from = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-    "#if scale_radius\n"
-    "    // a pixel meets one surfel of that many, as large as they [DSS14 3.2]\n"
-    "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
-    "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
-    "#else\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n"
-    "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n"
@@ -1976,10 +1958,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_once", __LINE__, "// ratio of the union of form factors to their sum\n"
+{ "ssgi_once", __LINE__, "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
     "float ssgi_once(float form) {\n"
-    "    return 1.0 / max(form, 1.0); // #if overlap == ADD\n"
-    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0; // #if overlap != ADD\n"
+    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n" },
 { "main_sum", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -2168,10 +2149,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(lambda, "float", "per radius"),
     SSGI_GL__P(rotation, "mat3", "world to view"),
     SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
-    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; stillness; splits"),
+    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
     SSGI_GL__P(mesh, "mat4", "mesh to view"),
     SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
-    SSGI_GL__P(offscreen, "vec2", "radii per distance; 1: no triangle stands for others"),
+    SSGI_GL__P(every, "float", "1: small triangles keep all of their surfels"),
     SSGI_GL__P(near_depth, "float", "view units"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
@@ -2327,8 +2308,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
     SSGI_GL__E(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS", "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__B(scale_radius), SSGI_GL__I(near_samples, 16, "0..16"),
-    SSGI_GL__E(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP", "SHARE ADD"), SSGI_GL__B(axis),
+    SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
     SSGI_GL__B(filter_normals)
@@ -3028,18 +3008,18 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why)
 {
-    float scale[4], offscreen[2];
+    float scale[4];
     int size[2], i;
     ssgi_result r;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
     for (i = 0; mesh_to_view && i < 16; ++i)
         if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR))
             return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    r = ssgi_surfel_scale(scale, offscreen, desc, view, why);
+    r = ssgi_surfel_scale(scale, desc, view, why);
     if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
     if (r != SSGI_OK) return r;
     memcpy(frame->surfel, scale, sizeof scale);
-    memcpy(frame->offscreen, offscreen, sizeof offscreen);
+    frame->keep_small = (float)desc->keep_small;
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
     return SSGI_OK;

@@ -182,9 +182,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     const char *why = NULL;
     size_t many = 0;
     d.size = count % 3 ? 0.3f : fabsf(f[3]);
-    d.jitter = f[4];
     d.splits = (int)(count % 4);
-    d.shrink = (int)(count % 5);
     d.offscreen_growth = count % 7 ? 0.1f : f[6];
     d.keep_small = (int)(count & 1);
     splat.levels = levels;

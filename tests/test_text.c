@@ -32,8 +32,8 @@ static const choice choices[] = {
     CHOICE(two_sided, 2, 0, 1),     CHOICE(shadow, 4, 0, 1),   CHOICE(accumulate, 2, 0, 1),
     CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
-    CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(scale_radius, 2, 0, 1),
-    CHOICE(near_samples, 2, 1, 3),  CHOICE(overlap, 2, 0, 1),  CHOICE(axis, 2, 0, 1)
+    CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
+    CHOICE(axis, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -964,19 +964,16 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 15),         INT(dialect, 5),        INT(orthographic, 1),  INT(depth, 2),
-             INT(normal, 4),        INT(world_normals, 1),  INT(noise, 1),         INT(samples, 64),
-             INT(search, 1),        INT(directions, 32),    INT(steps, 64),        INT(normal_rays, 8),
-             INT(hard, 1),          INT(thin, 1),           INT(falloff, 1),       INT(kernel, 1),
-             INT(fade, 2),          INT(range, 1),          INT(layers, 8),        INT(views, 4),
-             INT(view_layers, 8),   INT(receiver, 7),       INT(environment, 2),   INT(bounce, 2),
-             INT(bands, 4),         INT(packed, 1),         INT(transfer, 2),      INT(shaded, 1),
-             INT(shading, 3),       INT(lights, 1),         INT(albedo, 1),        INT(residual, 1),
-             INT(two_sided, 1),     INT(shadow, 3),         INT(accumulate, 1),    INT(radiance, 3),
-             INT(objects, 2),       INT(effect, 4),         INT(levels, 7),        INT(tessellate, 1),
-             INT(sends, 2),         INT(scale_radius, 1),   INT(near_samples, 16), INT(overlap, 1),
-             INT(axis, 1),          INT(half, 1),           INT(colour, 2),        INT(filter, 1),
-             INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
+             INT(pass, 15),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 1),  INT(directions, 32),
+             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thin, 1),    INT(falloff, 1),
+             INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
+             INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
+             INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
+             INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
+             INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
+             INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
+             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1142,7 +1139,7 @@ static void defaults(void)
         ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
         ROW(5 + 1 + 2 * (1 + 1 + 4),
             (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
-            (.overlap = 1)),
+            (.near_samples = 1)),
         ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
         ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
         ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS), (.bands = 4, .filter_radius = 1)),

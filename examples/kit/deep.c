@@ -116,10 +116,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect,
               lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"),
-                                 (float)kit_method_value(m->method, "jitter"),
-                                 (int)kit_method_value(m->method, "splits"),
-                                 (int)kit_method_value(m->method, "shrink"),
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (int)kit_method_value(m->method, "splits"),
                                  fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f),
                                  (int)kit_method_value(m->method, "keep_small"),
                                  run->frame.radius < 1e17f ? run->frame.radius : 0 };

@@ -258,25 +258,9 @@ static const row each_row = {
     PLAN,
     0
 };
-static const row jitter_row = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 },
-                                PLAN,
-                                0 };
 static const row splits_row = {
     { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0
 };
-static const row shrink_row = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 },
-                                PLAN,
-                                0 };
-static const row scale_radius_row = {
-    { "scale_radius", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 },
-    GATHER,
-    DESC(scale_radius)
-};
-static const row overlap_row = { { "overlap",
-                                   "where surfels hide each other: form factors as shares of what is left, or added",
-                                   "share add", 0, 0, 1, 1 },
-                                 GATHER,
-                                 DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row likeness_row = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 },
                                   GATHER,
@@ -315,8 +299,8 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
         &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, &dering_row, VECTORS }
 #define SURFELS(every, epsilon, levels) \
-    &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
-        &shrink_row, &scale_radius_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+    &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
+        &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
