@@ -39,10 +39,10 @@
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>cap        cosine-weighted occlusion of spherical caps, in closed form
-      >>bias       pixel footprint, normal offset, shadow map bias
+      >>bias       pixel footprint, a radius to start from
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
-      >>dipole     multiple scattering under surfaces, and materials
+      >>dipole     multiple scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
 
@@ -238,23 +238,10 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
      sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
                  distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
      irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
-   Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. */
+   Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
+   light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why);
-
-/* ADDS a sky of two constant radiances that meet at the horizon. From 2 bands on its irradiance is exactly the engines'
-   hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): the cosine sees none of the other bands.
-     bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
-                                 const float below[3], const char **why);
-
-/* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
-   no channel below 0 in any direction, but for 1e-3 of its mean; band 0 stays. Takes a few milliseconds: descends from
-   200 fixed directions.
-     bands         [limit: 1..SSGI_SH_MAX_BANDS]
-     coefficients  [limit: finite] a channel whose mean is not above 0 does not count, but is weakened as the others
-     strength      receives s, at most 1e30; may be NULL */
-SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
@@ -333,26 +320,11 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* How far HSAO lifts the receiver along its normal, so that nearest depth fetches of its own plane stay below it: half
-   a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
-SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
-
 /* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
    what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
    alone. Always > 0. */
 SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
 
-
-/* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
-     depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
-     full_angle  [units: rad] [limit: 0..pi, exclusive] from edge to edge
-     resolution  [units: texels] [limit: >= 1] */
-SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
-
-/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light: the
-   paper's patch / 2 holds only for slopes along a texel's side. At most `most`, which is also what cos_alpha <= 0 gets;
-   never below 0; finite for all finite input. [limit: patch, most >= 0] */
-SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
 
 /* ==== >>trace ================================================================================================== */
 
@@ -507,9 +479,6 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
    0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
-/* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
-typedef struct ssgi_material { const char *name; float sigma_s[3], sigma_a[3], eta; } ssgi_material;
-SSGI_DEF const ssgi_material *ssgi_material_of(int i);
 
 /* ==== >>field ================================================================================================== */
 
@@ -1152,12 +1121,10 @@ SSGI__FN void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const f
         for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
 }
 
-SSGI__FN ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
 {
-    SSGI__THERE(out);
+    SSGI__THERE(coefficients);
     SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
-    memset(sum, 0, sizeof *sum);
-    sum->bands = bands;
     return SSGI_OK;
 }
 
@@ -1169,8 +1136,9 @@ SSGI__FN void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why)
 {
-    ssgi__sh_sum sum;
-    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    ssgi__sh_sum sum = { bands, { 0.0 } };
+    SSGI__THERE(out);
+    SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     for (int y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
@@ -1211,8 +1179,9 @@ SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, a
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why)
 {
-    ssgi__sh_sum sum;
-    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    ssgi__sh_sum sum = { bands, { 0.0 } };
+    SSGI__THERE(out);
+    SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__THERE(faces);
     for (int face = 0; face < 6; ++face) SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
     SSGI__RANGE(size, 1, 65536);
@@ -1317,37 +1286,21 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-SSGI__FN double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
-{
-    double sum = 0.0;
-    for (int l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
-    return sum;
-}
-
-/* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
-SSGI__FN double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
-                            const double d[3], double s)
-{
-    double basis[SSGI__SH_MOST];
-    ssgi__sh_basis(basis, bands, d);
-    for (int l = 0; l < bands; ++l) part[l] = 0.0;
-    for (int i = 0; i < bands * bands; ++i)
-        part[ssgi__sh_band[i]] += basis[i] * (double)coefficients[channels * i];
-    return ssgi__sh_weakened(part, bands, s);
-}
-
 SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
 {
-    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST];
-    double part[SSGI_SH_MAX_BANDS], d[3];
+    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST], d[3];
     int degree;
     bands = ssgi__sh_limit(bands);
     degree = 3 * (bands - 1);
     for (int node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
-        const double weight = ssgi__sphere_node(d, degree, node),
-                     value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
+        const double weight = ssgi__sphere_node(d, degree, node);
+        double of_a = 0.0, of_b = 0.0;
         ssgi__sh_basis(basis, bands, d);
-        for (int i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
+        for (int i = 0; i < bands * bands; ++i) {
+            of_a += basis[i] * (double)a[i];
+            of_b += basis[i] * (double)b[i];
+        }
+        for (int i = 0; i < bands * bands; ++i) sum[i] += weight * of_a * of_b * basis[i];
     }
     for (int i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
 }
@@ -1362,18 +1315,6 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* adds factor[l] Y_i(d) times the colour of even or of odd bands */
-SSGI__FN void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
-                                 const double d[3], double colour[2][3])
-{
-    double basis[SSGI__SH_MOST];
-    ssgi__sh_basis(basis, bands, d);
-    for (int i = 0; i < 3 * bands * bands; ++i) {
-        const int l = ssgi__sh_band[i / 3];
-        coefficients[i] += (float)(factor[l] * basis[i / 3] * colour[l & 1][i % 3]);
-    }
-}
-
 /* 0 if it is not a direction */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
@@ -1382,17 +1323,10 @@ SSGI__FN int ssgi__direction(double d[3], const float *v)
     return ssgi__normalise(d) > 0.0;
 }
 
-SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
-{
-    SSGI__THERE(coefficients);
-    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why)
 {
-    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
+    double d[3], basis[SSGI__SH_MOST], factor[SSGI_SH_MAX_BANDS], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
     SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
     SSGI__CHECK(ssgi__direction(d, direction), "direction: must be there, finite and not 0");
@@ -1406,88 +1340,11 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
         factor[l] *= (double)weight[l];
         facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
-    for (int c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
-    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
-                                 const float below[3], const char **why)
-{
-    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
-    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
-    SSGI__CHECK(ssgi__direction(d, up), "up: must be there, finite and not 0");
-    SSGI__CHECK(ssgi__finites(above, 3), "above: must be there and finite");
-    SSGI__CHECK(ssgi__finites(below, 3), "below: must be there and finite");
-    ssgi__sh_cap(factor, 0.0);
-    /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
-    for (int c = 0; c < 3; ++c) {
-        const double a = 2.0 * SSGI__PI * ssgi__light(above[c], -1e24f),
-                     b = 2.0 * SSGI__PI * ssgi__light(below[c], -1e24f);
-        colour[0][c] = a + b;
-        colour[1][c] = a - b;
-    }
-    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
-    return SSGI_OK;
-}
-
-/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when none is below 0. */
-SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
-{
-    double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
-    int j, moved;
-    for (int node = 0; node < 10 * 20; ++node) {
-        ssgi__sphere_node(d, 19, node);
-        value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
-        /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
-        if (value > lowest + 0.5 * found[0]) continue;
-        for (step = 0.1; step > 0.005; step *= moved ? 1.0 : 0.5)
-            for (moved = j = 0; j < 6; ++j) {
-                memcpy(next, d, sizeof next);
-                next[j / 2] += j & 1 ? -step : step;
-                ssgi__normalise(next);
-                v = ssgi__sh_at(other, bands, coefficients, 3, next, s);
-                if (v >= value) continue;
-                value = v;
-                moved = 1;
-                memcpy(d, next, sizeof d);
-                memcpy(found, other, sizeof found);
-            }
-        if (value >= lowest) continue;
-        lowest = value;
-        memcpy(part, found, sizeof found);
-    }
-    return lowest;
-}
-
-SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why)
-{
-    double s = 0.0, part[SSGI_SH_MAX_BANDS];
-    int raised;
-    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
-    SSGI__CHECK(ssgi__finites(coefficients, 3 * bands * bands), "coefficients: must be finite");
-    do {            /* s rises until the direction that is lowest is not below 0, until none is */
-        raised = 0;
-        for (int c = 0; c < 3; ++c) {
-            double least = s, most = -1.0;
-            if (!(coefficients[c] > 0.0f)
-                || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c])
-                continue;
-            for (int l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
-            most *= 0.25;       /* there the higher bands do not reach band 0 even if all are against it */
-            for (int i = 0; i < 100; ++i) {
-                s = 0.5 * (least + most);
-                if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
-            }
-            s = most;
-            raised = 1;
-        }
-    } while (raised);
-    for (int i = 0; i < 3 * bands * bands; ++i) {
-        const int l = ssgi__sh_band[i / 3];
-        coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
-    }
-    if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
+    ssgi__sh_basis(basis, bands, d);
+    for (int i = 0; i < bands * bands; ++i)
+        for (int c = 0; c < 3; ++c)
+            coefficients[3 * i + c] += (float)(factor[ssgi__sh_band[i]] * basis[i]
+                                               * (ssgi__light(irradiance[c], -1e24f) / facing));
     return SSGI_OK;
 }
 
@@ -1818,8 +1675,6 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
     return (x > y ? x : y) * (view->orthographic ? 1.0f : z);
 }
 
-SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f * ssgi_pixel_footprint(view, z); }
-
 SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
 {
     float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
@@ -1831,20 +1686,6 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float low
     }
     guess = 0.1f * (float)sqrt((double)sum);
     return guess > 0.0f && guess < most ? guess : most;
-}
-
-SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
-{
-    return (float)(2.0 * (double)depth * tan(0.5 * (double)full_angle) / (resolution > 1 ? resolution : 1));
-}
-
-SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most)
-{
-    const double c = cos_alpha < 1.0f ? (double)cos_alpha : 1.0;
-    double bias;
-    if (!(c > 0.0)) return most;
-    bias = (double)patch * 0.70710678118654752440 * sqrt(1.0 - c * c) / c;
-    return bias < (double)most ? bias > 0.0 ? (float)bias : 0.0f : most;
 }
 
 /* ==== >>trace (implementation) ================================================================================= */
@@ -2850,24 +2691,6 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
     return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
 }
 
-SSGI_DEF const ssgi_material *ssgi_material_of(int i)
-{
-    static const ssgi_material materials[] = {
-        { "apple", { 2.29f, 2.39f, 1.97f }, { 0.0030f, 0.0034f, 0.046f }, 1.3f },
-        { "chicken1", { 0.15f, 0.21f, 0.38f }, { 0.015f, 0.077f, 0.19f }, 1.3f },
-        { "chicken2", { 0.19f, 0.25f, 0.32f }, { 0.018f, 0.088f, 0.20f }, 1.3f },
-        { "cream", { 7.38f, 5.47f, 3.15f }, { 0.0002f, 0.0028f, 0.0163f }, 1.3f },
-        { "ketchup", { 0.18f, 0.07f, 0.03f }, { 0.061f, 0.97f, 1.45f }, 1.3f },
-        { "marble", { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f }, 1.5f },
-        { "potato", { 0.68f, 0.70f, 0.55f }, { 0.0024f, 0.0090f, 0.12f }, 1.3f },
-        { "skimmilk", { 0.70f, 1.22f, 1.90f }, { 0.0014f, 0.0025f, 0.0142f }, 1.3f },
-        { "skin1", { 0.74f, 0.88f, 1.01f }, { 0.032f, 0.17f, 0.48f }, 1.3f },
-        { "skin2", { 1.09f, 1.59f, 1.79f }, { 0.013f, 0.070f, 0.145f }, 1.3f },
-        { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f }, 1.3f },
-        { "wholemilk", { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
-    return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
-}
-
 /* ==== >>field (implementation) ================================================================================= */
 
 #define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
@@ -2932,28 +2755,15 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 
 /* ---- fits */
 
-/* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
+/* a x = b for a symmetric 3x3, by Cramer's rule; 0 if it is singular */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
+    double minor[3], determinant;
     for (int i = 0; i < 3; ++i) {
-        int pivot = i;
-        double row[3], swap;
-        for (int k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
-        if (!(fabs(a[pivot][i]) > 1e-280)) return 0;
-        memcpy(row, a[i], sizeof row);
-        memcpy(a[i], a[pivot], sizeof row);
-        memcpy(a[pivot], row, sizeof row);
-        swap = b[i]; b[i] = b[pivot]; b[pivot] = swap;
-        for (int k = i + 1; k < 3; ++k) {
-            const double f = a[k][i] / a[i][i];
-            ssgi__along(a[k], a[k], -f, a[i]);
-            b[k] -= f * b[i];
-        }
-    }
-    for (int i = 2; i >= 0; --i) {
-        x[i] = b[i];
-        for (int j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
-        x[i] /= a[i][i];
+        ssgi__cross(minor, a[(i + 1) % 3], a[(i + 2) % 3]);
+        determinant = ssgi__dot(a[i], minor);
+        if (!(fabs(determinant) > 1e-280)) return 0;
+        x[i] = ssgi__dot(b, minor) / determinant;
     }
     return 1;
 }
@@ -4069,16 +3879,6 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     *plan = best;
     return SSGI_OK;
 }
-
-#undef SSGI__CHECK
-#undef SSGI__RANGE
-#undef SSGI__ZERO_OR
-#undef SSGI__SIZE
-#undef SSGI__THERE
-#undef SSGI__THERE2
-#undef SSGI__THERE3
-#undef SSGI__ENOUGH
-#undef SSGI__TRY
 
 #ifdef __cplusplus
 }

@@ -449,7 +449,7 @@ typedef struct ssgi_gl_light {
     float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
                                its normal. least: the distance below which 1/d^2 grows no more */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
-                               when perspective (ssgi_shadow_patch) */
+                               when perspective: 2 tan(angle/2) / texels */
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
                             light's camera: rows */
     float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */

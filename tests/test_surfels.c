@@ -724,10 +724,10 @@ static void dipoles(void)
     static const double mm[5] = { 0, 0.5, 1, 2, 5 };
     double worst = 0;
     for (int i = 0; i < COUNT(row); ++i) {
-        const ssgi_material *m = NULL;
+        const kit_material *m = NULL;
         ssgi_dipole d;
-        for (int k = 0; ssgi_material_of(k); ++k)
-            if (!strcmp(ssgi_material_of(k)->name, row[i].name)) m = ssgi_material_of(k);
+        for (int k = 0; kit_material_of(k); ++k)
+            if (!strcmp(kit_material_of(k)->name, row[i].name)) m = kit_material_of(k);
         if (!CHECK(m && ssgi_dipole_set(&d, m->sigma_s, m->sigma_a, m->eta, NULL) == SSGI_OK, "no %s", row[i].name))
             return;
         const int c = row[i].channel;
@@ -744,7 +744,7 @@ static void dipoles(void)
         worst = fmax(worst, fabs(sum / row[i].total - 1));
     }
     CHECK(worst < 1e-4, "planes of surfels are off by %.2g", worst);
-    CHECK(!ssgi_material_of(-1) && !ssgi_material_of(12) && ssgi_material_of(11), "materials end elsewhere");
+    CHECK(!kit_material_of(-1) && !kit_material_of(12) && kit_material_of(11), "materials end elsewhere");
     t_note("planes of surfels off by %.1e", worst);
 }
 
@@ -1403,7 +1403,7 @@ static void scattering(void)
         deep d;
         kit_image out;
         ssgi_dipole dipole;
-        const ssgi_material *material = ssgi_material_of(row[m].number);
+        const kit_material *material = kit_material_of(row[m].number);
         const kit_camera c = { { 0, 2, 0 }, { 0, 0, 0 }, { 0, 0, -1 },    0, 1, 0.1f, 50, 48,
                                48,          { 0, 0 },    KIT_DEPTH_NORMAL };
         snprintf(set, sizeof set, "levels=4,epsilon=0.005,size=0.2,material=%s,unit=%g", row[m].name, row[m].unit);

@@ -232,7 +232,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         }
         if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, &bounce)) return -1;
     } else if (effect == SSGI_GL_EFFECT_SCATTER) {
-        const ssgi_material *material = ssgi_material_of((int)kit_method_value(m->method, "material"));
+        const kit_material *material = kit_material_of((int)kit_method_value(m->method, "material"));
         ssgi_dipole dipole;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);

@@ -397,9 +397,7 @@ int kit_add_environment(kit_making *m)
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
     if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
         failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
-                     != SSGI_OK
-                 || (kit_method_value(m->method, "dering") > 0
-                     && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
+                 != SSGI_OK;
     if (!failed && mapped)
         failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
                                       m->gather.samples

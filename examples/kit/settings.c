@@ -162,9 +162,6 @@ static const row indirect_row = { { "indirect", "one bounce: no, in one gather w
                                   PLAN,
                                   0 };
 static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
-static const row dering_row = {
-    { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0
-};
 static const row residual_row = {
     { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0,
       1, 1 },
@@ -297,7 +294,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
         &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
         &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
         &blur_row, &filter_row, &compare_row
-#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, &dering_row, VECTORS }
+#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS }
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
         &both_row, &smooth_row, &likeness_row, &normal_row
