@@ -35,7 +35,7 @@
       >>types      results
       >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
       >>kernel     low-discrepancy points, sample sets, jitter tile
-      >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
+      >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
       >>cap        cosine-weighted occlusion of spherical caps, in closed form
@@ -177,7 +177,7 @@ SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, cons
 /* ==== >>sh ===================================================================================================== */
 
 /* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1
-   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal, rotate and product: ssgi_gl_sh in ssgi_gl.h. */
+   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
@@ -220,11 +220,6 @@ SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const fl
    About 10 us for 4 bands. */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
-
-/* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a
-   product has up to 2 * bands - 1 bands and those above are lost. One channel, bands^2 floats each; out may be a or b.
-   [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
-SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
 
 /* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
    bands as ssgi_sh_basis; channels below 1 give zeros]. What is not finite makes its band so. */
@@ -456,16 +451,16 @@ enum { SSGI_SPLAT_LEVELS = 7 };
    - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
-/* What a picture will cost, before anything is drawn. surfels: how many. splits: what the triangles ask for
-   (ssgi_surfel_desc.splits lets them have); 1 for surfels. pixels[l]: texels that level l's splats cover in all,
-   overlapping ones counted each. */
-typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
-/* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
-   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. */
+/* The cost of a frame before anything is drawn. */
+typedef struct ssgi_surfel_cost {
+    size_t surfels;                         /* how many */
+    int    splits;                          /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
+    double pixels[SSGI_SPLAT_LEVELS];       /* texels that the splats of each level cover, each overlap counted */
+} ssgi_surfel_cost;
+/* Predicts it: counts exactly, pixels from one surfel at the centre of each part of a triangle (within 1.4 % of all
+   surfels' where tested). desc, view, source as for ssgi_surfels; splat: zeros are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
-                                        const ssgi_surfel *surfels, size_t count, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
@@ -1286,25 +1281,6 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
-{
-    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST], d[3];
-    int degree;
-    bands = ssgi__sh_limit(bands);
-    degree = 3 * (bands - 1);
-    for (int node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
-        const double weight = ssgi__sphere_node(d, degree, node);
-        double of_a = 0.0, of_b = 0.0;
-        ssgi__sh_basis(basis, bands, d);
-        for (int i = 0; i < bands * bands; ++i) {
-            of_a += basis[i] * (double)a[i];
-            of_b += basis[i] * (double)b[i];
-        }
-        for (int i = 0; i < bands * bands; ++i) sum[i] += weight * of_a * of_b * basis[i];
-    }
-    for (int i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
-}
-
 /* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
    cosine 1, as differences of polynomials would. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
@@ -1691,16 +1667,15 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float low
 /* ==== >>trace (implementation) ================================================================================= */
 
 /* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
-   operation. It comes from binary splits by surface area [Wald 2007], whose left side always gets a multiple of four
-   triangles: every leaf is then full, which bounds the memory exactly: with L leaves there are at most 2 L / 3 + 1
-   nodes, as a node with fewer than four children has only leaves. */
+   operation. It comes from binary splits at the middle of the longest axis, of which the left side always gets a
+   multiple of four triangles. Every leaf but the last is then full, which bounds the memory exactly: with L leaves there
+   are at most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
 #define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF   0x80000000u
 #define SSGI__TRACE_NONE   0xffffffffu
-#define SSGI__TRACE_BINS   16
-#define SSGI__TRACE_SAH    32                     /* binary levels split by area; below it by count: at most 30 more */
-#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_SAH + 30) + 4)
+#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; below it by count: at most 30 more */
+#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
     float    bound[2][3][4];                      /* lower and upper; axis; child */
@@ -1836,49 +1811,6 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
     }
 }
 
-/* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
-SSGI__FN int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
-                             int *axis, int *cut)
-{
-    float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
-    uint32_t count[3][SSGI__TRACE_BINS];
-    int b, found = 0;
-    for (int a = 0; a < 3; a++)
-        for (b = 0; b < SSGI__TRACE_BINS; b++) {
-            count[a][b] = 0;
-            ssgi__trace_empty(lower[a][b], upper[a][b]);
-        }
-    for (uint32_t k = 0; k < range->count; k++)
-        for (int a = 0; a < 3; a++) {
-            b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
-            b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
-            count[a][b]++;
-            ssgi__trace_grow(lower[a][b], upper[a][b], item[k].lower, item[k].upper);
-        }
-    for (int a = 0; a < 3; a++) {
-        float    right[SSGI__TRACE_BINS], l[3], u[3];
-        uint32_t n = 0;
-        if (!(scale[a] > 0.0f)) continue;
-        ssgi__trace_empty(l, u);
-        for (b = SSGI__TRACE_BINS - 1; b > 0; b--) {
-            n += count[a][b];
-            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
-            right[b] = n ? ssgi__trace_area(l, u) * (float)((n + 3) / 4) : 0.0f;
-        }
-        n = 0;
-        ssgi__trace_empty(l, u);
-        for (b = 0; b + 1 < SSGI__TRACE_BINS; b++) {
-            float cost;
-            n += count[a][b];
-            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
-            if (n == 0 || n == range->count) continue;
-            cost = ssgi__trace_area(l, u) * (float)((n + 3) / 4) + right[b + 1];
-            if (!found || cost < best) { best = cost; *axis = a; *cut = b; found = 1; }
-        }
-    }
-    return found;
-}
-
 /* splits a range of more than four in two, the first with a multiple of four items */
 SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
                                 ssgi__trace_range *right)
@@ -1886,17 +1818,14 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_item *item = items + range->first;
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
     uint32_t have = n, want = (n / 2 + 3) / 4 * 4;
-    float scale[3], extent[3];
-    int axis = 0, cut = 0;
-    for (int i = 0; i < 3; i++) {
-        extent[i] = range->cupper[i] - range->clower[i];
-        scale[i] = extent[i] > 1e-30f ? (float)SSGI__TRACE_BINS * 0.99999f / extent[i] : 0.0f;
-        if (extent[i] > extent[axis]) axis = i;
-    }
-    if (range->depth < SSGI__TRACE_SAH && ssgi__trace_cut(item, range, scale, &axis, &cut)) {
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (range->cupper[i] - range->clower[i] > range->cupper[axis] - range->clower[axis]) axis = i;
+    if (range->depth < SSGI__TRACE_DEEP && range->cupper[axis] > range->clower[axis]) {
+        const float middle = 0.5f * range->clower[axis] + 0.5f * range->cupper[axis];
         uint32_t k;
         for (have = 0, k = 0; k < n; k++)
-            if ((int)((item[k].lower[axis] + item[k].upper[axis] - range->clower[axis]) * scale[axis]) <= cut) {
+            if (item[k].lower[axis] + item[k].upper[axis] <= middle) {
                 const ssgi__trace_item swap = item[k];
                 item[k] = item[have];
                 item[have++] = swap;
@@ -2635,21 +2564,6 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
-                                        const ssgi_surfel *surfels, size_t count, const char **why)
-{
-    ssgi_splat s;
-    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
-    SSGI__THERE(cost);
-    SSGI__CHECK(surfels || !count, "surfels: must not be NULL");
-    memset(cost, 0, sizeof *cost);
-    cost->surfels = count;
-    cost->splits = 1;
-    for (size_t i = 0; i < count; ++i)
-        ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.max_radiance, 1.0);
-    return SSGI_OK;
-}
-
 /* ==== >>dipole (implementation) ================================================================================ */
 
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
@@ -2694,7 +2608,6 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
 /* ==== >>field (implementation) ================================================================================= */
 
 #define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
-#define SSGI__FIELD_BINS     4096    /* of errors */
 #define SSGI__FIELD_HELD     512     /* positions that take no part in a bake, with four normals each */
 
 /* ---- samples */
@@ -3274,27 +3187,18 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
     else for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
-SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
+/* The error that a share of the held-out ones does not exceed. */
+SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
-    ssgi_field *f = b->field;
-    unsigned short bin[SSGI__FIELD_BINS];
-    int below = 0;
-    memset(bin, 0, sizeof bin);
-    ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    f->median = f->p95 = f->max_error = 0.0f;
+    float least = 1e30f;
     for (int i = 0; i < all; ++i) {
-        f->max_error = ssgi__max(f->max_error, b->error[i]);
-        ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
+        int within = 0;
+        if (!(b->error[i] < least)) continue;
+        for (int k = 0; k < all; ++k) within += b->error[k] <= b->error[i];
+        if (within >= share * all) least = b->error[i];
     }
-    for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
-        if (below < all / 2) f->median = (float)(i + 1) / SSGI__FIELD_BINS;
-        if (below < all * 19 / 20) f->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
-        below += bin[i];
-    }
-    f->p95 = ssgi__min(f->p95, f->max_error);
-    f->median = ssgi__min(f->median, f->p95);
+    return least;
 }
 
 SSGI_DEF size_t ssgi_field_size(int resolution)
@@ -3352,7 +3256,10 @@ SSGI__FN ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, dou
     }
     ssgi__field_reduce(b);
     ssgi__field_quantise(b, texels);
-    ssgi__field_errors(b);
+    ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
+    b->field->median = ssgi__field_rank(b, 0.5);
+    b->field->p95 = ssgi__field_rank(b, 0.95);
+    b->field->most = ssgi__field_rank(b, 1.0);
     return SSGI_OK;
 }
 
@@ -3520,35 +3427,20 @@ SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)  
     return h;
 }
 
-/* The floats of a field in the order of the file. */
-SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
-{
-    float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
-                            &f->inside,    &f->median,    &f->p95,       &f->max_error };
-    for (int i = 0; i < 9; ++i) out[i] = ends[i];
-    for (int i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
-}
-
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
     unsigned char *bytes = (unsigned char *)out;
     const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
-    ssgi_field f;
-    float *number[25];
+    uint32_t number[25];
     uint64_t h;
     if (!words || capacity < size || !out) return size;
-    f = *field;
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
-    ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
-    ssgi__field_put(bytes, 3, (uint32_t)f.radii);
-    ssgi__field_numbers(number, &f);
-    for (size_t i = 0; i < 25; ++i) {
-        uint32_t word;
-        memcpy(&word, number[i], sizeof word);
-        ssgi__field_put(bytes, 4 + i, word);
-    }
+    ssgi__field_put(bytes, 2, (uint32_t)field->resolution);
+    ssgi__field_put(bytes, 3, (uint32_t)field->radii);
+    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number);      /* centre .. most */
+    for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
@@ -3560,7 +3452,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
 {
     static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
-    float *number[25];
+    float number[25];
     uint32_t head[4] = { 0 };
     size_t words = 0;
     uint64_t h;
@@ -3580,12 +3472,12 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     h = ssgi__field_checksum(bytes, size - 8);
     SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 2) == (uint32_t)h, corrupt);
     SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
-    ssgi__field_numbers(number, f);
     for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
-        memcpy(number[i], &word, sizeof word);
-        SSGI__CHECK(ssgi__within(*number[i], i < 17 ? -1e15f : 0.0f, 1e15f), corrupt);
+        memcpy(&number[i], &word, sizeof word);
+        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);       /* spans and errors are positive */
     }
+    memcpy((char *)f + offsetof(ssgi_field, centre), number, sizeof number);
     for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
     SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);

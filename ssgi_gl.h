@@ -323,8 +323,8 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
    desc.fetch by content). 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
-/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal, _rotate, _product
-   (ssgi_sh_turn is _rotate) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
+/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
+   (ssgi_sh_turn) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
@@ -2872,40 +2872,6 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return ssgi_gl__end(&t);
 }
 
-/* The product's terms: integrals of three basis functions each, by a quadrature that is exact to degree 9. */
-static void ssgi_gl__print_product(ssgi_gl__text *t, int bands)
-{
-    static const char lane[16][4] = { "a.x", "a.y", "a.z", "a.w", "b.x", "b.y", "b.z", "b.w",
-                                      "c.x", "c.y", "c.z", "c.w", "d.x", "d.y", "d.z", "d.w" };
-    static const double gauss[5][2] = { { 0.0, 0.568888888888889 }, { 0.538469310105683, 0.478628670499366 },
-        { -0.538469310105683, 0.478628670499366 }, { 0.906179845938664, 0.236926885056189 },
-        { -0.906179845938664, 0.236926885056189 } };
-    const int n = bands * bands;
-    float basis[50][16];
-    int i, j, k, node;
-    for (i = 0; i < 50; ++i) {
-        const double z = gauss[i / 10][0], r = sqrt(1.0 - z * z), turn = 0.62831853071795865 * (i % 10);
-        const float d[3] = { (float)(r * cos(turn)), (float)(r * sin(turn)), (float)z };
-        ssgi_sh_basis(basis[i], bands, d);
-    }
-    ssgi_gl__print(t, "\n// the product of two functions, as far as these bands hold it\n"
-                      "ssgi_sh ssgi_sh_product(ssgi_sh x, ssgi_sh y) {\n"
-                      "    ssgi_sh p = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n    float q;\n");
-    for (i = 0; i < n; ++i)
-        for (j = i; j < n; ++j) {
-            ssgi_gl__print(t, "    q = x.%s * y.%s", lane[i], lane[j]);
-            ssgi_gl__print(t, i == j ? ";\n" : " + x.%s * y.%s;\n", lane[j], lane[i]);
-            for (k = 0; k < n; ++k) {
-                double sum = 0.0;
-                for (node = 0; node < 50; ++node)
-                    sum += 0.62831853071795865 * gauss[node / 10][1] * (double)basis[node][i] * (double)basis[node][j]
-                         * (double)basis[node][k];
-                if (sum > 1e-5 || sum < -1e-5) ssgi_gl__print(t, "    p.%s += q * %f;\n", lane[k], sum);
-            }
-        }
-    ssgi_gl__print(t, "    return p;\n}\n");
-}
-
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
 {
     ssgi_gl_desc d;
@@ -2916,7 +2882,6 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     d.bands = bands;
     ssgi_gl__link(&stage, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
     ssgi_gl__print_codes(&t, &stage, &d);
-    ssgi_gl__print_product(&t, bands);
     return ssgi_gl__end(&t);
 }
 

@@ -89,7 +89,6 @@ static void harmonics(float *sh, int bands, const float *f, size_t count)
     ssgi_sh_zonal(out, any, f, f + 6);
     ssgi_sh_rotate(turned, any, count >= 3 * sizeof out / sizeof *out ? f : sh, any < bands ? 3 : 1,
                    count >= 11 ? f : NULL);
-    ssgi_sh_product(out, bands, sh, f[0] > 0 ? sh : sh + bands * bands);
     ssgi_sh_rotate(turned, bands, sh, 3, NULL);
     MUST(all_finite(turned, (size_t)(3 * bands * bands)));
     if (ssgi_sh_light(sh, bands, f, fabsf(f[3]), f + 4, any, &why) != SSGI_OK) MUST(strchr(why, ':'));
@@ -191,8 +190,7 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
     }
     if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
     else MUST(cost.surfels == many);
-    if (ssgi_splat_predict(&cost, &splat, view, made, many < 256 ? many : 256, &why) != SSGI_OK) MUST(strchr(why, ':'));
-    else for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
+    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
     if (ssgi_gl_surfels_set(&frame, view, &d, levels, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 

@@ -799,39 +799,6 @@ static void rotations(void)
     }
 }
 
-static void products(void)
-{
-    for (int t = 0; t < 36; ++t) {
-        /* of a's bands; b has so many that the product fits, or all */
-        const int bands = 1 + t % 6, first = 1 + t / 6 % bands;
-        float a[MOST], b[MOST], c[MOST], fits[MOST], d[3], y[MOST];
-        double want[MOST] = { 0 };
-        for (int i = 0; i < MOST; ++i) {
-            a[i] = i < first * first ? uniform(-1, 1) : 0;
-            b[i] = uniform(-1, 1);
-            fits[i] = i < (bands + 1 - first) * (bands + 1 - first) ? b[i] : 0;
-        }
-        ssgi_sh_product(c, bands, a, fits);
-        for (int k = 0; k < 10; ++k) {
-            direction(d);
-            const double product = value(a, 1, bands, d, 0) * value(fits, 1, bands, d, 0);
-            CHECK(fabs(value(c, 1, bands, d, 0) - product) < 2e-5, "%d bands, %d of them: %.9g, not %.9g", bands, first,
-                  value(c, 1, bands, d, 0), product);
-        }
-        for (int k = 0; k < NODES; ++k) {
-            const double weight = zone(d, k, -1, 1) * value(a, 1, bands, d, 0) * value(b, 1, bands, d, 0);
-            ssgi_sh_basis(y, bands, d);
-            for (int i = 0; i < bands * bands; ++i) want[i] += weight * (double)y[i];
-        }
-        memcpy(c, b, sizeof c);
-        ssgi_sh_product(t & 1 ? c : a, bands, a, c);
-        for (int i = 0; i < bands * bands; ++i)
-            CHECK(fabs((double)(t & 1 ? c : a)[i] - want[i]) < 5e-5,
-                  "%d bands, %d of them, coefficient %d: %.9g, not %.9g", bands, first, i, (double)(t & 1 ? c : a)[i],
-                  want[i]);
-    }
-}
-
 /* ---- >>environment, >>vpl ---------------------------------------------------------------------------------------- */
 
 static void octahedral(void)
@@ -1298,7 +1265,6 @@ void test_math(void)
     RUN("transfer: the cosine's series, behind a wall and below a cap", transfer);
     RUN("what harmonics lack of open surfaces makes them exact", lacking);
     RUN("rotation: values move with their directions, twice is once by both", rotations);
-    RUN("products: pointwise where they fit, else projected", products);
     RUN("octahedral: there and back, as the GLSL twin", octahedral);
     RUN("environment maps: constants exact, each band as the lobe leaves it, the mean kept", environment_maps);
     RUN("cones: cosine 0 is irradiance, constants exact, a disc inside, across the rim and outside", environment_cones);

@@ -164,25 +164,25 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         if (failed) return -1;
     }
     vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
+    ssgi_surfel_source source = { .position = vertices,
+                                  .normal = vertices ? vertices + 3 : NULL,
+                                  .colour = vertices ? vertices + 6 : NULL,
+                                  .position_stride = 36,
+                                  .normal_stride = 36,
+                                  .colour_stride = 36,
+                                  .triangles = (size_t)(patches[0] + patches[1]) };
+    memcpy(source.to_view, picture, sizeof source.to_view);
     for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
-        ssgi_surfel_source source = { .position = vertices,
-                                      .normal = vertices + 3,
-                                      .colour = vertices + 6,
-                                      .position_stride = 36,
-                                      .normal_stride = 36,
-                                      .colour_stride = 36,
-                                      .triangles = (size_t)(patches[0] + patches[1]) };
-        memcpy(source.to_view, picture, sizeof source.to_view);
         if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
         failed = (pass && !surfels)
                  || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
     }
+    if (vertices && !failed) failed = ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK;
     if (!vertices || failed) {
         free(vertices);
         free(surfels);
         return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory");
     }
-    ssgi_splat_predict(&cost, &splat, view, surfels, run->surfels, NULL);
     for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
     if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
