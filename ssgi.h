@@ -34,7 +34,7 @@
    ROOMS        search for ">>"
       >>types      results
       >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
-      >>kernel     low-discrepancy points, sample sets, jitter tile
+      >>kernel     low-discrepancy points, sample sets
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
       >>vpl        virtual point lights from a reflective shadow map
@@ -123,10 +123,6 @@ SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], fl
 /* Depth of the near plane that the projection implies [units: view]. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side
-   planes and the near plane; 0 inside. The far plane does not count. */
-SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3]);
-
 /* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
    displacement and looks at centre.
      main_world_to_view  rigid: rotation and translation
@@ -166,13 +162,6 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
                 radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see examples/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
-
-/* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for
-   the steps, c in [0,1) for whatever else wants a turn, each stratified over the size x size texels and decorrelated.
-   [HSAO08 4.1.2, with the range that it means]
-     size       [limit: 1..64]     directions [limit: 1..1024]
-   Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TEXTURE. */
-SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
 
@@ -388,13 +377,6 @@ typedef struct ssgi_surfel {
                                        outgoing radiance for a bounce, irradiance for scattering */
 } ssgi_surfel;
 
-/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
-   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
-SSGI_DEF int ssgi_tess_count(int level);
-/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0]:
-   at least 1, for level 0 culls. Beyond 3169 discs triangles want splits. */
-SSGI_DEF int ssgi_tess_level(double area, double radius);
-
 typedef struct ssgi_surfel_desc {
     float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
@@ -496,9 +478,6 @@ typedef struct ssgi_field_desc {
     int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
     float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
-    float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
-                           radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
-                           it; resolution [default: 64] and radii [default: 24] are then the most that may be taken */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int  (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
@@ -540,8 +519,8 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
    at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
    number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
    -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
-   work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells. resolution 16 with 128 rays
-   is 9.4 million rays. */
+   work are not). resolution 16 with 128 rays is 9.4 million rays. For
+   an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -680,10 +659,8 @@ extern "C" {
 #define SSGI__PI 3.14159265358979323846
 
 /* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
-#if defined(__GNUC__)
+#ifdef __GNUC__
 #define SSGI__FN static __attribute__((noinline))
-#elif defined(_MSC_VER)
-#define SSGI__FN static __declspec(noinline)
 #else
 #define SSGI__FN static
 #endif
@@ -869,7 +846,9 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
     return view->orthographic ? d : 1.0f / d;
 }
 
-SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3])
+/* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
+   inside. The far plane does not count. */
+SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
     double most = (double)ssgi_view_near(view) - z;
@@ -1003,29 +982,6 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
             o[2] = (float)sqrt(1.0 - u);
             o[3] = (float)(((double)(((int64_t)i * step + set) % samples) + slide) / samples);
         }
-    }
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
-{
-    const double two_pi = 2.0 * SSGI__PI;
-    int n, m;
-    SSGI__THERE(out);
-    SSGI__RANGE(size, 1, 64);
-    SSGI__RANGE(directions, 1, 1024);
-    n = size * size;
-    /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours
-       far apart when m is not 0. */
-    for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
-    if (m >= size) m = 0;
-    for (int i = 0; i < n; ++i) {
-        int x = i % size, y = i / size, a = (m * x + y) % size, b = (x + m * y) % size;
-        double turn = two_pi / directions * ((double)(a * size + b) + 0.5) / n;
-        float *o = out + 4 * (size_t)i;
-        o[0] = (float)cos(turn); o[1] = (float)sin(turn);
-        o[2] = (float)(((double)(b * size + a) + 0.5) / n - 0.5);
-        o[3] = ssgi__fract((double)(a * size + b) * 0.61803398874989484820);
     }
     return SSGI_OK;
 }
@@ -1674,7 +1630,7 @@ SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float low
 #define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF   0x80000000u
 #define SSGI__TRACE_NONE   0xffffffffu
-#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; below it by count: at most 30 more */
+#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; at most 30 more by count */
 #define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
@@ -2082,7 +2038,9 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels (implementation) =============================================================================== */
 
-SSGI_DEF int ssgi_tess_count(int level)
+/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
+   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+SSGI__FN int ssgi__tess_count(int level)
 {
     const int half = (level + 1) / 2;
     if (level < 1 || level > 64) return 0;
@@ -2105,7 +2063,9 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014
     return (x >> 22) ^ x;
 }
 
-SSGI_DEF int ssgi_tess_level(double area, double radius)
+/* The level, 1..64, at which so many discs of a radius have the triangle's area: at least 1, for level 0 culls. Beyond
+   3169 discs triangles want splits. */
+SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
@@ -2114,12 +2074,6 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
 
 /* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
    tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
-SSGI__FN void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
-{
-    out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
-    out[1] = (double)ssgi_view_near(view);
-}
-
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
@@ -2214,7 +2168,7 @@ SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_ma
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
-    return ssgi_view_outside(m->view, middle);
+    return ssgi__view_aside(m->view, middle);
 }
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
@@ -2250,15 +2204,15 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
-    p->level = ssgi_tess_level(p->area, wanted);
+    p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
     p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
-    p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
-    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi_tess_count(p->level)));
+    p->count = p->level > 1 ? ssgi__tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
+    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi__tess_count(p->level)));
     if (!((float)p->radius > 0.0f)) return 0;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
@@ -2318,12 +2272,10 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
                                        const char **why)
 {
     ssgi_surfel_desc d;
-    double s[2];
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
     SSGI__THERE(scale);
-    ssgi__surfel_scale(s, view, (double)d.size);
-    scale[0] = (float)s[0];
-    scale[1] = (float)s[1];
+    scale[0] = 0.5f * d.size * (float)view->height / ssgi__abs(view->project[1]);
+    scale[1] = ssgi_view_near(view);
     scale[2] = d.offscreen_growth;
     scale[3] = (float)d.splits;
     return SSGI_OK;
@@ -2342,7 +2294,8 @@ SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_
     SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
     m->view = view;
     m->source = source;
-    ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
+    m->scale[0] = 0.5 * (double)m->desc.size * view->height / fabs((double)view->project[1]);
+    m->scale[1] = (double)ssgi_view_near(view);
     for (int k = 0; k < 3; ++k) ssgi__doubles(a[k], s->to_view + 4 * k);
     for (int k = 0; k < 3; ++k) {
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
@@ -2572,7 +2525,7 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     /* F_dr [JMLH01 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
-    if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
+    SSGI__THERE3(dipole, sigma_s, sigma_a);
     SSGI__CHECK(eta >= 1.0f && eta <= 3.0f, "eta: must be 1..3");
     for (int c = 0; c < 3; ++c) {
         SSGI__CHECK(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]), "sigma_s: must be above 0 and finite");
@@ -2753,37 +2706,19 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
-    const double m = 1.0 / most, least = 1e-9 * m;
+    const double m = 1.0 / most, first = values[0], last = values[count - 1];
     const ssgi__field_data data = { radii, values, NULL, count, 0, most };
-    double best = 1e300, u[3];
-    for (int start = 0; start < 2; ++start) {
-        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, error;
-        if (start == 0) {       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
-            for (int i = 0; i < count; ++i) {
-                const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
-                             y = values[i] > 0.0 ? values[i] : 0.0;
-                const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
-                ssgi__field_equation(a, b, c, y);
-            }
-            if (!ssgi__field_solve(p, a, b)) continue;
-        } else {                /* through the ends */
-            p[0] = values[0] > 1e-9 * most ? 1.0 / values[0] : 1e9 * m;
-            p[2] = values[count - 1] > 1e-9 * most ? 1.0 / values[count - 1] : 1e9 * m;
-            p[1] = sqrt(p[0] * p[2]);
-        }
-        for (int i = 0; i < 3; i += 2) {
-            p[i] = p[i] - m > least ? p[i] : m + 1e-6 * m;
-            u[i] = log(p[i] - m);
-        }
-        p[1] += exp(0.5 * (u[0] + u[2])) - m;
-        u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
-        for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
-        error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
-        if (error >= best) continue;
-        best = error;
-        ssgi__field_bernstein(q, u, most);
-    }
-    return best;
+    double u[3], error;
+    /* starts from the curve through both ends */
+    q[0] = first > 1e-9 * most ? 1.0 / first : 1e9 * m;
+    q[2] = last > 1e-9 * most ? 1.0 / last : 1e9 * m;
+    for (int i = 0; i < 3; i += 2) u[i] = log(q[i] - m > 1e-9 * m ? q[i] - m : 1e-6 * m);
+    q[1] = sqrt(q[0] * q[2]) + exp(0.5 * (u[0] + u[2])) - m;
+    u[1] = log(q[1] > 1e-3 * m ? q[1] : 1e-3 * m);
+    for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
+    error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
+    ssgi__field_bernstein(q, u, most);
+    return error;
 }
 
 /* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
@@ -3015,7 +2950,7 @@ typedef struct ssgi__field_bake {
     ssgi_field *field;
     float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
     float *error;                   /* of what is held out; in fine, which is done with then */
-    int radii, rays, first;
+    int first;
 } ssgi__field_bake;
 
 /* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
@@ -3061,10 +2996,10 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     ssgi__field_portal portal;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int i = 0; i < b->radii; ++i) {
+    for (int i = 0; i < b->desc->radii; ++i) {
         double sum[4];
-        radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
-        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->rays, (uint32_t)(texel * 64 + i));
+        radii[i] = hull * pow(reach / hull, (double)i / (b->desc->radii - 1));
+        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
         if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
@@ -3075,9 +3010,10 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         }
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
-    ssgi__field_fit(q, radii, values, b->radii, SSGI__PI);
+    ssgi__field_fit(q, radii, values, b->desc->radii, SSGI__PI);
     /* within the rays' noise, which a centre near the hull would follow */
-    ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
+    ssgi__field_centre(c, w, radii, directions, b->desc->radii,
+                       0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
     if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
     q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
@@ -3210,8 +3146,8 @@ SSGI_DEF size_t ssgi_field_size(int resolution)
 SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 {
     ssgi_field_desc d = *desc;
-    if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
-    if (!d.radii) d.radii = d.error > 0.0f ? 24 : 12;
+    if (!d.resolution) d.resolution = 16;
+    if (!d.radii) d.radii = 12;
     if (!d.rays) d.rays = 128;
     if (!(d.reach > 0.0f)) d.reach = 8.0f;
     return d;
@@ -3224,7 +3160,6 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
     SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
     SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
-    SSGI__CHECK(ssgi__within(desc->error, 0.0f, 1.0f), "desc.error: must be 0..1");
     return SSGI_OK;
 }
 
@@ -3242,27 +3177,6 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
     return rest > (size_t)-1 - ssgi_trace_size(triangles) ? 0 : rest + ssgi_trace_size(triangles);
 }
 
-/* One resolution, one number of radii; done, share: what of the whole it is. */
-SSGI__FN ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share,
-                                      const char **why)
-{
-    const int all = 24 * b->field->resolution * b->field->resolution, block = (all + 23) / 24;
-    for (b->first = 0; b->first < all; b->first += block) {
-        if (b->desc->progress && b->desc->progress(b->desc->user, (float)(done + share * b->first / all))) {
-            if (why) *why = "desc.progress: gave the bake up";
-            return SSGI_CANCELLED;
-        }
-        ssgi__field_run(b->desc, all - b->first < block ? all - b->first : block, ssgi__field_texel, b);
-    }
-    ssgi__field_reduce(b);
-    ssgi__field_quantise(b, texels);
-    ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    b->field->median = ssgi__field_rank(b, 0.5);
-    b->field->p95 = ssgi__field_rank(b, 0.95);
-    b->field->most = ssgi__field_rank(b, 1.0);
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why)
@@ -3270,8 +3184,7 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     ssgi__field_bake b;
     ssgi_field_desc d;
     ssgi_field f;
-    double total = 0.0, done = 0.0;
-    float last = 2.0f;
+    int all, block;
     SSGI__THERE3(field, texels, work);
     SSGI__TRY(ssgi__field_check(desc, why));
     SSGI__THERE(position);
@@ -3283,7 +3196,6 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     memset(&f, 0, sizeof f);
     b.desc = &d;
     b.field = &f;
-    b.rays = d.rays;
     b.fine = b.error = (float *)(void *)((char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64);
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
     SSGI__TRY(ssgi_trace_build(&b.occluder.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
@@ -3294,25 +3206,22 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     ssgi__floats(f.centre, b.occluder.centre);
     f.inside = ssgi__field_inside(&b);
     f.resolution = d.resolution;
-    f.radii = b.radii = d.radii;
-    if (!(d.error > 0.0f)) SSGI__TRY(ssgi__field_once(&b, texels, 0.0, 1.0, why));
-    else {          /* from small to large; when twice the resolution brings nothing, what is left is the model's */
-        const int resolution = d.resolution < 4 ? d.resolution : 4, radii = d.radii < 6 ? d.radii : 6;
-        for (int n = resolution; n <= d.resolution; n *= 2)
-            for (int k = radii; k <= d.radii; k *= 2) total += (double)(n * n * k);
-        for (f.resolution = resolution; ; f.resolution *= 2) {
-            for (f.radii = radii; f.radii <= d.radii; f.radii *= 2) {
-                const double share = (double)(f.resolution * f.resolution * f.radii) / total;
-                b.radii = f.radii;
-                SSGI__TRY(ssgi__field_once(&b, texels, done, share, why));
-                done += share;
-                if (f.p95 <= d.error) break;
-            }
-            if (f.p95 <= d.error || 2 * f.resolution > d.resolution || f.p95 > 0.98f * last) break;
-            last = f.p95;
+    f.radii = d.radii;
+    all = 24 * d.resolution * d.resolution;
+    block = (all + 23) / 24;
+    for (b.first = 0; b.first < all; b.first += block) {
+        if (d.progress && d.progress(d.user, (float)b.first / (float)all)) {
+            if (why) *why = "desc.progress: gave the bake up";
+            return SSGI_CANCELLED;
         }
-        f.radii = b.radii;
+        ssgi__field_run(&d, all - b.first < block ? all - b.first : block, ssgi__field_texel, &b);
     }
+    ssgi__field_reduce(&b);
+    ssgi__field_quantise(&b, texels);
+    ssgi__field_run(&d, SSGI__FIELD_HELD, ssgi__field_held, &b);
+    f.median = ssgi__field_rank(&b, 0.5);
+    f.p95 = ssgi__field_rank(&b, 0.95);
+    f.most = ssgi__field_rank(&b, 1.0);
     if (d.progress) d.progress(d.user, 1.0f);
     *field = f;
     return SSGI_OK;
@@ -3475,7 +3384,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
         memcpy(&number[i], &word, sizeof word);
-        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);       /* spans and errors are positive */
+        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);
     }
     memcpy((char *)f + offsetof(ssgi_field, centre), number, sizeof number);
     for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
@@ -3516,9 +3425,8 @@ SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics,
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
     size_t seen = 0, count;
-    if (!statistics || !rgba) return ssgi__bad(why, !statistics ? "statistics: must not be NULL" : "rgba: must not be NULL");
-    if (width < 1 || height < 1 || width > 65536 || height > 65536)
-        return ssgi__bad(why, "width, height: must be 1..65536");
+    SSGI__THERE2(statistics, rgba);
+    SSGI__SIZE(width, height);
     SSGI__ZERO_OR(points, "points", 2, 64);
     if (!points) points = 32;
     count = (size_t)width * (size_t)height;
@@ -3545,8 +3453,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                    const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
-    if (!calibration || !trace) return ssgi__bad(why, !calibration ? "calibration: must not be NULL" : "trace: must not be NULL");
-    if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
+    SSGI__THERE2(calibration, trace);
+    SSGI__THERE3(position, normal, visibility);
     SSGI__CHECK(count, "count: must not be 0");
     SSGI__RANGE(rays, 2, 65536);
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
@@ -3725,7 +3633,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     static const char *const method[] = { "nothing",           "hsao",  "hsao by march", "ssdo", "s3ho",
                                           "deep screen space", "fields" };
     ssgi_plan best, p;
-    float cheaper = 0.0f, goal = 0.0f;
+    float goal = 0.0f;
     int tried = 0, found = 0;
     SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
@@ -3754,16 +3662,12 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         best = p;
         found = 1;
     }
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
-        if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper))
-            cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
         snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g",
                  (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; "
-                 "what is cheaper errs by %.3g or more",
-                 method[best.method], tried, (double)s->error, (double)best.error, (double)cheaper);
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g",
+                 method[best.method], tried, (double)s->error, (double)best.error);
     else
         snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; "
                  "this is the cheapest within a tenth of the least: %.3g", method[best.method], tried,

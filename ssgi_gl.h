@@ -126,7 +126,8 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
        SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: what decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: ., ., b, c as ssgi_jitter_tile makes it; 1 more fetch */
+       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the directions;
+                                      1 more fetch */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
                                       fast way */
@@ -640,7 +641,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fract(vec2(gradient, dot(q, vec2(0.75487767, 0.56984029))) + u_ssgi_phase);\n"
     "}\n"
     "#else\n"
-    "// in [0,1): x turns the directions, y offsets the steps; c and b + 0.5 of ssgi_jitter_tile\n"
+    "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
     "    vec4 j = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0);\n"
@@ -2167,7 +2168,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("normal", 1, "!receiver", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
     SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
-    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: ssgi_jitter_tile"),
+    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__T("views", 4, NULL, "sampler2DArray", "hardware depth, slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__T("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
     SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),

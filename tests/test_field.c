@@ -664,12 +664,6 @@ static void progress(void)
     baked(0, &d, m);
     CHECK(l.calls > 10 && !l.descends && l.last >= 1, "%d calls, %d descend, the last is %g", l.calls, l.descends,
           (double)l.last);
-    l = (calls_log){ 0, -1, 0, 0 };
-    d.resolution = 8;
-    d.error = 1e-6f;
-    baked(0, &d, m);
-    CHECK(l.calls > 20 && !l.descends && l.last >= 1, "with an error: %d calls, %d descend, the last is %g", l.calls,
-          l.descends, (double)l.last);
     const size_t size = ssgi_field_bake_size(&d, m->triangles);
     void *work = malloc(size);
     for (int most = 1; work && most < l.calls; most += 1 + l.calls / 4) {
@@ -694,9 +688,7 @@ static void bad_arguments(void)
                   { "desc.radii:", { .radii = 65 } },           { "desc.rays:", { .rays = 15 } },
                   { "desc.rays:", { .rays = 65537 } },          { "desc.reach:", { .reach = 1.4f } },
                   { "desc.reach:", { .reach = 65 } },           { "desc.reach:", { .reach = -8 } },
-                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } },
-                  { "desc.error:", { .error = -0.1f } },        { "desc.error:", { .error = 1.1f } },
-                  { "desc.error:", { .error = NAN } } };
+                  { "desc.reach:", { .reach = NAN } },          { "desc.reach:", { .reach = INFINITY } } };
     const ssgi_field_desc good = { .resolution = 2, .radii = 4, .rays = 16 };
     const mesh *m = box_mesh(cube);
     const float *p = m->position;
@@ -850,43 +842,6 @@ static void hulls(void)
     }
     CHECK(contact > 0.95, "a cube's faces, touched: occlusion is as low as %g", contact);
     t_note("a cube's faces, touched: occlusion is at least %.4f", contact);
-}
-
-static void wanted_error(void)
-{
-    static const int sizes[4] = { 4, 4, 8, 8 }, radii[4] = { 6, 12, 6, 12 };
-    double half[3] = { 1, 0.5, 0.25 };
-    ssgi_field_desc d = { .rays = 16, .hit = box_hit, .user = half };
-    unsigned char *file[4];
-    size_t size[4];
-    float p95[4];
-    for (int i = 0; i < 4; ++i) {
-        d.resolution = sizes[i];
-        d.radii = radii[i];
-        const ssgi_field f = baked(0, &d, box_mesh(half));
-        size[i] = bytes_of(&file[i], &f);
-        p95[i] = f.p95;
-    }
-    /* what the i-th has: the first that has it, with the same bytes as if it had been asked for; what none has: one
-       of them, with its error */
-    for (int i = 0, before = -1; i < 5; ++i) {
-        int first = 0;
-        d.error = i < 4 ? p95[i] + 1e-4f : 1e-6f;
-        while (first < 4 && p95[first] > d.error) ++first;
-        if (first == before) continue;
-        before = first;
-        const ssgi_field f = baked(0, &d, box_mesh(half));
-        for (int k = 0; i == 4 && k < 4; ++k) if (sizes[k] == f.resolution && radii[k] == f.radii) first = k;
-        unsigned char *bytes;
-        CHECK(bytes_of(&bytes, &f) == size[first % 4] && !memcmp(bytes, file[first % 4], size[first % 4])
-                  && (i == 4) == (f.p95 > d.error),
-              "error %.4f: resolution %d, %d radii with %.4f, not %d, %d with %.4f", (double)d.error, f.resolution,
-              f.radii, (double)f.p95, sizes[first % 4], radii[first % 4], (double)p95[first % 4]);
-        free(bytes);
-    }
-    for (int i = 0; i < 4; ++i) free(file[i]);
-    t_note("a box, 95 %% of receivers: %.3f and %.3f at resolution 4 with 6 and 12 radii, %.3f and %.3f at 8",
-           (double)p95[0], (double)p95[1], (double)p95[2], (double)p95[3]);
 }
 
 /* The one closed form: a ball that rests on a plane takes 1/(1 + rho^2)^1.5 of it. */
@@ -1105,7 +1060,6 @@ void test_field(void)
     RUN("bad descs, meshes and sizes are named and leave the field untouched", bad_arguments);
     RUN("triangles, needles, flat occluders, far, tiny and huge ones stay in [0,1]; scale does not matter", degenerate);
     RUN("hulls are where the mesh ends, and what touches one is dark", hulls);
-    RUN("a wanted error takes the smallest field that has it, and one out of reach is owned up to", wanted_error);
     RUN("a ball on a plane has the closed form's contact shadow", ball_on_plane);
     RUN("there is no seam at edges and corners", borders);
     RUN("limits: ramp, reach, inside and power; points that are not finite", limits);

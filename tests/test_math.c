@@ -369,43 +369,6 @@ static void evenness(void)
           "radical inverse");
 }
 
-static void jitter(void)
-{
-    static float tile[4 * 64 * 64];
-    for (int size = 1; size <= 64; size = size < 9 ? size + 1 : size * 2 - size % 2)
-        for (int directions = 1; directions <= 1024; directions *= 8) {
-            char seen[2][64 * 64] = { { 0 } };
-            const int n = size * size;
-            double mean = 0;
-            CHECK(ssgi_jitter_tile(tile, size, directions, NULL) == SSGI_OK, "refused");
-            for (int i = 0; i < n; ++i) {
-                const float *o = tile + 4 * i;
-                /* strata 0 .. n */
-                const double turn = atan2((double)o[1], (double)o[0]) / (2 * PI),
-                             a = (turn < 0 ? turn + 1 : turn) * directions * n, b = ((double)o[2] + 0.5) * n;
-                if (CHECK(a > 0 && a < n && b > 0 && b < n && o[3] >= 0 && o[3] < 1,
-                          "%d x %d, %d directions, texel %d: %g, %g, %g", size, size, directions, i, a, b,
-                          (double)o[3]))
-                    seen[0][(int)a] = seen[1][(int)b] = 1;
-                mean += (double)o[2] / n;
-            }
-            /* beyond 100000 a float's cos and sin no longer tell strata apart */
-            for (int i = 0; i < n; ++i)
-                CHECK((seen[0][i] || n * directions >= 100000) && seen[1][i],
-                      "%d x %d, %d directions: stratum %d is empty", size, size, directions, i);
-            CHECK(fabs(mean) < 1e-6, "%d x %d: mean offset %g", size, size, mean);
-        }
-    const char *why = "";
-    CHECK(ssgi_jitter_tile(NULL, 4, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "out:"), "%s", why);
-    CHECK(ssgi_jitter_tile(tile, 65, 6, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "size:")
-              && ssgi_jitter_tile(tile, 0, 6, NULL) == SSGI_BAD_ARGUMENT
-              && ssgi_jitter_tile(tile, 0x7fffffff, 6, NULL) == SSGI_BAD_ARGUMENT,
-          "%s", why);
-    CHECK(ssgi_jitter_tile(tile, 4, 0, &why) == SSGI_BAD_ARGUMENT && NAMES(why, "directions:")
-              && ssgi_jitter_tile(tile, 4, 1025, NULL) == SSGI_BAD_ARGUMENT,
-          "%s", why);
-}
-
 /* ---- >>sh -------------------------------------------------------------------------------------------------------- */
 
 enum { WIDE = 128, HIGH = 64, CUBE = 24 };
@@ -1254,7 +1217,6 @@ void test_math(void)
     RUN("additional cameras hold the sphere, centred and no wider, with the main camera's up", extra_cameras);
     RUN("kernels: counts sum to 1, one length a stratum, unit directions, moments of their shape", kernels);
     RUN("points are spread far better than random", evenness);
-    RUN("jitter: angles and offsets stratified over the tile", jitter);
     RUN("a pixel's footprint; a radius stays within the picture", bias);
     RUN("harmonics: the table's functions, the addition theorem, the cosine's factors", harmonics);
     RUN("harmonics: latitude-longitude and cube maps give back what made them", projections);

@@ -72,7 +72,8 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
 static double radius_of(const ssgi_view *view, double size, double depth)
 {
     double scale[2];
-    ssgi__surfel_scale(scale, view, size);
+    scale[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
+    scale[1] = (double)ssgi_view_near(view);
     return ssgi__surfel_radius(scale, view->orthographic, depth);
 }
 
@@ -119,10 +120,10 @@ static void points(void)
         int v = 0;
         for (int segments = i; segments > 0 && i < 65; segments -= 2) v += 3 * segments;
         if (i && i < 65 && i % 2 == 0) ++v;
-        CHECK(ssgi_tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
-              ssgi_tess_count(i), v);
+        CHECK(ssgi__tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
+              ssgi__tess_count(i), v);
     }
-    CHECK(ssgi_tess_count(64) == 3169 && ssgi_tess_count(1) == 3 && ssgi_tess_count(-1) == 0,
+    CHECK(ssgi__tess_count(64) == 3169 && ssgi__tess_count(1) == 3 && ssgi__tess_count(-1) == 0,
           "the ends of the formula");
     tess_points(uvw, 5);
     for (int k = 0; k < 4; ++k) {
@@ -147,17 +148,17 @@ static void levels(void)
                 { 100, 11 },  { 200, 16 },  { 400, 23 }, { 800, 32 }, { 1600, 46 }, { 3000, 63 }, { 3168, 64 },
                 { 3169, 64 }, { 3170, 64 }, { 1e4, 64 }, { 1e30, 64 } };
     for (int i = 0; i < COUNT(row); ++i)
-        CHECK(ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
-              row[i].discs, ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
+        CHECK(ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
+              row[i].discs, ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
     /* where the level's even formula is full: floats stand on either side of it */
     for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
             const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
                         discs = k ? nextafterf(full, k < 0 ? 0.0f : 1e9f) : full;
-            CHECK(ssgi_tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
-                  ssgi_tess_level(pi * (double)discs, 1), i);
+            CHECK(ssgi__tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
+                  ssgi__tess_level(pi * (double)discs, 1), i);
         }
-    CHECK(ssgi_tess_level((double)NAN, 1) == 1, "no level for NaN");
+    CHECK(ssgi__tess_level((double)NAN, 1) == 1, "no level for NaN");
 }
 
 /* ---- surfels of triangles ---------------------------------------------------------------------------------------- */
@@ -251,7 +252,7 @@ static void slivers(void)
         if (!s || !CHECK(count >= 3, "%zu surfels", count)) return;
         double perimeter = 0, area = 0;
         int level = 1;
-        while (ssgi_tess_count(level) < (int)count) ++level;
+        while (ssgi__tess_count(level) < (int)count) ++level;
         /* the shrunk corners are the first ring's */
         for (int k = 0; k < 3; ++k) {
             u[k] = s[level].position[k] - s[0].position[k];
@@ -690,10 +691,10 @@ static void divided(void)
             for (int j = 0; j < 9; ++j)
                 middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
         }
-        seen += ssgi_view_outside(&view, middle) <= 0;
+        seen += ssgi__view_aside(&view, middle) <= 0;
         if (t + 1 < all) area += 0.5 * fabs(x[0] * z[1] - x[1] * z[0]);
         ssgi_surfels_predict(&cost, &d, &splat, &view, &part, NULL);
-        wants += cost.splits > 8 && ssgi_view_outside(&view, middle) <= 0;
+        wants += cost.splits > 8 && ssgi__view_aside(&view, middle) <= 0;
     }
     CHECK(fabs(area / 4e6 - 1) < 1e-5, "the ground has %.7g of its area", area / 4e6);
     CHECK(wants == 0 && seen > 20, "%d of the %d in the picture still want more parts", wants, seen);
@@ -872,7 +873,7 @@ static void refusals(void)
     REFUSED(ssgi_splat_size(o.size, 0, 10, 4, &why), "width");
     REFUSED(ssgi_splat_size(o.size, 10, 65537, 4, &why), "height");
     REFUSED(ssgi_splat_size(o.size, 10, 10, 8, &why), "levels");
-    REFUSED(ssgi_dipole_set(&o.dipole, NULL, a, 1.3f, &why), "dipole");
+    REFUSED(ssgi_dipole_set(&o.dipole, NULL, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, bad_s, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, s, bad_a, 1.3f, &why), "sigma_a");
     REFUSED(ssgi_dipole_set(&o.dipole, s, a, 0.9f, &why), "eta");
@@ -914,7 +915,7 @@ static void real_tessellator(void)
     double worst = 0;
     int wrong = 0;
     if (!CHECK(program != 0, "%s", err.text)) return;
-    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi_tess_count(i);
+    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi__tess_count(i);
     float *point = malloc((all + 9) * 4 * sizeof *point);
     glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);

@@ -23,9 +23,7 @@ static int shown(void *user, float done)
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err)
 {
     ssgi_field_desc d = *desc;
-    const size_t texels = ssgi_field_size(d.resolution  ? d.resolution
-                                          : d.error > 0 ? 64
-                                                        : 16),
+    const size_t texels = ssgi_field_size(d.resolution ? d.resolution : 16),
                  size = ssgi_field_bake_size(&d, shape->triangles);
     uint64_t key = kit_hash(KIT_HASH, shape->position, 9 * shape->triangles * sizeof(float));
     const char *why = "out of memory";

@@ -178,19 +178,11 @@ static const row cone_row = { { "cone",
                               PLAN,
                               0 };
 
-static const row resolution_row = {
-    { "resolution", "texels along a side of a field's cube map; with error at most", NULL, 16, 2, 128, 1 }, PLAN, 0
-};
-static const row radii_row = {
-    { "radii", "distances sampled along each direction; with error at most", NULL, 12, 4, 64, 1 }, PLAN, 0
-};
+static const row resolution_row = { { "resolution", "texels along a side of a field's cube map", NULL, 16, 2, 128, 1 },
+                                    PLAN,
+                                    0 };
+static const row radii_row     = { { "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1 }, PLAN, 0 };
 static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
-static const row error_row = {
-    { "error", "above 0: the smallest resolution and fewest radii with which 95 % of receivers are within it", NULL, 0,
-      0, 1, 0 },
-    PLAN,
-    0
-};
 static const row reach_row = {
     { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
 };
@@ -362,8 +354,8 @@ static const plan plans[] = {
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &error_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row,
-        &own_row, &occluders_row, &normal_row } }
+      { &resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row,
+        &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -466,7 +458,6 @@ ssgi_field_desc kit_method_field(const kit_method *method)
     d.radii = (int)kit_method_value(method, "radii");
     d.rays = (int)kit_method_value(method, "rays");
     d.reach = (float)kit_method_value(method, "reach");
-    d.error = (float)kit_method_value(method, "error");
     return d;
 }
 /* From the settings: the passes' descs, and what of the frame they set. */
