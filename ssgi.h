@@ -36,10 +36,9 @@
       >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
       >>kernel     low-discrepancy points, sample sets
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
-      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
-      >>vpl        virtual point lights from a reflective shadow map
+      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights; virtual
+                   point lights
       >>cap        cosine-weighted occlusion of spherical caps, in closed form
-      >>bias       pixel footprint, a radius to start from
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
       >>dipole     multiple scattering under surfaces
@@ -120,8 +119,11 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* Depth of the near plane that the projection implies [units: view]. */
+/* View depth of the near plane that the projection implies [units: view]. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
+
+/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
+SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
    displacement and looks at centre.
@@ -275,7 +277,6 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why);
 
-/* ==== >>vpl ==================================================================================================== */
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
@@ -298,17 +299,6 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
      cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
-
-/* ==== >>bias =================================================================================================== */
-
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
-SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
-
-/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
-   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
-   alone. Always > 0. */
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
-
 
 /* ==== >>trace ================================================================================================== */
 
@@ -543,9 +533,9 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
 /* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
    0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
-/* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
-   version or corrupt. Then loads it. size: of texels, in bytes. */
-SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
+/* Loads one. size: of texels, in bytes [limit: ssgi_field_size(field->resolution)]; NULL, 0 fills field but for its
+   texels: ask so first. SSGI_BAD_ARGUMENT when the file is cut short, too long, foreign, of another version or corrupt;
+   SSGI_TOO_SMALL. */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
@@ -846,6 +836,12 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
     return view->orthographic ? d : 1.0f / d;
 }
 
+SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
+{
+    const float x = ssgi__abs(view->unproject[0]), y = ssgi__abs(view->unproject[1]);
+    return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
+}
+
 /* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
    inside. The far plane does not count. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
@@ -1021,7 +1017,7 @@ SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 static const signed char ssgi__sh_band[SSGI__SH_MOST] = { 0, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 4, 4,
                                                           4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5 };
 
-SSGI__FN int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
+SSGI__FN int ssgi__sh_limit(int bands) { return ssgi__clamp(bands, 0, SSGI_SH_MAX_BANDS); }
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
@@ -1061,15 +1057,12 @@ SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height,
     return SSGI_OK;
 }
 
-typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI__SH_MOST]; } ssgi__sh_sum;
-
-SSGI__FN void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
+SSGI__FN void ssgi__sh_add(double *sum, int bands, const double direction[3], const float *rgb, double weight)
 {
     double basis[SSGI__SH_MOST], light[3];
-    ssgi__sh_basis(basis, sum->bands, direction);
+    ssgi__sh_basis(basis, bands, direction);
     ssgi__light3(light, rgb, -1e24f, weight);
-    for (int i = 0; i < sum->bands * sum->bands; ++i)
-        for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
+    for (int i = 0; i < bands * bands; ++i) ssgi__along(sum + 3 * i, sum + 3 * i, basis[i], light);
 }
 
 SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
@@ -1079,15 +1072,10 @@ SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const ch
     return SSGI_OK;
 }
 
-SSGI__FN void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
-{
-    for (int i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
-}
-
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why)
 {
-    ssgi__sh_sum sum = { bands, { 0.0 } };
+    double sum[3 * SSGI__SH_MOST] = { 0.0 };
     SSGI__THERE(out);
     SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
@@ -1095,10 +1083,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
         for (int x = 0; x < width; ++x, rgb += 3) {
             ssgi__equirect(direction, polar, x + 0.5, width);
-            ssgi__sh_add(&sum, direction, rgb, weight);
+            ssgi__sh_add(sum, bands, direction, rgb, weight);
         }
     }
-    ssgi__sh_end(out, &sum);
+    for (int i = 0; i < 3 * bands * bands; ++i) out[i] = (float)sum[i];
     return SSGI_OK;
 }
 
@@ -1130,7 +1118,7 @@ SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, a
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why)
 {
-    ssgi__sh_sum sum = { bands, { 0.0 } };
+    double sum[3 * SSGI__SH_MOST] = { 0.0 };
     SSGI__THERE(out);
     SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__THERE(faces);
@@ -1144,10 +1132,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
             for (int face = 0; face < 6; ++face) {
                 double direction[3];
                 ssgi__cube_direction(direction, face, s, t);
-                ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
+                ssgi__sh_add(sum, bands, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
             }
         }
-    ssgi__sh_end(out, &sum);
+    for (int i = 0; i < 3 * bands * bands; ++i) out[i] = (float)sum[i];
     return SSGI_OK;
 }
 
@@ -1545,7 +1533,6 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
     return SSGI_OK;
 }
 
-/* ==== >>vpl (implementation) =================================================================================== */
 
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why)
@@ -1596,28 +1583,6 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
         a = ssgi__max(0.0f, ssgi__min(a, 1.0f));
     }
     return large ? 1.0f - a : a;
-}
-
-/* ==== >>bias (implementation) ================================================================================== */
-
-SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
-{
-    float x = view->unproject[0] < 0.0f ? -view->unproject[0] : view->unproject[0];
-    float y = view->unproject[1] < 0.0f ? -view->unproject[1] : view->unproject[1];
-    return (x > y ? x : y) * (view->orthographic ? 1.0f : z);
-}
-
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
-{
-    float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
-    int i;
-    for (i = 0; i < 3; ++i) {
-        float d = upper[i] - lower[i];
-        if (!ssgi__finite(d) || d < 0.0f) return most;
-        sum += d * d;
-    }
-    guess = 0.1f * (float)sqrt((double)sum);
-    return guess > 0.0f && guess < most ? guess : most;
 }
 
 /* ==== >>trace (implementation) ================================================================================= */
@@ -3393,24 +3358,15 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why)
-{
-    ssgi_field f;
-    SSGI__THERE(bytes);
-    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    *bytes = ssgi_field_size(f.resolution);
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why)
 {
     ssgi_field f;
     size_t words;
-    SSGI__THERE2(field, texels);
+    SSGI__THERE(field);
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    words = ssgi_field_size(f.resolution) / 4;
-    SSGI__ENOUGH(size, 4 * words, "size: must be at least what ssgi_field_peek tells");
+    words = texels ? ssgi_field_size(f.resolution) / 4 : 0;
+    SSGI__ENOUGH(size, 4 * words, "size: must be at least ssgi_field_size of the file's resolution");
     for (size_t i = 0; i < words; ++i)
         texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;

@@ -309,7 +309,6 @@ static void floats(const float *f, size_t count)
                 ssgi_view_project(&view, p, p);
                 MUST(ssgi_pixel_footprint(&view, z) >= 0.0f);
             }
-            MUST(ssgi_radius_guess(&view, 1.0f, f, f + 3) > 0.0f);
             cameras(f, count, &view);
             surfels(f, count, &view);
         } else MUST(why && !strncmp(why, "projection:", 11));
