@@ -38,7 +38,6 @@
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  pictures as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
-      >>cap        cosine-weighted occlusion of spherical caps, in closed form
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
       >>dipole     multiple scattering under surfaces
@@ -125,24 +124,22 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
-   displacement and looks at centre.
-     main_world_to_view  rigid: rotation and translation
+/* An additional camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
+   radius * displacement and looks at centre.
+     main_world_to_view  [limit: rigid: rotation and translation]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
-     displacement        along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre
-                         itself it looks as the main camera does.
-     projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide
-                         (near or inside the sphere); near plane radius / 50: matter that a near plane cuts open would
-                         count as seen through; far plane distance + radius
+     displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
+     world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
+                         it looks as the main camera does
+     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide; near plane radius /
+                         50, since a solid cut by the near plane looks empty; far plane distance + radius
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
-   two radii away they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and
-   to the far side, 50 up. */
+/* Default displacements, i modulo 4: left, right, above, behind. For a main camera two radii from the centre they keep
+   that distance and turn about the centre by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
@@ -151,8 +148,8 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
    below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; good for any count, no need
-   to know it beforehand. */
+/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not known
+   beforehand. */
 SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
@@ -174,7 +171,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* What band l of radiance is multiplied by to become irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
+/* Factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
@@ -187,43 +184,42 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why);
 
-/* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional
-   light in 4 bands that gives a facing surface irradiance 1: the series' peak, the least irradiance of an open surface,
-   and the most that its negative part can take from a surface that sees nothing else. */
+/* Windows: factors of the bands that reduce the ringing of a narrow light. Beside each, for a directional light in 4
+   bands of irradiance 1 on a facing surface: the series' peak, the least irradiance of an unoccluded surface, the least
+   of a partly occluded one, negated. */
 enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
        SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
        /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
        SSGI_SH_WINDOW_POSITIVE };
 
 /* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a
-   window that there is not is none]. */
+   window out of range is NONE]. */
 SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
    sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an open point. */
+   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an unoccluded point. */
 SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
-/* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w
-   it becomes along R w.
+/* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
      bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]
-   About 10 us for 4 bands. */
+   About 20 us for 4 bands. */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
 /* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
-   bands as ssgi_sh_basis; channels below 1 give zeros]. What is not finite makes its band so. */
+   bands as ssgi_sh_basis; channels below 1 give zeros]. A value that is not finite makes its band's energy so. */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
    such that an unoccluded surface that faces the light receives exactly `irradiance`, whatever bands and window.
    [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
-     direction   to the light [limit: finite, not 0]; any length
+     direction   to the light [limit: finite, not 0], of any length
      sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
                  distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
-     irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
+     irradiance  of a surface that faces it [limit: finite; clamped to +-1e24]; negative values subtract light
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
    light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
@@ -241,10 +237,10 @@ SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
-                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, as wide as 1 / integral p^2 says (nearly:
-                    exactly it is tanh(kappa) of that). What lies below 0.05 is taken as 0.05.
-   A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider
-   by up to 0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
+                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
+                    solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
+   A constant environment is kept exactly. The picture is first averaged to 96 x 48 cells, which widens a lobe by up to
+   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
    x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
@@ -262,21 +258,21 @@ typedef struct ssgi_sun {
 } ssgi_sun;
 
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
-   halved, along its wider side, until there are count. A sun stands at its region's centre of luminance and sends all
-   of its light: irradiances sum to the integral of radiance over the sphere.
+   halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
+   all of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual map: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros
-   without an environment), the irradiance over pi of the suns less that of the coefficients, [3*i + c], which stand for
-   all of it. Added to their light, dimmed by occlusion, it makes open surfaces exact.
+/* Residual map: map += (irradiance of the directional lights - irradiance reconstructed from the coefficients) / pi. On
+   entry map holds the environment's (ssgi_environment_map, solid_angle 0; zeros without one); the coefficients,
+   [3*i + c], are of environment and lights. Added to the coefficients' light, dimmed by ambient visibility, it makes
+   unoccluded surfaces exact.
      size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why);
-
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
@@ -287,24 +283,15 @@ typedef struct ssgi_vpl {
    flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
    * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
      count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
-     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all;
-                              where it is negative or not finite it counts as 0 */
+     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is the power that the pixel's surface
+                              reflects; negative and not finite values count as 0 */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
-/* ==== >>cap ==================================================================================================== */
-
-/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
-     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
-     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
-   In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
-SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
-
 /* ==== >>trace ================================================================================================== */
 
-/* Rays against triangles: the nearest hit, or whether there is one. For baking fields and for ray-traced reference
-   pictures. Build once, trace from any number of threads. Triangles are two-sided; rays do not slip through shared
-   edges.
+/* Rays against triangles: the nearest hit, or any hit. For baking fields and for ray-traced references. Build once,
+   trace from any number of threads. Triangles are two-sided; rays do not pass between triangles that share an edge.
 
       size_t      size = ssgi_trace_size(triangles);
       void       *memory = malloc(size);
@@ -354,8 +341,8 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels ================================================================================================ */
 
-/* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing
-   angles, off screen and behind the eye, too. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
+/* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
+   grazing angles, off screen or behind the eye. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
    SSGI_GL_SPLAT takes either. Points keep off a triangle's edges: it is scaled about the centre of its inscribed circle
    by 1 - r / the circle's radius, at least 1/4, so that discs end at the edges unless they are wider than it. */
 
@@ -363,19 +350,19 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 typedef struct ssgi_surfel {
     float position[3], radius;      /* view space */
     float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* what it sends, the source's own until someone shades it: nothing for occlusion,
-                                       outgoing radiance for a bounce, irradiance for scattering */
+    float colour[3], unused;        /* source colour until lit; then outgoing radiance for a bounce, irradiance for
+                                       scattering; not read for occlusion */
 } ssgi_surfel;
 
 typedef struct ssgi_surfel_desc {
     float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
     float offscreen_growth;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
-                       frustum, where no visible pixel is close; below 1e-3: none, as published */
-    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
-                       area / (3 pi r^2): cost and reach do not follow how fine a mesh is; 1: all, as published */
-    float max_distance;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
-                       radius of occlusion */
+                       frustum: off-screen surfels may be coarser, far from visible pixels; 1e-6: none, as published */
+    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
+                       r^2), radius unchanged, so that cost does not grow with mesh detail; 1: keep all, as published */
+    float max_distance;     /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the radius
+                       of occlusion, for instance */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -394,27 +381,27 @@ typedef struct ssgi_surfel_source {
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
-/* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
-   horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->max_distance. Others
-   stay as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
-   (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most capacity
+/* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
+   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others stay
+   unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
+   (normal 0 0 0 where source->normal is NULL): usable as source of ssgi_surfels and as patches. Writes at most capacity
    triangles, and to *count how many there are. */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
-   are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
-   a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
-   vertices and the place in it alone. */
+/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most capacity, and to *count how many there
+   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
+   a radius above 0 give none; normals that are not finite count as 0. seed depends only on the triangle's vertex
+   indices and the position in it. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
-    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
-    float max_distance;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
-    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
+    float max_distance;         /* [units: view] [limit: >= 0] [default: unlimited] largest distance: the occlusion radius */
+    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: largest radiance that surfels send */
+    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -449,10 +436,10 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: what a rigid occluder takes from the ambient light of things around it, baked once,
-   looked up at any point outside of it for a cost that knows nothing of its triangles. Space is seen from the occluder's
-   centre: for each direction of a cube map, how the cap that the occluder fills changes along the ray from its convex
-   hull to the field's reach.
+/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder (an occluder) on its surroundings, baked once, evaluated
+   at any point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
+   the field stores the spherical cap that the occluder subtends, as a function of distance from its convex hull to the
+   field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
       uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
@@ -489,18 +476,18 @@ typedef struct ssgi_field {
     float reach;            /* [units: the mesh's] the field's end, from the centre */
     float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
     float low[8], span[8];  /* what 0 and 255 of each component stand for: low, low + span */
-    float median, p95, max_error;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
-                               directions between texels, radii between those sampled, any normal */
+    float median, p95, max_error;/* errors of occlusion, as stored, without ramp, at validation receivers: directions
+                               between texels, radii between samples, random normals */
 } ssgi_field;
 
-/* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
+/* How a field fades out, and occlusion inside the convex hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
     float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
     float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
-/* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
-   resolution^2 of the largest resolution. 0 for bad arguments. */
+/* Bytes of texels, and of the work memory of a bake, not needed afterwards: about 59 a triangle + 960 resolution^2. 0
+   for bad arguments. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
@@ -530,6 +517,12 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
+/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
+     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
+     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
+   In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
+
 /* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
    0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
@@ -541,9 +534,9 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* ==== >>plan =================================================================================================== */
 
-/* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least
-   error for what you can spend. Fitted on ray-traced truth of eight scenes, judged on others: README. Nothing is exact:
-   the table of choices is short, and a picture does not know what it hides. What helps most is a calibration.
+/* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
+   Fitted on ray-traced truth of eight scenes, tested on others: README. Predictions are approximate: the table of
+   choices is short, and hidden geometry is not in the depth buffer. A calibration improves them most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
@@ -561,10 +554,10 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
        SSGI_PLAN_FIELD };
 
-/* How points around surfaces stand to what is seen: from the picture of the pass "statistics". blocked: shares of them
-   behind it by less than a quarter of the radius, by less than the radius, by more: what lies there between is unknown.
-   off: beside the picture. square: second moments of all four over the pixels, with the sampling variance removed.
-   seen: share of the picture; 0 = no statistics. */
+/* Depth statistics from the pass "statistics": points around each surface against the depth buffer. blocked: shares of them
+   behind the visible surface by less than a quarter of the radius, by less than the radius, by more; the geometry in
+   between is unknown. off: share outside the frame. square: second moments of all four over the pixels, with the
+   sampling variance removed. seen: share of the frame with a surface; 0 = no statistics. */
 typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, square[4]; } ssgi_depth_statistics;
 
 /* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
@@ -572,16 +565,16 @@ typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, squ
 SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
                                     const char **why);
 
-/* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices
-   at the preset BALANCED, which dim the light where light is wanted. known: 0 = no calibration. */
+/* Errors against ray-traced truth, in the measure of `wanted`. open: without any occlusion; picture: of hsao's slices
+   at the preset BALANCED, multiplied with the light where light is wanted. known: 0 = no calibration. */
 typedef struct ssgi_calibration { int known; float unoccluded, hsao; } ssgi_calibration;
 
-/* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's
-   part). What rays add by chance is not in it: their halves are compared crosswise, so 64 suffice. 3000 places spread
-   over the picture come within 3 to 6 % of all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
+/* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
+   variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
+   all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
      position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
                         tracing the pixels' rays: those from depth are too coarse far away
-     visibility         what the picture holds there
+     visibility         ambient visibility in the frame at those points
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                    const float *normal, const float *visibility, size_t count, int rays, float radius,
@@ -661,7 +654,7 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
-/* Of the arguments of a function that has `why`. */
+/* Argument checks of functions with a parameter `why`. */
 #define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
 #define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
 #define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
@@ -681,7 +674,7 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-/* Whether all are there and finite. */
+/* Whether v is not NULL and all are finite. */
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
@@ -701,7 +694,7 @@ SSGI__FN int ssgi__within(float x, float least, float most)
     return ssgi__finite(x) && x >= least && x <= most;
 }
 
-/* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
+/* A radiance or flux: 0 if not finite, clamped so that sums over any picture stay finite. */
 static double ssgi__light(float x, float least)
 {
     return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
@@ -752,6 +745,15 @@ SSGI__FN double ssgi__normalise(double v[3])
     const double length = sqrt(ssgi__dot(v, v));
     for (int i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
     return length;
+}
+
+/* The unit vector at a height and an azimuth. */
+SSGI__FN void ssgi__polar(double w[3], double z, double angle)
+{
+    const double r = sqrt(1.0 - z * z);
+    w[0] = r * cos(angle);
+    w[1] = r * sin(angle);
+    w[2] = z;
 }
 
 /* ==== >>view (implementation) ================================================================================== */
@@ -879,11 +881,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     for (int i = 0; i < 4; ++i)
         if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
             return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
-    SSGI__THERE(centre);
-    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be finite");
+    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
-    SSGI__THERE(displacement);
-    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be finite");
+    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
     for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -1158,42 +1158,23 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
         out[i] *= zonal[ssgi__sh_band[i]] * (float)sqrt((4.0 * SSGI__PI) / (2 * ssgi__sh_band[i] + 1));
 }
 
-/* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
-   that degree; returns its solid angle. */
-SSGI__FN double ssgi__sphere_node(double d[3], int degree, int i)
-{
-    const double pi = SSGI__PI;
-    const int rows = degree / 2 + 1, columns = degree + 1;
-    const double azimuth = 2.0 * pi * (i % columns) / columns;
-    double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
-    for (int step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
-        double p = 1.0, before = 0.0;
-        for (int l = 0; l < rows; ++l) {
-            const double next = ((2 * l + 1) * z * p - l * before) / (l + 1);
-            before = p;
-            p = next;
-        }
-        slope = rows * (z * p - before) / (z * z - 1.0);
-        z -= p / slope;
-    }
-    r = sqrt(1.0 - z * z);
-    d[0] = r * cos(azimuth);
-    d[1] = r * sin(azimuth);
-    d[2] = z;
-    return 4.0 * pi / columns / (r * r * slope * slope);
-}
-
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *m)
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-    /* bands do not mix: of a row, its own */
+    /* Gauss and Legendre's 6 heights by 11 azimuths: exact for products of two functions of 6 bands */
+    static const double gauss[3][2] = { { 0.23861918608319691, 0.46791393457269105 },
+                                        { 0.66120938646626451, 0.36076157304813861 },
+                                        { 0.93246951420315203, 0.17132449237917034 } };
+    /* block-diagonal by bands: each row keeps its own band */
     double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], of[SSGI__SH_MOST], here[SSGI__SH_MOST];
     double there[SSGI__SH_MOST], view[3], world[3], weight;
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
-    for (int node = 0; node < bands * (2 * bands - 1); ++node) {
-        weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
+    for (int node = 0; node < 66; ++node) {
+        const double *height = gauss[node / 22];
+        ssgi__polar(view, node % 2 ? height[0] : -height[0], 2.0 * SSGI__PI * (node / 2 % 11) / 11);
+        weight = height[1] * 2.0 * SSGI__PI / 11;
         for (int i = 0; i < 3; ++i)
             world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
@@ -1225,7 +1206,7 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-/* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
+/* Means of the Legendre polynomials over [cosine, 1]: a cap's factor for each band. No cancellation at
    cosine 1, as differences of polynomials would. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
@@ -1299,14 +1280,14 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(e, out);
 }
 
-/* What the spans from a and from b, as long as la and lb, share. */
+/* Intersection of the spans [a, a + la] and [b, b + lb]. */
 SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
     *begin = a > b ? a : b;
     *end = a + la < b + lb ? a + la : b + lb;
 }
 
-/* The picture as cells, which may be smaller than texels: averages over their exact solid angle, of constant texels. */
+/* Averages the picture, constant in each texel, over cells of exact solid angle; cells may be smaller than texels. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
@@ -1386,7 +1367,7 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
     SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
-    /* below, less than 1e-7 */
+    /* the lobe is below 1e-7 beyond that */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
 }
@@ -1463,7 +1444,7 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
             ssgi__along(mean, mean, luminance, d);
         }
     }
-    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or the same all around */
+    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or constant */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
@@ -1474,15 +1455,12 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why)
 {
-    ssgi__region region[1024];
+    ssgi__region region[1024] = { { { 0, 0 }, { width, height }, 0.0 } };
     double bin[SSGI__REGION_BINS];
     int n;
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
-    region[0].lower[0] = region[0].lower[1] = 0;
-    region[0].upper[0] = width;
-    region[0].upper[1] = height;
     ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height);      /* all in one bin */
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
@@ -1496,11 +1474,8 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
-    for (int i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
-        ssgi__region none = region[0];
-        memcpy(none.upper, none.lower, sizeof none.upper);
-        ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
-    }
+    /* with nothing left to split the rest are dark: regions without texels at +y */
+    for (int i = 0; i < count; ++i) ssgi__region_sun(&out[i], &region[i], rgb, width, height);
     return SSGI_OK;
 }
 
@@ -1550,7 +1525,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    /* last holds the end against rounding, and against sums in another order */
+    /* last guards the end against rounding */
     k = 0;
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
@@ -1562,35 +1537,12 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     return SSGI_OK;
 }
 
-/* ==== >>cap (implementation) =================================================================================== */
-
-/* The integral of the clamped cosine over a cap: by the two arcs, of the cap and of the horizon, that bound its part
-   above the horizon. */
-SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
-{
-    const float pi = 3.14159265f;
-    float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
-    float s, x, w, a;
-    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
-    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
-    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
-    if (!(s > 0.0f)) a = 0.0f;
-    else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
-    else {
-        x = (1.0f - h) / sqrtf(s);
-        w = sqrtf(1.0f - c * c / s);
-        a = ((c * atan2f(w, -x * c) - x * w) * s + atan2f(w, x)) / pi;
-        a = ssgi__max(0.0f, ssgi__min(a, 1.0f));
-    }
-    return large ? 1.0f - a : a;
-}
-
 /* ==== >>trace (implementation) ================================================================================= */
 
 /* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
    operation. It comes from binary splits at the middle of the longest axis, of which the left side always gets a
-   multiple of four triangles. Every leaf but the last is then full, which bounds the memory exactly: with L leaves there
-   are at most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
+   multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are at
+   most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
 #define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF   0x80000000u
@@ -1626,7 +1578,6 @@ typedef struct ssgi__trace_job {
     const uint32_t    *index;
 } ssgi__trace_job;
 
-
 /* finite and within the limit, by the bits: -ffast-math may drop any comparison */
 static int ssgi__trace_sane(float x)
 {
@@ -1637,18 +1588,10 @@ static int ssgi__trace_sane(float x)
     return (bits & 0x7fffffffu) <= most;
 }
 
-SSGI__FN void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
-{
-    *blocks = (triangles + 3) / 4;
-    *nodes = *blocks * 2 / 3 + 1;
-}
-
 SSGI_DEF size_t ssgi_trace_size(size_t triangles)
 {
-    size_t blocks, nodes;
-    const size_t most = (size_t)-1;
+    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 2 / 3 + 1;
     if (triangles == 0 || triangles > SSGI_TRACE_MAX_TRIANGLES) return 0;
-    ssgi__trace_layout(triangles, &blocks, &nodes);
     if (blocks > (most - 1024) / (sizeof(ssgi__trace_block) + sizeof(ssgi__trace_node))) return 0;
     return 64 + blocks * sizeof(ssgi__trace_block) + nodes * sizeof(ssgi__trace_node);
 }
@@ -1766,7 +1709,7 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
+/* items are consumed before their block is written, so both share memory (see ssgi_trace_build) */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
@@ -1834,28 +1777,22 @@ SSGI__FN ssgi_result ssgi__trace_bad(size_t stride_bytes, size_t triangles, cons
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
-    ssgi__trace_job job;
-    ssgi__trace_range all;
-    size_t blocks, nodes;
+    ssgi__trace_job job = { NULL, NULL, NULL, 0, (const char *)position, stride_bytes, index };
+    ssgi__trace_range all = { 0, 0, 0, { 0 }, { 0 }, { 0 }, { 0 } };
+    const size_t blocks = (triangles + 3) / 4;
     uint32_t count = 0;
     char *base;
     SSGI__THERE3(trace, memory, position);
     SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
     SSGI__ENOUGH(size, ssgi_trace_size(triangles), "size: must be at least ssgi_trace_size(triangles)");
-    ssgi__trace_layout(triangles, &blocks, &nodes);
     base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
     job.blocks = (ssgi__trace_block *)(void *)base;
     job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
     /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a
-       block, no item is overwritten before it is spent */
+       block, no item is overwritten before it is read */
     job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof *job.blocks - 4 * sizeof *job.items));
-    job.node_count = 0;
-    job.position = (const char *)position;
-    job.stride = stride_bytes;
-    job.index = index;
     for (size_t k = 0; k < triangles; k++)
         count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
-    all.first = all.depth = 0;
     all.count = count;
     ssgi__trace_bound(job.items, &all);
     if (count) ssgi__trace_node_set(&job, &all);
@@ -1899,7 +1836,7 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, or a ball on a wide floor would sink */
+/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -1916,7 +1853,7 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
     return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
-/* hit NULL: any hit will do */
+/* hit NULL: returns at the first hit found */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
@@ -2044,7 +1981,7 @@ SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, dou
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
 }
 
-/* What a triangle, split or not, becomes. */
+/* A triangle or a part of one, and its surfels. */
 typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
@@ -2093,7 +2030,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
                 p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
-    /* of vertices: numbers of primitives are not to be relied on */
+    /* from vertex indices: GPUs number primitives differently */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
     ssgi__along(a, p->at[1], -1.0, p->at[0]);
     ssgi__along(b, p->at[2], -1.0, p->at[0]);
@@ -2103,26 +2040,19 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-/* |depth| where it is nearest to the near plane, were it a segment */
-SSGI__FN double ssgi__nearest(const ssgi__patch *p)
+/* smallest surfel radius in it: at the depth in its range that is nearest to the near plane */
+SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
     for (int k = 0; k < 3; ++k) {
         if (-p->at[k][2] < low) low = -p->at[k][2];
         if (-p->at[k][2] > high) high = -p->at[k][2];
     }
-    return low > 0.0 ? low : high < 0.0 ? high : 0.0;
+    if (low < m->scale[1]) low = high < 0.0 ? high : m->scale[1];
+    return ssgi__surfel_radius(m->scale, m->view->orthographic, low);
 }
 
-/* the least radius in it */
-SSGI__FN double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
-{
-    double depth = ssgi__nearest(whole);
-    if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
-    return ssgi__surfel_radius(m->scale, m->view->orthographic, depth);
-}
-
-/* Its middle, how far that is aside, and how far its corners are from there. */
+/* Centroid, largest distance of a corner from it; returns the centroid's distance outside the frustum. */
 SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
     *extent = 0.0;
@@ -2148,7 +2078,7 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
         out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
+/* Part i of n * n, its level and radius, inset from the edges. 0: too far outside the frustum, or thinned out.
    Twin of the tessellation control shader. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
@@ -2172,7 +2102,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    p->alive = 0;       /* by the golden ratio: even along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -2326,7 +2256,7 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) {       /* a corner and the middles of its edges, or the middles alone */
+    for (int c = 0; c < 4; ++c) {       /* a corner and its edges' midpoints, or the three midpoints */
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
@@ -2362,14 +2292,14 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends
+/* Distance beyond which a surfel's contribution is below epsilon; brightest: largest component of what it sends
    [DSS14 3.2, 4]. */
 SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
+/* Distances covered by a level, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
    l; no farther than `most`. */
 SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
@@ -2525,8 +2455,8 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
 
 /* ==== >>field (implementation) ================================================================================= */
 
-#define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
-#define SSGI__FIELD_HELD     512     /* positions that take no part in a bake, with four normals each */
+#define SSGI__FIELD_FEW      128     /* corners that approximate the hull */
+#define SSGI__FIELD_HELD     512     /* validation positions, with four normals each */
 
 /* ---- samples */
 
@@ -2568,17 +2498,18 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
-    for (int i = 0; i < 4; ++i) out[i] = 0.0;
-    for (int i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
+    double along[3];
+    memset(out, 0, 4 * sizeof *out);
+    if (occlusion) memset(occlusion, 0, 4 * sizeof *occlusion);
     ssgi__field_axes(axes, axis);
     for (int i = 0; i < rays; ++i) {
         ssgi__field_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
+        ssgi__doubles(along, d);
         out[0] += share;
-        for (int k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
+        ssgi__along(out + 1, out + 1, share, along);
         for (int k = 0; occlusion && k < 4; ++k) {
-            double facing = 0.0;
-            for (int n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
+            const double facing = ssgi__dot(normal[k], along);
             if (facing > 0.0) occlusion[k] += share / SSGI__PI * facing;
         }
     }
@@ -2721,7 +2652,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
+    if (!(best > flat)) return best;            /* all point at the centre already: undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -2796,7 +2727,7 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
     p->distance = ssgi__dot(p->normal, p->corner[0]);
 }
 
-/* How far beyond the hull samples begin, so that none begins in the matter. */
+/* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
 /* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
@@ -2815,7 +2746,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) {           /* of the three parts that which the ray is farthest within */
+        for (int i = 0; i < 3; ++i) {           /* the part of three that holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -2831,14 +2762,6 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     }
     facing = ssgi__dot(p->normal, w);
     return facing > 1e-9 ? p->distance / facing : m->radius;
-}
-
-SSGI__FN void ssgi__polar(double w[3], double z, double angle)
-{
-    const double r = sqrt(1.0 - z * z);
-    w[0] = r * cos(angle);
-    w[1] = r * sin(angle);
-    w[2] = z;
 }
 
 SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
@@ -2880,7 +2803,7 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* between those directions a little more */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* a margin for the directions between */
     return 1;
 }
 
@@ -2914,11 +2837,11 @@ typedef struct ssgi__field_bake {
     ssgi__field_occluder occluder;
     ssgi_field *field;
     float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
-    float *error;                   /* of what is held out; in fine, which is done with then */
+    float *error;                   /* at validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
 
-/* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
+/* Texel x, y of a face; beyond its edges, of the neighbouring face. */
 SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
@@ -2933,7 +2856,7 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-/* What a point at r along w from the centre sees of the occluder, by rays in the cone that holds it; and that point. */
+/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -2967,7 +2890,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
-        if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
+        if (sum[0] > 0.0) {     /* covered share of the cap with this vector irradiance and solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
@@ -2976,12 +2899,12 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
     ssgi__field_fit(q, radii, values, b->desc->radii, SSGI__PI);
-    /* within the rays' noise, which a centre near the hull would follow */
+    /* tolerance: the rays' noise, to which a centre near the hull would be fitted */
     ssgi__field_centre(c, w, radii, directions, b->desc->radii,
                        0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
     if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    q[1] += sqrt(q[0] * q[2]);  /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
@@ -3038,7 +2961,7 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* What walled-in points are not counted in: the mean occlusion of points in the hull. */
+/* A_0: mean occlusion of points inside the hull, without those enclosed by the mesh. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -3069,7 +2992,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the occluder */
+    for (int n = 0; n < 4; ++n) {                   /* none faces straight away, where occlusion is 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
@@ -3088,7 +3011,7 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
     else for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* The error that a share of the held-out ones does not exceed. */
+/* The error that this share of the validation receivers does not exceed. */
 SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
@@ -3128,7 +3051,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
+SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of the errors */
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3194,24 +3117,38 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 /* ---- looking up */
 
+/* The integral of the clamped cosine over a cap: by the two arcs, of the cap and of the horizon, that bound its part
+   above the horizon. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
+{
+    const float pi = 3.14159265f;
+    float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
+    float s, x, w, a;
+    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
+    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
+    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    if (!(s > 0.0f)) a = 0.0f;
+    else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
+    else {
+        x = (1.0f - h) / sqrtf(s);
+        w = sqrtf(1.0f - c * c / s);
+        a = ((c * atan2f(w, -x * c) - x * w) * s + atan2f(w, x)) / pi;
+        a = ssgi__max(0.0f, ssgi__min(a, 1.0f));
+    }
+    return large ? 1.0f - a : a;
+}
+
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
 {
     const ssgi_field_limits l = { 0.75f * field->reach, field->reach, field->inside, 1.0f };
     return l;
 }
 
-/* The texel of a face, counted from its border's first. */
-static const uint32_t *ssgi__field_at(const ssgi_field *f, int face, int x, int y)
-{
-    const int row = f->resolution + 2;
-    return f->texels + 2 * ((face * row + y) * row + x);
-}
-
 /* The components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     float at[2];
-    const int face = ssgi__cube_place(at, w);
+    const int face = ssgi__cube_place(at, w), row = f->resolution + 2;
     int cell[2];
     for (int k = 0; k < 2; ++k) {
         at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
@@ -3222,7 +3159,7 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
     for (int n = 0; n < 8; ++n) out[n] = 0.0f;
     for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 2; ++k) {
-            const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
+            const uint32_t *texel = f->texels + 2 * ((face * row + cell[1] + i) * row + cell[0] + k);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
             for (int n = 0; n < 8; ++n) out[n] += weight * (float)(texel[n / 4] >> 8 * (n % 4) & 255u);
         }
@@ -3238,7 +3175,7 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
-    for (int k = 0; k < 3; ++k) direction[k] = (float)w[k];
+    ssgi__floats(direction, w);
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
     t = r > hull ? r < field->reach ? (r - hull) / (field->reach - hull) : 1.0f : 0.0f;
@@ -3252,7 +3189,7 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
     if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
-    for (int k = 0; k < 3; ++k) axis[k] = (float)v[k];
+    ssgi__floats(axis, v);
     return r / hull;
 }
 
@@ -3343,9 +3280,8 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     f->radii = (int)head[3];
     SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
-    h = ssgi__field_checksum(bytes, size - 8);
-    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 2) == (uint32_t)h, corrupt);
-    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
+    h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
+    SSGI__CHECK(ssgi__field_checksum(bytes, size - 8) == h, corrupt);
     for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
         memcpy(&number[i], &word, sizeof word);
@@ -3391,7 +3327,7 @@ SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics,
         for (int k = 0; k < 4; ++k) {
             v = (double)rgba[4 * i + (size_t)k];
             sum[k] += v;
-            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* a share of a few points varies by chance */
+            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* minus the variance of a share of few points */
         }
         ++seen;
     }
@@ -3418,7 +3354,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         double along[3], occlusion[2] = { 0.0, 0.0 };
         float axes[3][3], from[3], d[3];
         ssgi_hit hit;
-        for (int k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
+        ssgi__doubles(along, normal + 3 * i);
         ssgi__normalise(along);
         ssgi__field_axes(axes, along);
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
@@ -3441,14 +3377,14 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
     return SSGI_OK;
 }
 
-/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
+/* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
    (examples/fit.c): squares of the calibration's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
 enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
        SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_OCCLUDERS = 4 };
 
-/* A choice: what it is for, what it needs besides layers and cameras, its settings, its cost, its terms' numbers. */
+/* A choice: for what quantity, required inputs besides layers and cameras, settings, cost, weights of the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
     float size, cost, term[SSGI__PLAN_TERMS];
@@ -3511,7 +3447,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_radius(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    if (s->statistics.visible > 0.0f) {                    /* no more than a guess: the statistics cannot see what is hidden */
+    if (s->statistics.visible > 0.0f) {                    /* a rough estimate: hidden geometry is not in the statistics */
         const float *square = s->statistics.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
         picture = 1e-5 + 0.38 * (double)square[1];
@@ -3535,7 +3471,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT] = 1e-4;
 }
 
-/* Whether a scene has what a choice needs, and enough of it to be worth that. */
+/* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
@@ -3544,12 +3480,12 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
     if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1)
         || row->cameras > s->cameras)
         return 0;
-    /* layers and cameras want something hidden */
+    /* skip layers and cameras when little geometry is hidden */
     if (s->statistics.visible > 0.0f && (row->layers > 1 || row->cameras)) {
         const double off = row->cameras ? sqrt((double)square[3]) : 0.0;
         if (sqrt((double)square[1] + (double)square[2]) + off < 0.1 * (double)s->error) return 0;
     }
-    /* directional methods want light that is not the same all around */
+    /* skip directional methods when the energy above band 0 is negligible */
     return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
 }
@@ -3611,7 +3547,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 10 % of the goal */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;

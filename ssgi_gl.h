@@ -126,8 +126,8 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
        SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: what decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the directions;
-                                      1 more fetch */
+       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the
+                                      directions; 1 more fetch */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
                                       fast way */
@@ -332,7 +332,8 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 /* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), the same for
    every desc that ssgi_gl_check accepts; the samplers t_ssgi_occluders and t_ssgi_fields are declared in it. float
    ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
-   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
+   GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
