@@ -34,15 +34,13 @@
    ROOMS        search for ">>"
       >>types      results
       >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
-      >>kernel     low-discrepancy points, sample sets, jitter tile
-      >>sh         spherical harmonics: basis, windows, projection of environments, lights and skies, rotation, products
-      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights
-      >>vpl        virtual point lights from a reflective shadow map
-      >>cap        spherical caps under the cosine: closed form, table
-      >>bias       pixel footprint, normal offset, shadow map bias
+      >>kernel     low-discrepancy points, sample sets
+      >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
+      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights; virtual
+                   point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
-      >>dipole     multiple scattering under surfaces, and materials
+      >>dipole     multiple scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
 
@@ -120,31 +118,28 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* Depth of the near plane that the projection implies [units: view]. */
+/* View depth of the near plane that the projection implies [units: view]. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* How far a point of view space lies outside of the frustum [units: view]: the largest of its distances beyond the side
-   planes and the near plane; 0 inside. The far plane does not count. */
-SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3]);
+/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
+SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* An additional camera that sees what the main one does not [SSDO09 section 4]: it stands at the main eye + radius *
-   displacement and looks at centre.
-     main_world_to_view  rigid: rotation and translation
+/* An additional camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
+   radius * displacement and looks at centre.
+     main_world_to_view  [limit: rigid: rotation and translation]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
-     displacement        along the main camera's axes: x right, y up, z toward the viewer
-     world_to_view       its up is the main camera's; looking along that, the main camera's forward. At the centre
-                         itself it looks as the main camera does.
-     projection          GL clip, square, symmetric; the frustum just holds the sphere, but is at most 100 degrees wide
-                         (near or inside the sphere); near plane radius / 50: matter that a near plane cuts open would
-                         count as seen through; far plane distance + radius
+     displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
+     world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
+                         it looks as the main camera does
+     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide; near plane radius /
+                         50, since a solid cut by the near plane looks empty; far plane distance + radius
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Displacements to start from, i modulo 4: left, right, above, behind. For a main camera that looks at the centre from
-   two radii away they keep that distance and turn about the centre: by 60 degrees to either side and 20 up, 75 up, and
-   to the far side, 50 up. */
+/* Default displacements, i modulo 4: left, right, above, behind. For a main camera two radii from the centre they keep
+   that distance and turn about the centre by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
@@ -153,8 +148,8 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
    below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; good for any count, no need
-   to know it beforehand. */
+/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not known
+   beforehand. */
 SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
@@ -167,23 +162,16 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
    [SSDO09 section 3; sets that integrate an unblocked constant exactly: see examples/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
-/* HSAO's tile of jitter: out[4 * (y * size + x)] = cos a, sin a, b, c: a in [0, 2 pi/directions), b in [-0.5,0.5] for
-   the steps, c in [0,1) for whatever else wants a turn, each stratified over the size x size texels and decorrelated.
-   [HSAO08 4.1.2, with the range that it means]
-     size       [limit: 1..64]     directions [limit: 1..1024]
-   Upload as RGBA32F or RGBA16F, size x size, for a desc with noise = SSGI_GL_NOISE_TEXTURE. */
-SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why);
-
 /* ==== >>sh ===================================================================================================== */
 
 /* Real spherical harmonics, orthonormal, function m = -l..l of band l at l*l + l + m; no Condon-Shortley sign: band 1
-   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal, rotate and product: ssgi_gl_sh in ssgi_gl.h. */
+   is +y, +z, +x times 0.4886. GLSL twins of basis, zonal and rotate: ssgi_gl_sh in ssgi_gl.h. */
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
 SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
-/* What band l of radiance is multiplied by to become irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
+/* Factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
 
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
@@ -196,65 +184,46 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why);
 
-/* Windows: what band l is multiplied by so that the series of a narrow light rings less. Beside each, for a directional
-   light in 4 bands that gives a facing surface irradiance 1: the series' peak, the least irradiance of an open surface,
-   and the most that its negative part can take from a surface that sees nothing else. */
+/* Windows: factors of the bands that reduce the ringing of a narrow light. Beside each, for a directional light in 4
+   bands of irradiance 1 on a facing surface: the series' peak, the least irradiance of an unoccluded surface, the least
+   of a partly occluded one, negated. */
 enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
        SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
        /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
        SSGI_SH_WINDOW_POSITIVE };
 
 /* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a
-   window that there is not is none]. */
+   window out of range is NONE]. */
 SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
    sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an open point. */
+   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an unoccluded point. */
 SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
-/* The function turned as world_to_view turns directions (its rotation [limit: rigid]; NULL: none): what it was along w
-   it becomes along R w.
+/* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
      bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]
-   About 10 us for 4 bands. */
+   About 20 us for 4 bands. */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
-/* The product of two functions, projected back on as many bands (light times visibility, say): exact for that, but a
-   product has up to 2 * bands - 1 bands and those above are lost. One channel, bands^2 floats each; out may be a or b.
-   [limit: bands as ssgi_sh_basis] About 20 us for 4 bands. */
-SSGI_DEF void  ssgi_sh_product(float *out, int bands, const float *a, const float *b);
-
 /* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
-   bands as ssgi_sh_basis; channels below 1 give zeros]. What is not finite makes its band so. */
+   bands as ssgi_sh_basis; channels below 1 give zeros]. A value that is not finite makes its band's energy so. */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
 /* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
    such that an unoccluded surface that faces the light receives exactly `irradiance`, whatever bands and window.
    [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
-     direction   to the light [limit: finite, not 0]; any length
+     direction   to the light [limit: finite, not 0], of any length
      sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
                  distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
-     irradiance  of a surface that faces it [limit: finite] beyond +-1e24 it counts as that; below 0 it takes light away
-   Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. */
+     irradiance  of a surface that faces it [limit: finite; clamped to +-1e24]; negative values subtract light
+   Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
+   light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why);
-
-/* ADDS a sky of two constant radiances that meet at the horizon. From 2 bands on its irradiance is exactly the engines'
-   hemisphere light, pi * mix(below, above, 0.5 + 0.5 dot(n, up)): the cosine sees none of the other bands.
-     bands, up, above, below   as bands, direction, irradiance of ssgi_sh_light */
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
-                                 const float below[3], const char **why);
-
-/* Weakens the higher bands of radiance, [3*i + c], by 1 / (1 + s l^2 (l+1)^2) [SLO08] with the least s >= 0 that leaves
-   no channel below 0 in any direction, but for 1e-3 of its mean; band 0 stays. Takes a few milliseconds: descends from
-   200 fixed directions.
-     bands         [limit: 1..SSGI_SH_MAX_BANDS]
-     coefficients  [limit: finite] a channel whose mean is not above 0 does not count, but is weakened as the others
-     strength      receives s, at most 1e30; may be NULL */
-SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why);
 
 /* ==== >>environment ============================================================================================ */
 
@@ -268,10 +237,10 @@ SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
-                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, as wide as 1 / integral p^2 says (nearly:
-                    exactly it is tanh(kappa) of that). What lies below 0.05 is taken as 0.05.
-   A constant environment comes out as it is. The picture is first averaged to 96 x 48 cells, which makes a lobe wider
-   by up to 0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
+                    a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
+                    solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
+   A constant environment is kept exactly. The picture is first averaged to 96 x 48 cells, which widens a lobe by up to
+   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
    x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
@@ -289,22 +258,21 @@ typedef struct ssgi_sun {
 } ssgi_sun;
 
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
-   halved, along its wider side, until there are count. A sun stands at its region's centre of luminance and sends all
-   of its light: irradiances sum to the integral of radiance over the sphere.
+   halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
+   all of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual map: adds to map, an octahedral map of irradiance over pi (ssgi_environment_map, solid_angle 0; zeros
-   without an environment), the irradiance over pi of the suns less that of the coefficients, [3*i + c], which stand for
-   all of it. Added to their light, dimmed by occlusion, it makes open surfaces exact.
+/* Residual map: map += (irradiance of the directional lights - irradiance reconstructed from the coefficients) / pi. On
+   entry map holds the environment's (ssgi_environment_map, solid_angle 0; zeros without one); the coefficients,
+   [3*i + c], are of environment and lights. Added to the coefficients' light, dimmed by ambient visibility, it makes
+   unoccluded surfaces exact.
      size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                      int count, const char **why);
-
-/* ==== >>vpl ==================================================================================================== */
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
@@ -315,55 +283,15 @@ typedef struct ssgi_vpl {
    flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
    * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
      count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
-     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is what the pixel's surface reflects in all;
-                              where it is negative or not finite it counts as 0 */
+     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is the power that the pixel's surface
+                              reflects; negative and not finite values count as 0 */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
-/* ==== >>cap ==================================================================================================== */
-
-/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
-     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
-     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
-   In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
-SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
-
-/* The same as a table: out[y * size + x] at solid angle 4 pi x/(size-1), cosine 2 y/(size-1) - 1 [limit: size 2..1024].
-   Upload it size x size, R16F, R32F or R16, LINEAR, CLAMP_TO_EDGE, for a desc with cap = SSGI_GL_CAP_TABLE. Largest
-   error of the bilinear value: 2.8e-3 at size 32, 1.4e-3 at 64, 6.6e-4 at 128. */
-SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why);
-
-/* ==== >>bias =================================================================================================== */
-
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
-SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
-
-/* How far HSAO lifts the receiver along its normal, so that nearest depth fetches of its own plane stay below it: half
-   a pixel's footprint [HSAO08 eq. 13]; a pixel's corners need sqrt(2) of it. GLSL twin: ssgi_lift. */
-SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float view_depth);
-
-/* A radius to start from when nobody knows one: a tenth of the diagonal of the bounds of what is looked at, but at most
-   what covers a quarter of the picture's height at view_depth. Bounds that are empty or not finite give the second
-   alone. Always > 0. */
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float view_depth, const float lower[3], const float upper[3]);
-
-
-/* Width of a shadow map's texel on a surface that faces the light: 2 z tan(angle/2) / resolution. [SSDO09 section 5]
-     depth       [units: world] [limit: >= 0] along the spot's axis, not the distance
-     full_angle  [units: rad] [limit: 0..pi, exclusive] from edge to edge
-     resolution  [units: texels] [limit: >= 1] */
-SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution);
-
-/* The bias that keeps a plane free of its own shadow: patch / sqrt(2) * tan(alpha), alpha between normal and light: the
-   paper's patch / 2 holds only for slopes along a texel's side. At most `most`, which is also what cos_alpha <= 0 gets;
-   never below 0; finite for all finite input. [limit: patch, most >= 0] */
-SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most);
-
 /* ==== >>trace ================================================================================================== */
 
-/* Rays against triangles: the nearest hit, or whether there is one. For baking fields and for ray-traced reference
-   pictures. Build once, trace from any number of threads. Triangles are two-sided; rays do not slip through shared
-   edges.
+/* Rays against triangles: the nearest hit, or any hit. For baking fields and for ray-traced references. Build once,
+   trace from any number of threads. Triangles are two-sided; rays do not pass between triangles that share an edge.
 
       size_t      size = ssgi_trace_size(triangles);
       void       *memory = malloc(size);
@@ -413,42 +341,28 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels ================================================================================================ */
 
-/* Deep screen space [DSS14]: triangles become discs about as large on the screen, wherever they are: hidden, at grazing
-   angles, beside the picture and behind the eye, too. Passes of ssgi_gl.h make the same surfels on the GPU
-   (SSGI_GL_SURFELS), with the shrink INCENTRE alone; SSGI_GL_SPLAT takes either. */
+/* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
+   grazing angles, off screen or behind the eye. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
+   SSGI_GL_SPLAT takes either. Points keep off a triangle's edges: it is scaled about the centre of its inscribed circle
+   by 1 - r / the circle's radius, at least 1/4, so that discs end at the edges unless they are wider than it. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
     float position[3], radius;      /* view space */
     float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* what it sends, the source's own until someone shades it: nothing for occlusion,
-                                       outgoing radiance for a bounce, irradiance for scattering */
+    float colour[3], unused;        /* source colour until lit; then outgoing radiance for a bounce, irradiance for
+                                       scattering; not read for occlusion */
 } ssgi_surfel;
-
-/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
-   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
-SSGI_DEF int ssgi_tess_count(int level);
-/* The level, 1..64, at which so many discs of a radius have the triangle's area, both in one unit [limit: radius > 0]:
-   at least 1, for level 0 culls. Beyond 3169 discs triangles want splits. */
-SSGI_DEF int ssgi_tess_level(double area, double radius);
-
-/* desc.shrink: how points keep off a triangle's edges, so that discs do not stand over them. INCENTRE: scaled about the
-   centre of the inscribed circle by 1 - r / its radius, at least 1/4: discs end at the edges, unless they are wider
-   than the triangle. CENTROID: as published, corners move by r toward the centroid, by 0.9 of the way at most: it
-   leaves half of what protrudes. */
-enum { SSGI_SHRINK_INCENTRE = 0, SSGI_SHRINK_CENTROID };
 
 typedef struct ssgi_surfel_desc {
     float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    float jitter;   /* [units: radii] [limit: 0..1] how far surfels are moved, to hide the tessellator's pattern */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
-    int   shrink;   /* SSGI_SHRINK_INCENTRE .. */
     float offscreen_growth;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
-                       frustum, where no visible pixel is close; below 1e-3: none, as published */
-    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each of theirs with the probability
-                       area / (3 pi r^2): cost and reach do not follow how fine a mesh is; 1: all, as published */
-    float max_distance;     /* [units: view] [limit: >= 0] [default: no end] farther outside the frustum there are no surfels: a
-                       radius of occlusion */
+                       frustum: off-screen surfels may be coarser, far from visible pixels; 1e-6: none, as published */
+    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
+                       r^2), radius unchanged, so that cost does not grow with mesh detail; 1: keep all, as published */
+    float max_distance;     /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the radius
+                       of occlusion, for instance */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -462,32 +376,32 @@ typedef struct ssgi_surfel_source {
     float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, 1 - jitter,
-   splits, defaults in place; and ssgi_gl_frame.offscreen: offscreen_growth, keep_small. */
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
-                                       const ssgi_view *view, const char **why);
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, aside, splits;
+   defaults in place. */
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why);
 
-/* Divides triangles that want more than desc->splits parts an edge, as grounds do that reach from the eye to the
-   horizon, into four and again, ten times at most; drops what is farther outside the frustum than desc->max_distance. Others
-   stay as they are, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
-   (normal 0 0 0 where source->normal is NULL): fine as source of ssgi_surfels and as patches. Writes at most capacity
+/* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
+   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others stay
+   unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
+   (normal 0 0 0 where source->normal is NULL): usable as source of ssgi_surfels and as patches. Writes at most capacity
    triangles, and to *count how many there are. */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles: those of a triangle have its area. Writes at most capacity, and to *count how many there
-   are: ask with out = NULL first. Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
-   a radius above 0 give none; normals that are not finite count as 0. seed depends on the numbers of the triangle's
-   vertices and the place in it alone. */
+/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most capacity, and to *count how many there
+   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
+   a radius above 0 give none; normals that are not finite count as 0. seed depends only on the triangle's vertex
+   indices and the position in it. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
-    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] what is less is left to the next level, or out */
-    float max_distance;         /* [units: view] [limit: >= 0] [default: no end] the farthest that counts: occlusion's radius */
-    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: what surfels send */
-    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] no pixel shows anything nearer */
+    float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
+    float max_distance;         /* [units: view] [limit: >= 0] [default: unlimited] largest distance: the occlusion radius */
+    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: largest radiance that surfels send */
+    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -496,16 +410,16 @@ enum { SSGI_SPLAT_LEVELS = 7 };
    - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
-/* What a picture will cost, before anything is drawn. surfels: how many. splits: what the triangles ask for
-   (ssgi_surfel_desc.splits lets them have); 1 for surfels. pixels[l]: texels that level l's splats cover in all,
-   overlapping ones counted each. */
-typedef struct ssgi_surfel_cost { size_t surfels; int splits; double pixels[SSGI_SPLAT_LEVELS]; } ssgi_surfel_cost;
-/* Of triangles, from one surfel at each part's centre, counts exact; and of surfels, as they would be drawn. Arguments
-   as ssgi_surfels takes them; splat: zeros are the defaults; surfels may be NULL when count is 0. */
+/* The cost of a frame before anything is drawn. */
+typedef struct ssgi_surfel_cost {
+    size_t surfels;                         /* how many */
+    int    splits;                          /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
+    double pixels[SSGI_SPLAT_LEVELS];       /* texels that the splats of each level cover, each overlap counted */
+} ssgi_surfel_cost;
+/* Predicts it: counts exactly, pixels from one surfel at the centre of each part of a triangle (within 1.4 % of all
+   surfels' where tested). desc, view, source as for ssgi_surfels; splat: zeros are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
-                                        const ssgi_surfel *surfels, size_t count, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
@@ -519,41 +433,28 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
    0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
-/* Published constants [JMLH01 figure 5], per millimetre: number i of SSGI_MATERIALS; NULL past them. */
-typedef struct ssgi_material { const char *name; float sigma_s[3], sigma_a[3], eta; } ssgi_material;
-SSGI_DEF const ssgi_material *ssgi_material_of(int i);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: what a rigid occluder takes from the ambient light of things around it, baked once,
-   looked up at any point outside of it for a cost that knows nothing of its triangles. Space is seen from the occluder's
-   centre: for each direction of a cube map, how the cap that the occluder fills changes along the ray from its convex
-   hull to the field's reach.
+/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder (an occluder) on its surroundings, baked once, evaluated
+   at any point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
+   the field stores the spherical cap that the occluder subtends, as a function of distance from its convex hull to the
+   field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
-      uint32_t *texels = malloc(ssgi_field_size(16, 16));          16 x 16 texels a face, 16 bits a component
+      uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
       size_t    size = ssgi_field_bake_size(&d, triangles);
       void     *work = malloc(size);
       if (ssgi_field_bake(&field, texels, work, size, &d, position, 12, NULL, triangles, &why) != SSGI_OK) puts(why);
       free(work);                                                  field needs its texels only
       occlusion = ssgi_field_occlusion(&field, NULL, point, normal);      */
 
-/* What a field keeps of the occluder. VECTOR: the length of its vector irradiance, and how densely it fills its cap
-   (holes, legs): occlusion is then exact wherever the whole occluder is above the receiver's horizon, and 1/length of a
-   ball is exactly quadratic. SOLID_ANGLE: as published: the cap is as large as the occluder. */
-enum { SSGI_FIELD_VECTOR = 0, SSGI_FIELD_SOLID_ANGLE };
-
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
     int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
     int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
-    int   measure;      /* SSGI_FIELD_VECTOR .. */
-    int   bits;         /* [limit: 0, 8, 16] [default: 16] a component */
     float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
-    float error;        /* [units: occlusion] [limit: 0..1] above 0: the smallest resolution of 4, 8, 16 .. and fewest
-                           radii of 6, 12, 24 .. with which 95 % of receivers that took no part in the bake are within
-                           it; resolution [default: 64] and radii [default: 24] are then the most that may be taken */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int  (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
@@ -566,37 +467,37 @@ typedef struct ssgi_field_desc {
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
     const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
-                               border of one texel from its neighbours; 4 words a texel with 16 bits, 2 with 8, lowest
+                               border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
                                first: three logarithms of the distance function, the hull's distance, the characteristic
-                               centre's x y z, the covered share of the cap. Upload as RGBA32UI or RG32UI */
-    int   resolution, bits; /* texels along a side of a face; bits a component, 8 or 16 */
-    int   measure, radii;   /* SSGI_FIELD_VECTOR ..; distances that were sampled along each direction */
+                               centre's x y z, the covered share of the cap. Upload as RG32UI */
+    int   resolution;       /* texels along a side of a face */
+    int   radii;            /* distances that were sampled along each direction */
     float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
     float reach;            /* [units: the mesh's] the field's end, from the centre */
     float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
-    float low[8], span[8];  /* what 0 and the largest integer of each component stand for: low, low + span */
-    float median, p95, max_error;/* error of occlusion, as stored, without ramp, of receivers that took no part in the bake:
-                               directions between texels, radii between those sampled, any normal */
+    float low[8], span[8];  /* what 0 and 255 of each component stand for: low, low + span */
+    float median, p95, max_error;/* errors of occlusion, as stored, without ramp, at validation receivers: directions
+                               between texels, radii between samples, random normals */
 } ssgi_field;
 
-/* Where a field fades, and what happens in the hull [AOF05 algorithm 1]. */
+/* How a field fades out, and occlusion inside the convex hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
     float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
     float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
-/* Bytes of texels, and of the work memory of a bake, which is free again afterwards: about 59 a triangle + 960
-   resolution^2 of the largest resolution. 0 for bad arguments. */
-SSGI_DEF size_t ssgi_field_size(int resolution, int bits);
+/* Bytes of texels, and of the work memory of a bake, not needed afterwards: about 59 a triangle + 960 resolution^2. 0
+   for bad arguments. */
+SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes. texels: ssgi_field_size of desc's resolution and bits; they belong to the field from then on. position,
+/* Bakes. texels: ssgi_field_size of desc's resolution; they belong to the field from then on. position,
    stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles are left out. Directions are sampled
    at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
    number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
    -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
-   work are not). With error: SSGI_OK even when no resolution reaches it; field->p95 tells. resolution 16 with 128 rays
-   is 9.4 million rays. */
+   work are not). resolution 16 with 128 rays is 9.4 million rays. For
+   an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -610,31 +511,32 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered (1 with SOLID_ANGLE);
-   at the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
+/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered; at
+   the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
    point's distance from the centre over the hull's. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
-/* For hardware filtering: one face (0..5, GL's order and orientation) without borders, resolution^2 texels of four: the
-   logarithms and the hull; the centre and the covered share. uint16_t or uint8_t by field->bits: upload as RGBA16 or
-   RGBA8 cube maps, LINEAR, seamless. Either may be NULL. */
-SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre);
+/* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
+     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
+     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
+   In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
 /* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
    0: field is NULL, or no field. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
-/* What ssgi_field_size a file's field has; SSGI_BAD_ARGUMENT when it is cut short, too long, foreign, of another
-   version or corrupt. Then loads it. size: of texels, in bytes. */
-SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why);
+/* Loads one. size: of texels, in bytes [limit: ssgi_field_size(field->resolution)]; NULL, 0 fills field but for its
+   texels: ask so first. SSGI_BAD_ARGUMENT when the file is cut short, too long, foreign, of another version or corrupt;
+   SSGI_TOO_SMALL. */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
 /* ==== >>plan =================================================================================================== */
 
-/* What a scene needs: from its own numbers the cheapest setting whose predicted error is what you ask for, or the least
-   error for what you can spend. Fitted on ray-traced truth of eight scenes, judged on others: README. Nothing is exact:
-   the table of choices is short, and a picture does not know what it hides. What helps most is a calibration.
+/* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
+   Fitted on ray-traced truth of eight scenes, tested on others: README. Predictions are approximate: the table of
+   choices is short, and hidden geometry is not in the depth buffer. A calibration improves them most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
@@ -652,10 +554,10 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
        SSGI_PLAN_FIELD };
 
-/* How points around surfaces stand to what is seen: from the picture of the pass "statistics". blocked: shares of them
-   behind it by less than a quarter of the radius, by less than the radius, by more: what lies there between is unknown.
-   off: beside the picture. square: second moments of all four over the pixels, with the sampling variance removed.
-   seen: share of the picture; 0 = no statistics. */
+/* Depth statistics from the pass "statistics": points around each surface against the depth buffer. blocked: shares of them
+   behind the visible surface by less than a quarter of the radius, by less than the radius, by more; the geometry in
+   between is unknown. off: share outside the frame. square: second moments of all four over the pixels, with the
+   sampling variance removed. seen: share of the frame with a surface; 0 = no statistics. */
 typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, square[4]; } ssgi_depth_statistics;
 
 /* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
@@ -663,16 +565,16 @@ typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, squ
 SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
                                     const char **why);
 
-/* Errors against ray-traced truth, as for what is wanted: of leaving everything open, and of a picture: hsao's slices
-   at the preset BALANCED, which dim the light where light is wanted. known: 0 = no calibration. */
+/* Errors against ray-traced truth, in the measure of `wanted`. open: without any occlusion; picture: of hsao's slices
+   at the preset BALANCED, multiplied with the light where light is wanted. known: 0 = no calibration. */
 typedef struct ssgi_calibration { int known; float unoccluded, hsao; } ssgi_calibration;
 
-/* Traces the truth of ambient visibility at count places and compares (for light and bounces that is your renderer's
-   part). What rays add by chance is not in it: their halves are compared crosswise, so 64 suffice. 3000 places spread
-   over the picture come within 3 to 6 % of all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
+/* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
+   variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
+   all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
      position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
                         tracing the pixels' rays: those from depth are too coarse far away
-     visibility         what the picture holds there
+     visibility         ambient visibility in the frame at those points
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                    const float *normal, const float *visibility, size_t count, int rays, float radius,
@@ -740,10 +642,8 @@ extern "C" {
 #define SSGI__PI 3.14159265358979323846
 
 /* A private function. Inlined they would cost code and compile time only: those that gain by it are plain static. */
-#if defined(__GNUC__)
+#ifdef __GNUC__
 #define SSGI__FN static __attribute__((noinline))
-#elif defined(_MSC_VER)
-#define SSGI__FN static __declspec(noinline)
 #else
 #define SSGI__FN static
 #endif
@@ -754,7 +654,7 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
-/* Of the arguments of a function that has `why`. */
+/* Argument checks of functions with a parameter `why`. */
 #define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
 #define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
 #define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
@@ -774,7 +674,7 @@ static int ssgi__finite(float x)
     return (bits & 0x7f800000u) != 0x7f800000u;
 }
 
-/* Whether all are there and finite. */
+/* Whether v is not NULL and all are finite. */
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
@@ -794,7 +694,7 @@ SSGI__FN int ssgi__within(float x, float least, float most)
     return ssgi__finite(x) && x >= least && x <= most;
 }
 
-/* A radiance or a flux: 0 if not finite, and so far from the ends of float that sums over any picture stay finite. */
+/* A radiance or flux: 0 if not finite, clamped so that sums over any picture stay finite. */
 static double ssgi__light(float x, float least)
 {
     return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
@@ -845,6 +745,15 @@ SSGI__FN double ssgi__normalise(double v[3])
     const double length = sqrt(ssgi__dot(v, v));
     for (int i = 0; i < 3 && length > 0.0; ++i) v[i] /= length;
     return length;
+}
+
+/* The unit vector at a height and an azimuth. */
+SSGI__FN void ssgi__polar(double w[3], double z, double angle)
+{
+    const double r = sqrt(1.0 - z * z);
+    w[0] = r * cos(angle);
+    w[1] = r * sin(angle);
+    w[2] = z;
 }
 
 /* ==== >>view (implementation) ================================================================================== */
@@ -929,7 +838,15 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view)
     return view->orthographic ? d : 1.0f / d;
 }
 
-SSGI_DEF double ssgi_view_outside(const ssgi_view *view, const double point[3])
+SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
+{
+    const float x = ssgi__abs(view->unproject[0]), y = ssgi__abs(view->unproject[1]);
+    return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
+}
+
+/* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
+   inside. The far plane does not count. */
+SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
     double most = (double)ssgi_view_near(view) - z;
@@ -964,11 +881,9 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     for (int i = 0; i < 4; ++i)
         if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
             return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
-    SSGI__THERE(centre);
-    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be finite");
+    SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
-    SSGI__THERE(displacement);
-    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be finite");
+    SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
     for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
@@ -1067,29 +982,6 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_jitter_tile(float *out, int size, int directions, const char **why)
-{
-    const double two_pi = 2.0 * SSGI__PI;
-    int n, m;
-    SSGI__THERE(out);
-    SSGI__RANGE(size, 1, 64);
-    SSGI__RANGE(directions, 1, 1024);
-    n = size * size;
-    /* (a, b) = (m x + y, x + m y) mod size visits every pair once when m^2 - 1 is coprime to size, and moves neighbours
-       far apart when m is not 0. */
-    for (m = 2; m < size && ssgi__gcd(m * m - 1, size) != 1; ++m) {}
-    if (m >= size) m = 0;
-    for (int i = 0; i < n; ++i) {
-        int x = i % size, y = i / size, a = (m * x + y) % size, b = (x + m * y) % size;
-        double turn = two_pi / directions * ((double)(a * size + b) + 0.5) / n;
-        float *o = out + 4 * (size_t)i;
-        o[0] = (float)cos(turn); o[1] = (float)sin(turn);
-        o[2] = (float)(((double)(b * size + a) + 0.5) / n - 0.5);
-        o[3] = ssgi__fract((double)(a * size + b) * 0.61803398874989484820);
-    }
-    return SSGI_OK;
-}
-
 /* ==== >>sh (implementation) ==================================================================================== */
 
 #define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
@@ -1125,7 +1017,7 @@ SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 static const signed char ssgi__sh_band[SSGI__SH_MOST] = { 0, 1, 1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 4, 4,
                                                           4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5 };
 
-SSGI__FN int ssgi__sh_limit(int bands) { return bands < 0 ? 0 : bands > SSGI_SH_MAX_BANDS ? SSGI_SH_MAX_BANDS : bands; }
+SSGI__FN int ssgi__sh_limit(int bands) { return ssgi__clamp(bands, 0, SSGI_SH_MAX_BANDS); }
 
 SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3])
 {
@@ -1165,45 +1057,36 @@ SSGI__FN ssgi_result ssgi__equirect_bad(const float *rgb, int width, int height,
     return SSGI_OK;
 }
 
-typedef struct ssgi__sh_sum { int bands; double of[3 * SSGI__SH_MOST]; } ssgi__sh_sum;
-
-SSGI__FN void ssgi__sh_add(ssgi__sh_sum *sum, const double direction[3], const float *rgb, double weight)
+SSGI__FN void ssgi__sh_add(double *sum, int bands, const double direction[3], const float *rgb, double weight)
 {
     double basis[SSGI__SH_MOST], light[3];
-    ssgi__sh_basis(basis, sum->bands, direction);
+    ssgi__sh_basis(basis, bands, direction);
     ssgi__light3(light, rgb, -1e24f, weight);
-    for (int i = 0; i < sum->bands * sum->bands; ++i)
-        for (int c = 0; c < 3; ++c) sum->of[3 * i + c] += basis[i] * light[c];
+    for (int i = 0; i < bands * bands; ++i) ssgi__along(sum + 3 * i, sum + 3 * i, basis[i], light);
 }
 
-SSGI__FN ssgi_result ssgi__sh_begin(ssgi__sh_sum *sum, const float *out, int bands, const char **why)
+SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
 {
-    SSGI__THERE(out);
+    SSGI__THERE(coefficients);
     SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
-    memset(sum, 0, sizeof *sum);
-    sum->bands = bands;
     return SSGI_OK;
-}
-
-SSGI__FN void ssgi__sh_end(float *out, const ssgi__sh_sum *sum)
-{
-    for (int i = 0; i < 3 * sum->bands * sum->bands; ++i) out[i] = (float)sum->of[i];
 }
 
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why)
 {
-    ssgi__sh_sum sum;
-    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    double sum[3 * SSGI__SH_MOST] = { 0.0 };
+    SSGI__THERE(out);
+    SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
     for (int y = 0; y < height; ++y) {
         double polar[2], direction[3], weight = ssgi__equirect_row(polar, y + 0.5, width, height);
         for (int x = 0; x < width; ++x, rgb += 3) {
             ssgi__equirect(direction, polar, x + 0.5, width);
-            ssgi__sh_add(&sum, direction, rgb, weight);
+            ssgi__sh_add(sum, bands, direction, rgb, weight);
         }
     }
-    ssgi__sh_end(out, &sum);
+    for (int i = 0; i < 3 * bands * bands; ++i) out[i] = (float)sum[i];
     return SSGI_OK;
 }
 
@@ -1235,8 +1118,9 @@ SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, a
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why)
 {
-    ssgi__sh_sum sum;
-    SSGI__TRY(ssgi__sh_begin(&sum, out, bands, why));
+    double sum[3 * SSGI__SH_MOST] = { 0.0 };
+    SSGI__THERE(out);
+    SSGI__TRY(ssgi__sh_bad(out, bands, why));
     SSGI__THERE(faces);
     for (int face = 0; face < 6; ++face) SSGI__CHECK(faces[face], "faces: all six must be there, none NULL");
     SSGI__RANGE(size, 1, 65536);
@@ -1248,10 +1132,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
             for (int face = 0; face < 6; ++face) {
                 double direction[3];
                 ssgi__cube_direction(direction, face, s, t);
-                ssgi__sh_add(&sum, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
+                ssgi__sh_add(sum, bands, direction, faces[face] + 3 * ((size_t)y * (size_t)size + (size_t)x), weight);
             }
         }
-    ssgi__sh_end(out, &sum);
+    for (int i = 0; i < 3 * bands * bands; ++i) out[i] = (float)sum[i];
     return SSGI_OK;
 }
 
@@ -1274,42 +1158,23 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
         out[i] *= zonal[ssgi__sh_band[i]] * (float)sqrt((4.0 * SSGI__PI) / (2 * ssgi__sh_band[i] + 1));
 }
 
-/* Direction i of (degree/2 + 1) * (degree + 1), Gauss-Legendre in z by uniform in azimuth, exact for polynomials up to
-   that degree; returns its solid angle. */
-SSGI__FN double ssgi__sphere_node(double d[3], int degree, int i)
-{
-    const double pi = SSGI__PI;
-    const int rows = degree / 2 + 1, columns = degree + 1;
-    const double azimuth = 2.0 * pi * (i % columns) / columns;
-    double z = cos(pi * (i / columns + 0.75) / (rows + 0.5)), slope = 1.0, r;
-    for (int step = 0; step < 5; ++step) {              /* Newton, to a zero of the Legendre polynomial */
-        double p = 1.0, before = 0.0;
-        for (int l = 0; l < rows; ++l) {
-            const double next = ((2 * l + 1) * z * p - l * before) / (l + 1);
-            before = p;
-            p = next;
-        }
-        slope = rows * (z * p - before) / (z * z - 1.0);
-        z -= p / slope;
-    }
-    r = sqrt(1.0 - z * z);
-    d[0] = r * cos(azimuth);
-    d[1] = r * sin(azimuth);
-    d[2] = z;
-    return 4.0 * pi / columns / (r * r * slope * slope);
-}
-
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels, const float *m)
 {
     static const float none[12] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 };
-    /* bands do not mix: of a row, its own */
+    /* Gauss and Legendre's 6 heights by 11 azimuths: exact for products of two functions of 6 bands */
+    static const double gauss[3][2] = { { 0.23861918608319691, 0.46791393457269105 },
+                                        { 0.66120938646626451, 0.36076157304813861 },
+                                        { 0.93246951420315203, 0.17132449237917034 } };
+    /* block-diagonal by bands: each row keeps its own band */
     double matrix[SSGI__SH_MOST][2 * SSGI_SH_MAX_BANDS - 1], of[SSGI__SH_MOST], here[SSGI__SH_MOST];
     double there[SSGI__SH_MOST], view[3], world[3], weight;
     bands = ssgi__sh_limit(bands);
     memset(matrix, 0, sizeof matrix);
     if (!m) m = none;
-    for (int node = 0; node < bands * (2 * bands - 1); ++node) {
-        weight = ssgi__sphere_node(view, 2 * (bands - 1), node);
+    for (int node = 0; node < 66; ++node) {
+        const double *height = gauss[node / 22];
+        ssgi__polar(view, node % 2 ? height[0] : -height[0], 2.0 * SSGI__PI * (node / 2 % 11) / 11);
+        weight = height[1] * 2.0 * SSGI__PI / 11;
         for (int i = 0; i < 3; ++i)
             world[i] = (double)m[4 * i] * view[0] + (double)m[4 * i + 1] * view[1] + (double)m[4 * i + 2] * view[2];
         ssgi__sh_basis(here, bands, view);
@@ -1341,42 +1206,7 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-SSGI__FN double ssgi__sh_weakened(const double part[SSGI_SH_MAX_BANDS], int bands, double s)
-{
-    double sum = 0.0;
-    for (int l = 0; l < bands; ++l) sum += part[l] / (1.0 + s * (l * l * (l + 1) * (l + 1)));
-    return sum;
-}
-
-/* One of interleaved channels at a direction: part, what every band has there; returns their sum, weakened by s. */
-SSGI__FN double ssgi__sh_at(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, int channels,
-                            const double d[3], double s)
-{
-    double basis[SSGI__SH_MOST];
-    ssgi__sh_basis(basis, bands, d);
-    for (int l = 0; l < bands; ++l) part[l] = 0.0;
-    for (int i = 0; i < bands * bands; ++i)
-        part[ssgi__sh_band[i]] += basis[i] * (double)coefficients[channels * i];
-    return ssgi__sh_weakened(part, bands, s);
-}
-
-SSGI_DEF void ssgi_sh_product(float *out, int bands, const float *a, const float *b)
-{
-    double sum[SSGI__SH_MOST] = { 0.0 }, basis[SSGI__SH_MOST];
-    double part[SSGI_SH_MAX_BANDS], d[3];
-    int degree;
-    bands = ssgi__sh_limit(bands);
-    degree = 3 * (bands - 1);
-    for (int node = 0; node < (degree / 2 + 1) * (degree + 1); ++node) {
-        const double weight = ssgi__sphere_node(d, degree, node),
-                     value = weight * ssgi__sh_at(part, bands, a, 1, d, 0.0) * ssgi__sh_at(part, bands, b, 1, d, 0.0);
-        ssgi__sh_basis(basis, bands, d);
-        for (int i = 0; i < bands * bands; ++i) sum[i] += value * basis[i];
-    }
-    for (int i = 0; i < bands * bands; ++i) out[i] = (float)sum[i];
-}
-
-/* Means of the Legendre polynomials over [cosine, 1]: what a cap leaves of the bands of a direction. Does not cancel at
+/* Means of the Legendre polynomials over [cosine, 1]: a cap's factor for each band. No cancellation at
    cosine 1, as differences of polynomials would. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
@@ -1384,18 +1214,6 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
     mean[1] = 0.5 + 0.5 * cosine;
     for (int l = 2; l < SSGI_SH_MAX_BANDS; ++l)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
-}
-
-/* adds factor[l] Y_i(d) times the colour of even or of odd bands */
-SSGI__FN void ssgi__sh_add_zonal(float *coefficients, int bands, const double factor[SSGI_SH_MAX_BANDS],
-                                 const double d[3], double colour[2][3])
-{
-    double basis[SSGI__SH_MOST];
-    ssgi__sh_basis(basis, bands, d);
-    for (int i = 0; i < 3 * bands * bands; ++i) {
-        const int l = ssgi__sh_band[i / 3];
-        coefficients[i] += (float)(factor[l] * basis[i / 3] * colour[l & 1][i % 3]);
-    }
 }
 
 /* 0 if it is not a direction */
@@ -1406,17 +1224,10 @@ SSGI__FN int ssgi__direction(double d[3], const float *v)
     return ssgi__normalise(d) > 0.0;
 }
 
-SSGI__FN ssgi_result ssgi__sh_bad(const float *coefficients, int bands, const char **why)
-{
-    SSGI__THERE(coefficients);
-    SSGI__RANGE(bands, 1, SSGI_SH_MAX_BANDS);
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
                                    const float irradiance[3], int window, const char **why)
 {
-    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3], facing = 0.0;
+    double d[3], basis[SSGI__SH_MOST], factor[SSGI_SH_MAX_BANDS], facing = 0.0;
     float weight[SSGI_SH_MAX_BANDS];
     SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
     SSGI__CHECK(ssgi__direction(d, direction), "direction: must be there, finite and not 0");
@@ -1430,88 +1241,11 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
         factor[l] *= (double)weight[l];
         facing += factor[l] * (double)ssgi_sh_cosine(l) * (2 * l + 1) / (4.0 * SSGI__PI);
     }
-    for (int c = 0; c < 3; ++c) colour[0][c] = colour[1][c] = ssgi__light(irradiance[c], -1e24f) / facing;
-    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_sh_sky(float *coefficients, int bands, const float up[3], const float above[3],
-                                 const float below[3], const char **why)
-{
-    double d[3], factor[SSGI_SH_MAX_BANDS], colour[2][3];
-    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
-    SSGI__CHECK(ssgi__direction(d, up), "up: must be there, finite and not 0");
-    SSGI__CHECK(ssgi__finites(above, 3), "above: must be there and finite");
-    SSGI__CHECK(ssgi__finites(below, 3), "below: must be there and finite");
-    ssgi__sh_cap(factor, 0.0);
-    /* two caps of 2 pi, opposite: of the lower one, odd bands change sign */
-    for (int c = 0; c < 3; ++c) {
-        const double a = 2.0 * SSGI__PI * ssgi__light(above[c], -1e24f),
-                     b = 2.0 * SSGI__PI * ssgi__light(below[c], -1e24f);
-        colour[0][c] = a + b;
-        colour[1][c] = a - b;
-    }
-    ssgi__sh_add_zonal(coefficients, bands, factor, d, colour);
-    return SSGI_OK;
-}
-
-/* The lowest value of a channel of three weakened by s, and the bands there; 0 and nothing when none is below 0. */
-SSGI__FN double ssgi__sh_lowest(double part[SSGI_SH_MAX_BANDS], int bands, const float *coefficients, double s)
-{
-    double lowest = 0.0, step, d[3], next[3], found[SSGI_SH_MAX_BANDS], other[SSGI_SH_MAX_BANDS], value, v;
-    int j, moved;
-    for (int node = 0; node < 10 * 20; ++node) {
-        ssgi__sphere_node(d, 19, node);
-        value = ssgi__sh_at(found, bands, coefficients, 3, d, s);
-        /* the narrowest pit that 6 bands can have rises less from its bottom to the nearest start */
-        if (value > lowest + 0.5 * found[0]) continue;
-        for (step = 0.1; step > 0.005; step *= moved ? 1.0 : 0.5)
-            for (moved = j = 0; j < 6; ++j) {
-                memcpy(next, d, sizeof next);
-                next[j / 2] += j & 1 ? -step : step;
-                ssgi__normalise(next);
-                v = ssgi__sh_at(other, bands, coefficients, 3, next, s);
-                if (v >= value) continue;
-                value = v;
-                moved = 1;
-                memcpy(d, next, sizeof d);
-                memcpy(found, other, sizeof found);
-            }
-        if (value >= lowest) continue;
-        lowest = value;
-        memcpy(part, found, sizeof found);
-    }
-    return lowest;
-}
-
-SSGI_DEF ssgi_result ssgi_sh_dering(float *coefficients, int bands, float *strength, const char **why)
-{
-    double s = 0.0, part[SSGI_SH_MAX_BANDS];
-    int raised;
-    SSGI__TRY(ssgi__sh_bad(coefficients, bands, why));
-    SSGI__CHECK(ssgi__finites(coefficients, 3 * bands * bands), "coefficients: must be finite");
-    do {            /* s rises until the direction that is lowest is not below 0, until none is */
-        raised = 0;
-        for (int c = 0; c < 3; ++c) {
-            double least = s, most = -1.0;
-            if (!(coefficients[c] > 0.0f)
-                || ssgi__sh_lowest(part, bands, coefficients + c, s) >= -5e-4 * 0.282094792 * (double)coefficients[c])
-                continue;
-            for (int l = 0; l < bands; ++l) most += fabs(part[l]) / part[0];
-            most *= 0.25;       /* there the higher bands do not reach band 0 even if all are against it */
-            for (int i = 0; i < 100; ++i) {
-                s = 0.5 * (least + most);
-                if (ssgi__sh_weakened(part, bands, s) < 0.0) least = s; else most = s;
-            }
-            s = most;
-            raised = 1;
-        }
-    } while (raised);
-    for (int i = 0; i < 3 * bands * bands; ++i) {
-        const int l = ssgi__sh_band[i / 3];
-        coefficients[i] = (float)((double)coefficients[i] / (1.0 + s * (l * l * (l + 1) * (l + 1))));
-    }
-    if (strength) *strength = s < 1e30 ? (float)s : 1e30f;
+    ssgi__sh_basis(basis, bands, d);
+    for (int i = 0; i < bands * bands; ++i)
+        for (int c = 0; c < 3; ++c)
+            coefficients[3 * i + c] += (float)(factor[ssgi__sh_band[i]] * basis[i]
+                                               * (ssgi__light(irradiance[c], -1e24f) / facing));
     return SSGI_OK;
 }
 
@@ -1546,14 +1280,14 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(e, out);
 }
 
-/* What the spans from a and from b, as long as la and lb, share. */
+/* Intersection of the spans [a, a + la] and [b, b + lb]. */
 SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
     *begin = a > b ? a : b;
     *end = a + la < b + lb ? a + la : b + lb;
 }
 
-/* The picture as cells, which may be smaller than texels: averages over their exact solid angle, of constant texels. */
+/* Averages the picture, constant in each texel, over cells of exact solid angle; cells may be smaller than texels. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
@@ -1633,7 +1367,7 @@ SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
     SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
-    /* below, less than 1e-7 */
+    /* the lobe is below 1e-7 beyond that */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
 }
@@ -1710,7 +1444,7 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
             ssgi__along(mean, mean, luminance, d);
         }
     }
-    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or the same all around */
+    if (!(ssgi__normalise(mean) > 1e-6 * energy)) { /* dark, or constant */
         ssgi__equirect_row(polar, 0.5 * (r->lower[1] + r->upper[1]), width, height);
         ssgi__equirect(mean, polar, 0.5 * (r->lower[0] + r->upper[0]), width);
     }
@@ -1721,15 +1455,12 @@ SSGI__FN void ssgi__region_sun(ssgi_sun *sun, const ssgi__region *r, const float
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why)
 {
-    ssgi__region region[1024];
+    ssgi__region region[1024] = { { { 0, 0 }, { width, height }, 0.0 } };
     double bin[SSGI__REGION_BINS];
     int n;
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
-    region[0].lower[0] = region[0].lower[1] = 0;
-    region[0].upper[0] = width;
-    region[0].upper[1] = height;
     ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height);      /* all in one bin */
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
@@ -1743,11 +1474,8 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
     }
-    for (int i = 0; i < count; ++i) {                   /* none left to split: one without texels, where the first is */
-        ssgi__region none = region[0];
-        memcpy(none.upper, none.lower, sizeof none.upper);
-        ssgi__region_sun(&out[i], i < n ? &region[i] : &none, rgb, width, height);
-    }
+    /* with nothing left to split the rest are dark: regions without texels at +y */
+    for (int i = 0; i < count; ++i) ssgi__region_sun(&out[i], &region[i], rgb, width, height);
     return SSGI_OK;
 }
 
@@ -1780,7 +1508,6 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
     return SSGI_OK;
 }
 
-/* ==== >>vpl (implementation) =================================================================================== */
 
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why)
@@ -1798,7 +1525,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    /* last holds the end against rounding, and against sums in another order */
+    /* last guards the end against rounding */
     k = 0;
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
@@ -1810,93 +1537,18 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     return SSGI_OK;
 }
 
-/* ==== >>cap (implementation) =================================================================================== */
-
-/* The integral of the clamped cosine over a cap: the two arcs, of the cap and of the horizon, that bound what of it
-   lies above the horizon. One text for both precisions. */
-#define SSGI__CAP(name, real, root, arc) \
-    real name(real solid_angle, real cosine) \
-    { \
-        const real pi = (real)SSGI__PI; \
-        real h = solid_angle > 0 ? solid_angle / (2 * pi) : 0, c = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine; \
-        real s, x, w, a; \
-        const int most = h > 1;             /* more than half of the sphere: what is left over is a cap, too */ \
-        if (most) { h = h < 2 ? 2 - h : 0; c = -c; } \
-        s = h * (2 - h);                    /* squared sine of its radius; not (1 - k)(1 + k), which cancels */ \
-        if (!(s > 0)) a = 0; \
-        else if (c * c >= s) a = c > 0 ? s * c : 0; \
-        else { \
-            x = (1 - h) / root(s); \
-            w = root(1 - c * c / s); \
-            a = ((c * arc(w, -x * c) - x * w) * s + arc(w, x)) / pi; \
-            a = a > 0 ? a < 1 ? a : 1 : 0; \
-        } \
-        return most ? 1 - a : a; \
-    }
-SSGI__FN SSGI__CAP(ssgi__cap_occlusion, double, sqrt, atan2)
-SSGI_DEF SSGI__CAP(ssgi_cap_occlusionf, float, sqrtf, atan2f)
-
-SSGI_DEF ssgi_result ssgi_cap_table(float *out, int size, const char **why)
-{
-    SSGI__THERE(out);
-    SSGI__RANGE(size, 2, 1024);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            *out++ = (float)ssgi__cap_occlusion(4.0 * SSGI__PI * x / (size - 1), 2.0 * y / (size - 1) - 1.0);
-    return SSGI_OK;
-}
-
-/* ==== >>bias (implementation) ================================================================================== */
-
-SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
-{
-    float x = view->unproject[0] < 0.0f ? -view->unproject[0] : view->unproject[0];
-    float y = view->unproject[1] < 0.0f ? -view->unproject[1] : view->unproject[1];
-    return (x > y ? x : y) * (view->orthographic ? 1.0f : z);
-}
-
-SSGI_DEF float ssgi_normal_offset(const ssgi_view *view, float z) { return 0.5f * ssgi_pixel_footprint(view, z); }
-
-SSGI_DEF float ssgi_radius_guess(const ssgi_view *view, float z, const float lower[3], const float upper[3])
-{
-    float most = 0.25f * (float)view->height * ssgi_pixel_footprint(view, z), sum = 0.0f, guess;
-    int i;
-    for (i = 0; i < 3; ++i) {
-        float d = upper[i] - lower[i];
-        if (!ssgi__finite(d) || d < 0.0f) return most;
-        sum += d * d;
-    }
-    guess = 0.1f * (float)sqrt((double)sum);
-    return guess > 0.0f && guess < most ? guess : most;
-}
-
-SSGI_DEF float ssgi_shadow_patch(float depth, float full_angle, int resolution)
-{
-    return (float)(2.0 * (double)depth * tan(0.5 * (double)full_angle) / (resolution > 1 ? resolution : 1));
-}
-
-SSGI_DEF float ssgi_shadow_bias(float patch, float cos_alpha, float most)
-{
-    const double c = cos_alpha < 1.0f ? (double)cos_alpha : 1.0;
-    double bias;
-    if (!(c > 0.0)) return most;
-    bias = (double)patch * 0.70710678118654752440 * sqrt(1.0 - c * c) / c;
-    return bias < (double)most ? bias > 0.0 ? (float)bias : 0.0f : most;
-}
-
 /* ==== >>trace (implementation) ================================================================================= */
 
 /* A tree with four children a node and four triangles a leaf, both laid out so that a loop over the four is one vector
-   operation. It comes from binary splits by surface area [Wald 2007], whose left side always gets a multiple of four
-   triangles: every leaf is then full, which bounds the memory exactly: with L leaves there are at most 2 L / 3 + 1
-   nodes, as a node with fewer than four children has only leaves. */
+   operation. It comes from binary splits at the middle of the longest axis, of which the left side always gets a
+   multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are at
+   most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
 #define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
 #define SSGI__TRACE_LEAF   0x80000000u
 #define SSGI__TRACE_NONE   0xffffffffu
-#define SSGI__TRACE_BINS   16
-#define SSGI__TRACE_SAH    32                     /* binary levels split by area; below it by count: at most 30 more */
-#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_SAH + 30) + 4)
+#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; at most 30 more by count */
+#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
     float    bound[2][3][4];                      /* lower and upper; axis; child */
@@ -1926,7 +1578,6 @@ typedef struct ssgi__trace_job {
     const uint32_t    *index;
 } ssgi__trace_job;
 
-
 /* finite and within the limit, by the bits: -ffast-math may drop any comparison */
 static int ssgi__trace_sane(float x)
 {
@@ -1937,18 +1588,10 @@ static int ssgi__trace_sane(float x)
     return (bits & 0x7fffffffu) <= most;
 }
 
-SSGI__FN void ssgi__trace_layout(size_t triangles, size_t *blocks, size_t *nodes)
-{
-    *blocks = (triangles + 3) / 4;
-    *nodes = *blocks * 2 / 3 + 1;
-}
-
 SSGI_DEF size_t ssgi_trace_size(size_t triangles)
 {
-    size_t blocks, nodes;
-    const size_t most = (size_t)-1;
+    const size_t most = (size_t)-1, blocks = (triangles + 3) / 4, nodes = blocks * 2 / 3 + 1;
     if (triangles == 0 || triangles > SSGI_TRACE_MAX_TRIANGLES) return 0;
-    ssgi__trace_layout(triangles, &blocks, &nodes);
     if (blocks > (most - 1024) / (sizeof(ssgi__trace_block) + sizeof(ssgi__trace_node))) return 0;
     return 64 + blocks * sizeof(ssgi__trace_block) + nodes * sizeof(ssgi__trace_node);
 }
@@ -2032,49 +1675,6 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
     }
 }
 
-/* the cut of least surface area times leaves between the bins of an axis; 0 if all centres coincide */
-SSGI__FN int ssgi__trace_cut(const ssgi__trace_item *item, const ssgi__trace_range *range, const float scale[3],
-                             int *axis, int *cut)
-{
-    float lower[3][SSGI__TRACE_BINS][3], upper[3][SSGI__TRACE_BINS][3], best = 0.0f;
-    uint32_t count[3][SSGI__TRACE_BINS];
-    int b, found = 0;
-    for (int a = 0; a < 3; a++)
-        for (b = 0; b < SSGI__TRACE_BINS; b++) {
-            count[a][b] = 0;
-            ssgi__trace_empty(lower[a][b], upper[a][b]);
-        }
-    for (uint32_t k = 0; k < range->count; k++)
-        for (int a = 0; a < 3; a++) {
-            b = (int)((item[k].lower[a] + item[k].upper[a] - range->clower[a]) * scale[a]);
-            b = b < SSGI__TRACE_BINS ? b : SSGI__TRACE_BINS - 1;
-            count[a][b]++;
-            ssgi__trace_grow(lower[a][b], upper[a][b], item[k].lower, item[k].upper);
-        }
-    for (int a = 0; a < 3; a++) {
-        float    right[SSGI__TRACE_BINS], l[3], u[3];
-        uint32_t n = 0;
-        if (!(scale[a] > 0.0f)) continue;
-        ssgi__trace_empty(l, u);
-        for (b = SSGI__TRACE_BINS - 1; b > 0; b--) {
-            n += count[a][b];
-            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
-            right[b] = n ? ssgi__trace_area(l, u) * (float)((n + 3) / 4) : 0.0f;
-        }
-        n = 0;
-        ssgi__trace_empty(l, u);
-        for (b = 0; b + 1 < SSGI__TRACE_BINS; b++) {
-            float cost;
-            n += count[a][b];
-            ssgi__trace_grow(l, u, lower[a][b], upper[a][b]);
-            if (n == 0 || n == range->count) continue;
-            cost = ssgi__trace_area(l, u) * (float)((n + 3) / 4) + right[b + 1];
-            if (!found || cost < best) { best = cost; *axis = a; *cut = b; found = 1; }
-        }
-    }
-    return found;
-}
-
 /* splits a range of more than four in two, the first with a multiple of four items */
 SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
                                 ssgi__trace_range *right)
@@ -2082,17 +1682,14 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_item *item = items + range->first;
     const uint32_t n = range->count, last = (n - 1) / 4 * 4;
     uint32_t have = n, want = (n / 2 + 3) / 4 * 4;
-    float scale[3], extent[3];
-    int axis = 0, cut = 0;
-    for (int i = 0; i < 3; i++) {
-        extent[i] = range->cupper[i] - range->clower[i];
-        scale[i] = extent[i] > 1e-30f ? (float)SSGI__TRACE_BINS * 0.99999f / extent[i] : 0.0f;
-        if (extent[i] > extent[axis]) axis = i;
-    }
-    if (range->depth < SSGI__TRACE_SAH && ssgi__trace_cut(item, range, scale, &axis, &cut)) {
+    int axis = 0;
+    for (int i = 1; i < 3; i++)
+        if (range->cupper[i] - range->clower[i] > range->cupper[axis] - range->clower[axis]) axis = i;
+    if (range->depth < SSGI__TRACE_DEEP && range->cupper[axis] > range->clower[axis]) {
+        const float middle = 0.5f * range->clower[axis] + 0.5f * range->cupper[axis];
         uint32_t k;
         for (have = 0, k = 0; k < n; k++)
-            if ((int)((item[k].lower[axis] + item[k].upper[axis] - range->clower[axis]) * scale[axis]) <= cut) {
+            if (item[k].lower[axis] + item[k].upper[axis] <= middle) {
                 const ssgi__trace_item swap = item[k];
                 item[k] = item[have];
                 item[have++] = swap;
@@ -2112,7 +1709,7 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* the first items are spent when their block is written, which is why both may share memory (see ssgi_trace_build) */
+/* items are consumed before their block is written, so both share memory (see ssgi_trace_build) */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
@@ -2180,28 +1777,22 @@ SSGI__FN ssgi_result ssgi__trace_bad(size_t stride_bytes, size_t triangles, cons
 SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t size, const float *position,
                                       size_t stride_bytes, const uint32_t *index, size_t triangles, const char **why)
 {
-    ssgi__trace_job job;
-    ssgi__trace_range all;
-    size_t blocks, nodes;
+    ssgi__trace_job job = { NULL, NULL, NULL, 0, (const char *)position, stride_bytes, index };
+    ssgi__trace_range all = { 0, 0, 0, { 0 }, { 0 }, { 0 }, { 0 } };
+    const size_t blocks = (triangles + 3) / 4;
     uint32_t count = 0;
     char *base;
     SSGI__THERE3(trace, memory, position);
     SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
     SSGI__ENOUGH(size, ssgi_trace_size(triangles), "size: must be at least ssgi_trace_size(triangles)");
-    ssgi__trace_layout(triangles, &blocks, &nodes);
     base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
     job.blocks = (ssgi__trace_block *)(void *)base;
     job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
     /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a
-       block, no item is overwritten before it is spent */
+       block, no item is overwritten before it is read */
     job.items = (ssgi__trace_item *)(void *)(base + blocks * (sizeof *job.blocks - 4 * sizeof *job.items));
-    job.node_count = 0;
-    job.position = (const char *)position;
-    job.stride = stride_bytes;
-    job.index = index;
     for (size_t k = 0; k < triangles; k++)
         count += (uint32_t)ssgi__trace_item_set(&job, (uint32_t)k, &job.items[count]);
-    all.first = all.depth = 0;
     all.count = count;
     ssgi__trace_bound(job.items, &all);
     if (count) ssgi__trace_node_set(&job, &all);
@@ -2245,7 +1836,7 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, or a ball on a wide floor would sink */
+/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -2262,7 +1853,7 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
     return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
-/* hit NULL: any hit will do */
+/* hit NULL: returns at the first hit found */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
@@ -2349,7 +1940,9 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels (implementation) =============================================================================== */
 
-SSGI_DEF int ssgi_tess_count(int level)
+/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
+   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+SSGI__FN int ssgi__tess_count(int level)
 {
     const int half = (level + 1) / 2;
     if (level < 1 || level > 64) return 0;
@@ -2372,7 +1965,9 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014
     return (x >> 22) ^ x;
 }
 
-SSGI_DEF int ssgi_tess_level(double area, double radius)
+/* The level, 1..64, at which so many discs of a radius have the triangle's area: at least 1, for level 0 culls. Beyond
+   3169 discs triangles want splits. */
+SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
@@ -2381,18 +1976,12 @@ SSGI_DEF int ssgi_tess_level(double area, double radius)
 
 /* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
    tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
-SSGI__FN void ssgi__surfel_scale(double out[2], const ssgi_view *view, double size)
-{
-    out[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
-    out[1] = (double)ssgi_view_near(view);
-}
-
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
 }
 
-/* What a triangle, split or not, becomes. */
+/* A triangle or a part of one, and its surfels. */
 typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
@@ -2441,7 +2030,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
                 p->normal[corner][i] = ssgi__finites(normal, 3) ? ssgi__dot(m->normals[i], v) : 0.0;
         }
     }
-    /* of vertices: numbers of primitives are not to be relied on */
+    /* from vertex indices: GPUs number primitives differently */
     p->key = id[0] + (id[1] - id[0]) * 0x9e3779b9u + (id[2] - id[0]) * 0xc2b2ae35u;
     ssgi__along(a, p->at[1], -1.0, p->at[0]);
     ssgi__along(b, p->at[2], -1.0, p->at[0]);
@@ -2451,26 +2040,19 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-/* |depth| where it is nearest to the near plane, were it a segment */
-SSGI__FN double ssgi__nearest(const ssgi__patch *p)
+/* smallest surfel radius in it: at the depth in its range that is nearest to the near plane */
+SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
     for (int k = 0; k < 3; ++k) {
         if (-p->at[k][2] < low) low = -p->at[k][2];
         if (-p->at[k][2] > high) high = -p->at[k][2];
     }
-    return low > 0.0 ? low : high < 0.0 ? high : 0.0;
+    if (low < m->scale[1]) low = high < 0.0 ? high : m->scale[1];
+    return ssgi__surfel_radius(m->scale, m->view->orthographic, low);
 }
 
-/* the least radius in it */
-SSGI__FN double ssgi__surfel_finest(const ssgi__patch *whole, const ssgi__surfel_maker *m)
-{
-    double depth = ssgi__nearest(whole);
-    if (depth >= 0.0 && depth < m->scale[1]) depth = m->scale[1];
-    return ssgi__surfel_radius(m->scale, m->view->orthographic, depth);
-}
-
-/* Its middle, how far that is aside, and how far its corners are from there. */
+/* Centroid, largest distance of a corner from it; returns the centroid's distance outside the frustum. */
 SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
 {
     *extent = 0.0;
@@ -2481,7 +2063,7 @@ SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_ma
         length = sqrt(ssgi__dot(d, d));
         if (length > *extent) *extent = length;
     }
-    return ssgi_view_outside(m->view, middle);
+    return ssgi__view_aside(m->view, middle);
 }
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
@@ -2496,11 +2078,10 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
         out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Part i of n * n, its level and radius, its corners moved off the edges. 0: too far aside, or another stands for it.
+/* Part i of n * n, its level and radius, inset from the edges. 0: too far outside the frustum, or thinned out.
    Twin of the tessellation control shader. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
-    const int published = m->desc.shrink == SSGI_SHRINK_CENTROID;
     int row = (int)sqrt((double)part), place;
     double edge[3], centre[3] = { 0.0, 0.0, 0.0 }, middle[3], d[3], perimeter = 0.0, extent, aside, wanted, share, f;
     if (row * row > part) --row;
@@ -2518,19 +2099,19 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
-    p->level = ssgi_tess_level(p->area, wanted);
+    p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0;       /* by the golden ratio: evenly along the mesh's order, where neighbours mostly are neighbours */
+    p->alive = 0;       /* by the golden ratio: even along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
-    p->count = p->level > 1 ? ssgi_tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
-    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi_tess_count(p->level)));
+    p->count = p->level > 1 ? ssgi__tess_count(p->level) : (p->alive & 1) + (p->alive >> 1 & 1) + (p->alive >> 2);
+    p->radius = sqrt(p->area / (share * SSGI__PI * ssgi__tess_count(p->level)));
     if (!((float)p->radius > 0.0f)) return 0;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[(c + 2) % 3], -1.0, p->at[(c + 1) % 3]);
-        edge[c] = published ? 1.0 : sqrt(ssgi__dot(d, d));
+        edge[c] = sqrt(ssgi__dot(d, d));
         perimeter += edge[c];
     }
     for (int c = 0; c < 3; ++c) ssgi__along(centre, centre, edge[c] / perimeter, p->at[c]);
@@ -2538,10 +2119,6 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     if (f < 0.25) f = 0.25;
     for (int c = 0; c < 3; ++c) {
         ssgi__along(d, p->at[c], -1.0, centre);
-        if (published) {
-            const double length = sqrt(ssgi__dot(d, d));
-            f = p->radius < 0.9 * length ? 1.0 - p->radius / length : 0.1;
-        }
         ssgi__along(p->at[c], centre, f, d);
     }
     return 1;
@@ -2551,21 +2128,15 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
                                  const int place[3])
 {
-    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14)),
-                   h2 = ssgi__hash(h);
-    const double away = (double)m->desc.jitter * p->radius * sqrt((double)(h2 >> 16) / 65536.0),
-                 angle = 2.0 * SSGI__PI * (double)(h2 & 65535u) / 65536.0, c = cos(angle), s = sin(angle);
-    double u[3], v[3], at[3], normal[3], colour[3], w[3];
+    const uint32_t h = ssgi__hash(ssgi__hash(p->key) + (uint32_t)(place[0] | place[1] << 7 | ring << 14));
+    double at[3], normal[3], colour[3], w[3];
     for (int k = 0; k < 3; ++k) w[k] = (2.0 * ring / 3.0 + place[k]) / p->level;
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    ssgi__along(u, p->at[1], -1.0, p->at[0]);
-    ssgi__normalise(u);
-    ssgi__cross(v, p->face, u);
     if (!(ssgi__normalise(normal) > 0.0))
         for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
-    for (int i = 0; i < 3; ++i) out->position[i] = (float)(at[i] + away * (c * u[i] + s * v[i]));
+    ssgi__floats(out->position, at);
     ssgi__floats(out->normal, normal);
     ssgi__floats(out->colour, colour);
     out->radius = (float)p->radius;
@@ -2581,10 +2152,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
         return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
     SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
                 "desc.size: must be 1e-4..1, or 0 for the default");
-    SSGI__CHECK(desc->jitter >= 0.0f && desc->jitter <= 1.0f, "desc.jitter: must be 0..1");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
-    SSGI__CHECK(desc->shrink >= SSGI_SHRINK_INCENTRE && desc->shrink <= SSGI_SHRINK_CENTROID,
-                "desc.shrink: must be SSGI_SHRINK_INCENTRE or _CENTROID");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
     SSGI__CHECK(desc->offscreen_growth >= 0.0f && desc->offscreen_growth <= 1.0f, "desc.offscreen_growth: must be 0..1");
     SSGI__CHECK(ssgi__positive(&desc->max_distance, 1), "desc.max_distance: must be 0 or more and finite");
@@ -2595,20 +2163,16 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], float offscreen[2], const ssgi_surfel_desc *desc,
-                                       const ssgi_view *view, const char **why)
+SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
+                                       const char **why)
 {
     ssgi_surfel_desc d;
-    double s[2];
     SSGI__TRY(ssgi__surfel_desc(&d, desc, view, why));
-    SSGI__CHECK(scale && offscreen, "scale, offscreen: must not be NULL");
-    ssgi__surfel_scale(s, view, (double)d.size);
-    scale[0] = (float)s[0];
-    scale[1] = (float)s[1];
-    scale[2] = 1.0f - d.jitter;
+    SSGI__THERE(scale);
+    scale[0] = 0.5f * d.size * (float)view->height / ssgi__abs(view->project[1]);
+    scale[1] = ssgi_view_near(view);
+    scale[2] = d.offscreen_growth;
     scale[3] = (float)d.splits;
-    offscreen[0] = d.offscreen_growth;
-    offscreen[1] = (float)d.keep_small;
     return SSGI_OK;
 }
 
@@ -2625,7 +2189,8 @@ SSGI__FN ssgi_result ssgi__surfel_open(ssgi__surfel_maker *m, const ssgi_surfel_
     SSGI__CHECK(ssgi__finites(s->to_view, 16), "source.to_view: must be finite");
     m->view = view;
     m->source = source;
-    ssgi__surfel_scale(m->scale, view, (double)m->desc.size);
+    m->scale[0] = 0.5 * (double)m->desc.size * view->height / fabs((double)view->project[1]);
+    m->scale[1] = (double)ssgi_view_near(view);
     for (int k = 0; k < 3; ++k) ssgi__doubles(a[k], s->to_view + 4 * k);
     for (int k = 0; k < 3; ++k) {
         ssgi__cross(c, a[(k + 1) % 3], a[(k + 2) % 3]);
@@ -2691,7 +2256,7 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) {       /* a corner and the middles of its edges, or the middles alone */
+    for (int c = 0; c < 4; ++c) {       /* a corner and its edges' midpoints, or the three midpoints */
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
@@ -2727,14 +2292,14 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Distance beyond which what a surfel brings stays below epsilon, brightest the largest component of what it sends
+/* Distance beyond which a surfel's contribution is below epsilon; brightest: largest component of what it sends
    [DSS14 3.2, 4]. */
 SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* The distances that a level serves, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
+/* Distances covered by a level, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
    l; no farther than `most`. */
 SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
@@ -2847,21 +2412,6 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_splat_predict(ssgi_surfel_cost *cost, const ssgi_splat *splat, const ssgi_view *view,
-                                        const ssgi_surfel *surfels, size_t count, const char **why)
-{
-    ssgi_splat s;
-    SSGI__TRY(ssgi__splat_open(&s, splat, view, why));
-    SSGI__THERE(cost);
-    SSGI__CHECK(surfels || !count, "surfels: must not be NULL");
-    memset(cost, 0, sizeof *cost);
-    cost->surfels = count;
-    cost->splits = 1;
-    for (size_t i = 0; i < count; ++i)
-        ssgi__splat_pixels(cost, &s, view, surfels[i].position, (double)surfels[i].radius, (double)s.max_radiance, 1.0);
-    return SSGI_OK;
-}
-
 /* ==== >>dipole (implementation) ================================================================================ */
 
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
@@ -2870,7 +2420,7 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     /* F_dr [JMLH01 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
-    if (!dipole || !sigma_s || !sigma_a) return ssgi__bad(why, "dipole, sigma_s, sigma_a: must not be NULL");
+    SSGI__THERE3(dipole, sigma_s, sigma_a);
     SSGI__CHECK(eta >= 1.0f && eta <= 3.0f, "eta: must be 1..3");
     for (int c = 0; c < 3; ++c) {
         SSGI__CHECK(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]), "sigma_s: must be above 0 and finite");
@@ -2903,29 +2453,10 @@ SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
     return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
 }
 
-SSGI_DEF const ssgi_material *ssgi_material_of(int i)
-{
-    static const ssgi_material materials[] = {
-        { "apple", { 2.29f, 2.39f, 1.97f }, { 0.0030f, 0.0034f, 0.046f }, 1.3f },
-        { "chicken1", { 0.15f, 0.21f, 0.38f }, { 0.015f, 0.077f, 0.19f }, 1.3f },
-        { "chicken2", { 0.19f, 0.25f, 0.32f }, { 0.018f, 0.088f, 0.20f }, 1.3f },
-        { "cream", { 7.38f, 5.47f, 3.15f }, { 0.0002f, 0.0028f, 0.0163f }, 1.3f },
-        { "ketchup", { 0.18f, 0.07f, 0.03f }, { 0.061f, 0.97f, 1.45f }, 1.3f },
-        { "marble", { 2.19f, 2.62f, 3.00f }, { 0.0021f, 0.0041f, 0.0071f }, 1.5f },
-        { "potato", { 0.68f, 0.70f, 0.55f }, { 0.0024f, 0.0090f, 0.12f }, 1.3f },
-        { "skimmilk", { 0.70f, 1.22f, 1.90f }, { 0.0014f, 0.0025f, 0.0142f }, 1.3f },
-        { "skin1", { 0.74f, 0.88f, 1.01f }, { 0.032f, 0.17f, 0.48f }, 1.3f },
-        { "skin2", { 1.09f, 1.59f, 1.79f }, { 0.013f, 0.070f, 0.145f }, 1.3f },
-        { "spectralon", { 11.6f, 20.4f, 14.9f }, { 0.0f, 0.0f, 0.0f }, 1.3f },
-        { "wholemilk", { 2.55f, 3.21f, 3.77f }, { 0.0011f, 0.0024f, 0.014f }, 1.3f } };
-    return i >= 0 && i < (int)(sizeof materials / sizeof materials[0]) ? &materials[i] : NULL;
-}
-
 /* ==== >>field (implementation) ================================================================================= */
 
-#define SSGI__FIELD_FEW      128     /* corners that tell a hull's shape roughly */
-#define SSGI__FIELD_BINS     4096    /* of errors */
-#define SSGI__FIELD_HELD     512     /* positions that take no part in a bake, with four normals each */
+#define SSGI__FIELD_FEW      128     /* corners that approximate the hull */
+#define SSGI__FIELD_HELD     512     /* validation positions, with four normals each */
 
 /* ---- samples */
 
@@ -2967,17 +2498,18 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
     const double share = 2.0 * SSGI__PI * (1.0 - (double)cosine) / rays;
     const double shift[2] = { ssgi__field_turn(seed), ssgi__field_turn(seed ^ 0x9e3779b9u) };
     float axes[3][3], d[3];
-    for (int i = 0; i < 4; ++i) out[i] = 0.0;
-    for (int i = 0; occlusion && i < 4; ++i) occlusion[i] = 0.0;
+    double along[3];
+    memset(out, 0, 4 * sizeof *out);
+    if (occlusion) memset(occlusion, 0, 4 * sizeof *occlusion);
     ssgi__field_axes(axes, axis);
     for (int i = 0; i < rays; ++i) {
         ssgi__field_ray(d, axes, cosine, i, shift);
         if (hit ? !hit(user, point, d) : !ssgi_trace_any(trace, point, d, 0.0f, 3e38f)) continue;
+        ssgi__doubles(along, d);
         out[0] += share;
-        for (int k = 0; k < 3; ++k) out[1 + k] += share * (double)d[k];
+        ssgi__along(out + 1, out + 1, share, along);
         for (int k = 0; occlusion && k < 4; ++k) {
-            double facing = 0.0;
-            for (int n = 0; n < 3; ++n) facing += normal[k][n] * (double)d[n];
+            const double facing = ssgi__dot(normal[k], along);
             if (facing > 0.0) occlusion[k] += share / SSGI__PI * facing;
         }
     }
@@ -2985,28 +2517,15 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 
 /* ---- fits */
 
-/* a x = b for a symmetric 3x3 by elimination with pivots; 0 if it is singular */
+/* a x = b for a symmetric 3x3, by Cramer's rule; 0 if it is singular */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
+    double minor[3], determinant;
     for (int i = 0; i < 3; ++i) {
-        int pivot = i;
-        double row[3], swap;
-        for (int k = i + 1; k < 3; ++k) if (fabs(a[k][i]) > fabs(a[pivot][i])) pivot = k;
-        if (!(fabs(a[pivot][i]) > 1e-280)) return 0;
-        memcpy(row, a[i], sizeof row);
-        memcpy(a[i], a[pivot], sizeof row);
-        memcpy(a[pivot], row, sizeof row);
-        swap = b[i]; b[i] = b[pivot]; b[pivot] = swap;
-        for (int k = i + 1; k < 3; ++k) {
-            const double f = a[k][i] / a[i][i];
-            ssgi__along(a[k], a[k], -f, a[i]);
-            b[k] -= f * b[i];
-        }
-    }
-    for (int i = 2; i >= 0; --i) {
-        x[i] = b[i];
-        for (int j = i + 1; j < 3; ++j) x[i] -= a[i][j] * x[j];
-        x[i] /= a[i][i];
+        ssgi__cross(minor, a[(i + 1) % 3], a[(i + 2) % 3]);
+        determinant = ssgi__dot(a[i], minor);
+        if (!(fabs(determinant) > 1e-280)) return 0;
+        x[i] = ssgi__dot(b, minor) / determinant;
     }
     return 1;
 }
@@ -3083,37 +2602,19 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
-    const double m = 1.0 / most, least = 1e-9 * m;
+    const double m = 1.0 / most, first = values[0], last = values[count - 1];
     const ssgi__field_data data = { radii, values, NULL, count, 0, most };
-    double best = 1e300, u[3];
-    for (int start = 0; start < 2; ++start) {
-        double p[3] = { 1e9, 1e9, 1e9 }, a[3][3] = { { 0.0 } }, b[3] = { 0.0 }, error;
-        if (start == 0) {       /* least squares of value^2 (q - 1/value): nearly the error of 1/q, and linear */
-            for (int i = 0; i < count; ++i) {
-                const double t = (radii[i] - radii[0]) / (radii[count - 1] - radii[0]),
-                             y = values[i] > 0.0 ? values[i] : 0.0;
-                const double c[3] = { y * y * (1.0 - t) * (1.0 - t), y * y * 2.0 * t * (1.0 - t), y * y * t * t };
-                ssgi__field_equation(a, b, c, y);
-            }
-            if (!ssgi__field_solve(p, a, b)) continue;
-        } else {                /* through the ends */
-            p[0] = values[0] > 1e-9 * most ? 1.0 / values[0] : 1e9 * m;
-            p[2] = values[count - 1] > 1e-9 * most ? 1.0 / values[count - 1] : 1e9 * m;
-            p[1] = sqrt(p[0] * p[2]);
-        }
-        for (int i = 0; i < 3; i += 2) {
-            p[i] = p[i] - m > least ? p[i] : m + 1e-6 * m;
-            u[i] = log(p[i] - m);
-        }
-        p[1] += exp(0.5 * (u[0] + u[2])) - m;
-        u[1] = log(p[1] > 1e-3 * m ? p[1] : 1e-3 * m);
-        for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
-        error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
-        if (error >= best) continue;
-        best = error;
-        ssgi__field_bernstein(q, u, most);
-    }
-    return best;
+    double u[3], error;
+    /* starts from the curve through both ends */
+    q[0] = first > 1e-9 * most ? 1.0 / first : 1e9 * m;
+    q[2] = last > 1e-9 * most ? 1.0 / last : 1e9 * m;
+    for (int i = 0; i < 3; i += 2) u[i] = log(q[i] - m > 1e-9 * m ? q[i] - m : 1e-6 * m);
+    q[1] = sqrt(q[0] * q[2]) + exp(0.5 * (u[0] + u[2])) - m;
+    u[1] = log(q[1] > 1e-3 * m ? q[1] : 1e-3 * m);
+    for (int i = 0; i < 3; ++i) u[i] = u[i] < -50.0 ? -50.0 : u[i] > 50.0 ? 50.0 : u[i];
+    error = ssgi__field_descend(u, &data, ssgi__field_distance_error, 1e-16 * most * most);
+    ssgi__field_bernstein(q, u, most);
+    return error;
 }
 
 /* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
@@ -3151,7 +2652,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best;            /* all point at the centre already: any place on the line would do */
+    if (!(best > flat)) return best;            /* all point at the centre already: undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -3226,7 +2727,7 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
     p->distance = ssgi__dot(p->normal, p->corner[0]);
 }
 
-/* How far beyond the hull samples begin, so that none begins in the matter. */
+/* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
 /* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
@@ -3245,7 +2746,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) {           /* of the three parts that which the ray is farthest within */
+        for (int i = 0; i < 3; ++i) {           /* the part of three that holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -3261,14 +2762,6 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     }
     facing = ssgi__dot(p->normal, w);
     return facing > 1e-9 ? p->distance / facing : m->radius;
-}
-
-SSGI__FN void ssgi__polar(double w[3], double z, double angle)
-{
-    const double r = sqrt(1.0 - z * z);
-    w[0] = r * cos(angle);
-    w[1] = r * sin(angle);
-    w[2] = z;
 }
 
 SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
@@ -3310,7 +2803,7 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* between those directions a little more */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* a margin for the directions between */
     return 1;
 }
 
@@ -3344,11 +2837,11 @@ typedef struct ssgi__field_bake {
     ssgi__field_occluder occluder;
     ssgi_field *field;
     float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
-    float *error;                   /* of what is held out; in fine, which is done with then */
-    int radii, rays, first;
+    float *error;                   /* at validation receivers; reuses fine */
+    int first;
 } ssgi__field_bake;
 
-/* Texel x, y of a face; what lies over its edges belongs to the neighbour. */
+/* Texel x, y of a face; beyond its edges, of the neighbouring face. */
 SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
 {
     if (x < 0 || y < 0 || x >= size || y >= size) {
@@ -3363,9 +2856,7 @@ SSGI__FN size_t ssgi__cube_texel(int face, int x, int y, int size)
     return (size_t)(face * size + y) * (size_t)size + (size_t)x;
 }
 
-static double ssgi__field_most(int measure) { return (measure == SSGI_FIELD_VECTOR ? 1.0 : 4.0) * SSGI__PI; }
-
-/* What a point at r along w from the centre sees of the occluder, by rays in the cone that holds it; and that point. */
+/* Samples the occluder from the point at r along w from the centre, by rays in the cone that encloses it. */
 SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal[4][3], float point[3],
                                const ssgi__field_bake *b, const double w[3], double r, const ssgi__field_portal *portal,
                                int rays, uint32_t seed)
@@ -3387,21 +2878,19 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     ssgi__field_bake *b = (ssgi__field_bake *)context;
     const int size = 2 * b->field->resolution, texel = b->first + job, face = texel / (size * size),
               y = texel / size % size, x = texel % size;
-    const int vector = b->field->measure == SSGI_FIELD_VECTOR;
-    const double most = ssgi__field_most(b->field->measure), reach = (double)b->field->reach;
+    const double reach = (double)b->field->reach;
     float *out = b->fine + 8 * (size_t)texel, point[3];
     double w[3], radii[64], values[64], directions[3 * 64], q[3], c[3], hull, length, fill = 0.0, seen = 0.0;
     ssgi__field_portal portal;
     ssgi__cube_direction(w, face, (2 * x + 1.0) / size - 1.0, (2 * y + 1.0) / size - 1.0);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int i = 0; i < b->radii; ++i) {
+    for (int i = 0; i < b->desc->radii; ++i) {
         double sum[4];
-        radii[i] = hull * pow(reach / hull, (double)i / (b->radii - 1));
-        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->rays, (uint32_t)(texel * 64 + i));
+        radii[i] = hull * pow(reach / hull, (double)i / (b->desc->radii - 1));
+        ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
-        values[i] = vector ? length : sum[0];
-        if (values[i] > most) values[i] = most;
-        if (sum[0] > 0.0) {     /* the cap of this vector irradiance whose covered share brings this solid angle */
+        values[i] = length < SSGI__PI ? length : SSGI__PI;
+        if (sum[0] > 0.0) {     /* covered share of the cap with this vector irradiance and solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
@@ -3409,16 +2898,17 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         }
         memcpy(directions + 3 * i, sum + 1, 3 * sizeof *sum);
     }
-    ssgi__field_fit(q, radii, values, b->radii, most);
-    /* within the rays' noise, which a centre near the hull would follow */
-    ssgi__field_centre(c, w, radii, directions, b->radii, 0.0625 * b->radii / ((double)b->rays * b->rays));
+    ssgi__field_fit(q, radii, values, b->desc->radii, SSGI__PI);
+    /* tolerance: the rays' noise, to which a centre near the hull would be fitted */
+    ssgi__field_centre(c, w, radii, directions, b->desc->radii,
+                       0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
     if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]);  /* positive for any q that is above 0 in between: blends of logarithms stay so */
+    q[1] += sqrt(q[0] * q[2]);  /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
-    out[7] = vector && seen > 0.0 ? (float)(fill / seen) : 1.0f;
+    out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
 /* Reduction by a Gaussian as wide as a fine texel. */
@@ -3439,14 +2929,11 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-static int ssgi__field_words(int bits) { return bits == 8 ? 2 : 4; }
-
 /* Ranges, integers, borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
-    const int size = f->resolution, words = ssgi__field_words(f->bits);
-    const float most = f->bits == 8 ? 255.0f : 65535.0f;
+    const int size = f->resolution;
     float high[8];
     for (int n = 0; n < 8; ++n) {
         f->low[n] = high[n] = b->coarse[n];
@@ -3459,22 +2946,22 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
     f->texels = texels;
     for (int face = 0; face < 6; ++face)
         for (int y = -1; y <= size; ++y)
-            for (int x = -1; x <= size; ++x, texels += words) {
+            for (int x = -1; x <= size; ++x, texels += 2) {
                 const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
                 const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
                 const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
                             *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
                             *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
-                memset(texels, 0, (size_t)words * sizeof *texels);
+                texels[0] = texels[1] = 0;
                 for (int n = 0; n < 8; ++n) {
                     float v = corner ? (a[n] + up[n] + own[n]) / 3.0f : a[n];
-                    v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * most + 0.5f : 0.0f;
-                    texels[n * f->bits / 32] |= (uint32_t)(v < most ? v : most) << n * f->bits % 32;
+                    v = f->span[n] > 0.0f ? (v - f->low[n]) / f->span[n] * 255.0f + 0.5f : 0.0f;
+                    texels[n / 4] |= (uint32_t)(v < 255.0f ? v : 255.0f) << 8 * (n % 4);
                 }
             }
 }
 
-/* What walled-in points are not counted in: the mean occlusion of points in the hull. */
+/* A_0: mean occlusion of points inside the hull, without those enclosed by the mesh. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -3505,7 +2992,7 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) {                   /* none looks straight away: it would see nothing of the occluder */
+    for (int n = 0; n < 4; ++n) {                   /* none faces straight away, where occlusion is 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
         if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
@@ -3524,42 +3011,32 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
     else for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* Errors at the middle, at 95 %, at the end of their order, to 1/4096. */
-SSGI__FN void ssgi__field_errors(ssgi__field_bake *b)
+/* The error that this share of the validation receivers does not exceed. */
+SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
-    ssgi_field *f = b->field;
-    unsigned short bin[SSGI__FIELD_BINS];
-    int below = 0;
-    memset(bin, 0, sizeof bin);
-    ssgi__field_run(b->desc, SSGI__FIELD_HELD, ssgi__field_held, b);
-    f->median = f->p95 = f->max_error = 0.0f;
+    float least = 1e30f;
     for (int i = 0; i < all; ++i) {
-        f->max_error = ssgi__max(f->max_error, b->error[i]);
-        ++bin[b->error[i] < 1.0f ? (int)(b->error[i] * SSGI__FIELD_BINS) : SSGI__FIELD_BINS - 1];
+        int within = 0;
+        if (!(b->error[i] < least)) continue;
+        for (int k = 0; k < all; ++k) within += b->error[k] <= b->error[i];
+        if (within >= share * all) least = b->error[i];
     }
-    for (int i = 0; i < SSGI__FIELD_BINS; ++i) {
-        if (below < all / 2) f->median = (float)(i + 1) / SSGI__FIELD_BINS;
-        if (below < all * 19 / 20) f->p95 = (float)(i + 1) / SSGI__FIELD_BINS;
-        below += bin[i];
-    }
-    f->p95 = ssgi__min(f->p95, f->max_error);
-    f->median = ssgi__min(f->median, f->p95);
+    return least;
 }
 
-SSGI_DEF size_t ssgi_field_size(int resolution, int bits)
+SSGI_DEF size_t ssgi_field_size(int resolution)
 {
-    if (resolution < 2 || resolution > 128 || (bits != 8 && bits != 16)) return 0;
-    return (size_t)(6 * (resolution + 2) * (resolution + 2) * ssgi__field_words(bits)) * sizeof(uint32_t);
+    if (resolution < 2 || resolution > 128) return 0;
+    return (size_t)(12 * (resolution + 2) * (resolution + 2)) * sizeof(uint32_t);
 }
 
 SSGI__FN ssgi_field_desc ssgi__field_resolve(const ssgi_field_desc *desc)
 {
     ssgi_field_desc d = *desc;
-    if (!d.resolution) d.resolution = d.error > 0.0f ? 64 : 16;
-    if (!d.radii) d.radii = d.error > 0.0f ? 24 : 12;
+    if (!d.resolution) d.resolution = 16;
+    if (!d.radii) d.radii = 12;
     if (!d.rays) d.rays = 128;
-    if (!d.bits) d.bits = 16;
     if (!(d.reach > 0.0f)) d.reach = 8.0f;
     return d;
 }
@@ -3570,15 +3047,11 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
     SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
     SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
-    SSGI__CHECK(desc->measure == SSGI_FIELD_VECTOR || desc->measure == SSGI_FIELD_SOLID_ANGLE,
-                "desc.measure: must be SSGI_FIELD_VECTOR or SSGI_FIELD_SOLID_ANGLE");
-    SSGI__CHECK(!desc->bits || desc->bits == 8 || desc->bits == 16, "desc.bits: must be 0, 8 or 16");
     SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
-    SSGI__CHECK(ssgi__within(desc->error, 0.0f, 1.0f), "desc.error: must be 0..1");
     return SSGI_OK;
 }
 
-SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of what is held out */
+SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of the errors */
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3592,24 +3065,6 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
     return rest > (size_t)-1 - ssgi_trace_size(triangles) ? 0 : rest + ssgi_trace_size(triangles);
 }
 
-/* One resolution, one number of radii; done, share: what of the whole it is. */
-SSGI__FN ssgi_result ssgi__field_once(ssgi__field_bake *b, uint32_t *texels, double done, double share,
-                                      const char **why)
-{
-    const int all = 24 * b->field->resolution * b->field->resolution, block = (all + 23) / 24;
-    for (b->first = 0; b->first < all; b->first += block) {
-        if (b->desc->progress && b->desc->progress(b->desc->user, (float)(done + share * b->first / all))) {
-            if (why) *why = "desc.progress: gave the bake up";
-            return SSGI_CANCELLED;
-        }
-        ssgi__field_run(b->desc, all - b->first < block ? all - b->first : block, ssgi__field_texel, b);
-    }
-    ssgi__field_reduce(b);
-    ssgi__field_quantise(b, texels);
-    ssgi__field_errors(b);
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why)
@@ -3617,8 +3072,7 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     ssgi__field_bake b;
     ssgi_field_desc d;
     ssgi_field f;
-    double total = 0.0, done = 0.0;
-    float last = 2.0f;
+    int all, block;
     SSGI__THERE3(field, texels, work);
     SSGI__TRY(ssgi__field_check(desc, why));
     SSGI__THERE(position);
@@ -3630,38 +3084,32 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     memset(&f, 0, sizeof f);
     b.desc = &d;
     b.field = &f;
-    b.rays = d.rays;
     b.fine = b.error = (float *)(void *)((char *)work + (64 - (size_t)((uintptr_t)work & 63)) % 64);
     b.coarse = b.fine + ssgi__field_floats(d.resolution) - (size_t)(48 * d.resolution * d.resolution);
     SSGI__TRY(ssgi_trace_build(&b.occluder.trace, b.fine + ssgi__field_floats(d.resolution), ssgi_trace_size(triangles),
                                position, stride_bytes, index, triangles, why));
     SSGI__CHECK(ssgi__field_measure(&b.occluder), "position: no triangle has an area");
-    f.bits = d.bits;
-    f.measure = d.measure;
     f.radius = (float)b.occluder.radius;
     f.reach = d.reach * f.radius;
     ssgi__floats(f.centre, b.occluder.centre);
     f.inside = ssgi__field_inside(&b);
     f.resolution = d.resolution;
-    f.radii = b.radii = d.radii;
-    if (!(d.error > 0.0f)) SSGI__TRY(ssgi__field_once(&b, texels, 0.0, 1.0, why));
-    else {          /* from small to large; when twice the resolution brings nothing, what is left is the model's */
-        const int resolution = d.resolution < 4 ? d.resolution : 4, radii = d.radii < 6 ? d.radii : 6;
-        for (int n = resolution; n <= d.resolution; n *= 2)
-            for (int k = radii; k <= d.radii; k *= 2) total += (double)(n * n * k);
-        for (f.resolution = resolution; ; f.resolution *= 2) {
-            for (f.radii = radii; f.radii <= d.radii; f.radii *= 2) {
-                const double share = (double)(f.resolution * f.resolution * f.radii) / total;
-                b.radii = f.radii;
-                SSGI__TRY(ssgi__field_once(&b, texels, done, share, why));
-                done += share;
-                if (f.p95 <= d.error) break;
-            }
-            if (f.p95 <= d.error || 2 * f.resolution > d.resolution || f.p95 > 0.98f * last) break;
-            last = f.p95;
+    f.radii = d.radii;
+    all = 24 * d.resolution * d.resolution;
+    block = (all + 23) / 24;
+    for (b.first = 0; b.first < all; b.first += block) {
+        if (d.progress && d.progress(d.user, (float)b.first / (float)all)) {
+            if (why) *why = "desc.progress: gave the bake up";
+            return SSGI_CANCELLED;
         }
-        f.radii = b.radii;
+        ssgi__field_run(&d, all - b.first < block ? all - b.first : block, ssgi__field_texel, &b);
     }
+    ssgi__field_reduce(&b);
+    ssgi__field_quantise(&b, texels);
+    ssgi__field_run(&d, SSGI__FIELD_HELD, ssgi__field_held, &b);
+    f.median = ssgi__field_rank(&b, 0.5);
+    f.p95 = ssgi__field_rank(&b, 0.95);
+    f.max_error = ssgi__field_rank(&b, 1.0);
     if (d.progress) d.progress(d.user, 1.0f);
     *field = f;
     return SSGI_OK;
@@ -3669,30 +3117,38 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 /* ---- looking up */
 
+/* The integral of the clamped cosine over a cap: by the two arcs, of the cap and of the horizon, that bound its part
+   above the horizon. */
+SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
+{
+    const float pi = 3.14159265f;
+    float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
+    float s, x, w, a;
+    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
+    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
+    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    if (!(s > 0.0f)) a = 0.0f;
+    else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
+    else {
+        x = (1.0f - h) / sqrtf(s);
+        w = sqrtf(1.0f - c * c / s);
+        a = ((c * atan2f(w, -x * c) - x * w) * s + atan2f(w, x)) / pi;
+        a = ssgi__max(0.0f, ssgi__min(a, 1.0f));
+    }
+    return large ? 1.0f - a : a;
+}
+
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
 {
     const ssgi_field_limits l = { 0.75f * field->reach, field->reach, field->inside, 1.0f };
     return l;
 }
 
-/* The texel of a face, counted from its border's first. */
-static const uint32_t *ssgi__field_at(const ssgi_field *f, int face, int x, int y)
-{
-    const int row = f->resolution + 2;
-    return f->texels + (size_t)ssgi__field_words(f->bits) * (size_t)((face * row + y) * row + x);
-}
-
-static uint32_t ssgi__field_component(const ssgi_field *f, const uint32_t *texel, int n)
-{
-    return texel[n * f->bits / 32] >> n * f->bits % 32 & (f->bits == 8 ? 0xffu : 0xffffu);
-}
-
 /* The components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
-    const float scale = f->bits == 8 ? 1.0f / 255.0f : 1.0f / 65535.0f;
     float at[2];
-    const int face = ssgi__cube_place(at, w);
+    const int face = ssgi__cube_place(at, w), row = f->resolution + 2;
     int cell[2];
     for (int k = 0; k < 2; ++k) {
         at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
@@ -3703,23 +3159,23 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
     for (int n = 0; n < 8; ++n) out[n] = 0.0f;
     for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 2; ++k) {
-            const uint32_t *texel = ssgi__field_at(f, face, cell[0] + k, cell[1] + i);
+            const uint32_t *texel = f->texels + 2 * ((face * row + cell[1] + i) * row + cell[0] + k);
             const float weight = (i ? at[1] : 1.0f - at[1]) * (k ? at[0] : 1.0f - at[0]);
-            for (int n = 0; n < 8; ++n) out[n] += weight * (float)ssgi__field_component(f, texel, n);
+            for (int n = 0; n < 8; ++n) out[n] += weight * (float)(texel[n / 4] >> 8 * (n % 4) & 255u);
         }
-    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] * scale * f->span[n];
+    for (int n = 0; n < 8; ++n) out[n] = f->low[n] + out[n] / 255.0f * f->span[n];
 }
 
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill)
 {
-    const float most = (float)ssgi__field_most(field->measure);
+    const float most = 3.14159265f;
     double w[3], v[3];
-    float direction[3], c[8], r, hull, t, q0, q1, q2, q, value;
+    float direction[3], c[8], r, hull, t, q0, q1, q2, q, s;
     for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
     if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
-    for (int k = 0; k < 3; ++k) direction[k] = (float)w[k];
+    ssgi__floats(direction, w);
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
     t = r > hull ? r < field->reach ? (r - hull) / (field->reach - hull) : 1.0f : 0.0f;
@@ -3727,18 +3183,13 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     q2 = exp2f(c[2]);
     q1 = exp2f(c[1]) - sqrtf(q0 * q2);
     q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
-    value = q * most > 1.0f ? 1.0f / q : most;
-    *fill = 1.0f;
-    if (field->measure == SSGI_FIELD_VECTOR) {
-        float s = value / most;
-        *fill = c[7] > s ? c[7] : s;
-        s /= *fill;
-        value = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
-    }
-    *solid_angle = value;
+    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f;         /* vector irradiance over pi */
+    *fill = ssgi__max(c[7], s);
+    s /= *fill;
+    *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
     if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
-    for (int k = 0; k < 3; ++k) axis[k] = (float)v[k];
+    ssgi__floats(axis, v);
     return r / hull;
 }
 
@@ -3763,29 +3214,11 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
 }
 
-SSGI_DEF void ssgi_field_cube(const ssgi_field *field, int face, void *distance, void *centre)
-{
-    const int size = field->resolution;
-    if (face < 0 || face > 5) return;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const uint32_t *texel = ssgi__field_at(field, face, x + 1, y + 1);
-            for (int n = 0; n < 8; ++n) {
-                const uint32_t v = ssgi__field_component(field, texel, n);
-                void *out = n < 4 ? distance : centre;
-                const int i = 4 * (y * size + x) + n % 4;
-                if (!out) continue;
-                if (field->bits == 8) ((uint8_t *)out)[i] = (uint8_t)v;
-                else ((uint16_t *)out)[i] = (uint16_t)v;
-            }
-        }
-}
-
 /* ---- files: 32-bit words, lowest byte first */
 
-#define SSGI__FIELD_HEAD    32              /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_HEAD    29              /* words before the texels; after them two of checksum */
 #define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
-#define SSGI__FIELD_VERSION 0x31464f41u     /* "AOF1" */
+#define SSGI__FIELD_VERSION 0x32464f41u     /* "AOF2" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3805,38 +3238,20 @@ SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)  
     return h;
 }
 
-/* The floats of a field in the order of the file. */
-SSGI__FN void ssgi__field_numbers(float *out[25], ssgi_field *f)
-{
-    float *const ends[] = { &f->centre[0], &f->centre[1], &f->centre[2], &f->radius, &f->reach,
-                            &f->inside,    &f->median,    &f->p95,       &f->max_error };
-    for (int i = 0; i < 9; ++i) out[i] = ends[i];
-    for (int i = 0; i < 8; ++i) { out[9 + i] = &f->low[i]; out[17 + i] = &f->span[i]; }
-}
-
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field)
 {
     unsigned char *bytes = (unsigned char *)out;
-    const size_t words = field ? ssgi_field_size(field->resolution, field->bits) / 4 : 0,
+    const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
-    ssgi_field f;
-    float *number[25];
+    uint32_t number[25];
     uint64_t h;
     if (!words || capacity < size || !out) return size;
-    f = *field;
-    memset(out, 0, 4 * SSGI__FIELD_HEAD);
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
-    ssgi__field_put(bytes, 2, (uint32_t)f.resolution);
-    ssgi__field_put(bytes, 3, (uint32_t)f.bits);
-    ssgi__field_put(bytes, 4, (uint32_t)f.measure);
-    ssgi__field_put(bytes, 5, (uint32_t)f.radii);
-    ssgi__field_numbers(number, &f);
-    for (size_t i = 0; i < 25; ++i) {
-        uint32_t word;
-        memcpy(&word, number[i], sizeof word);
-        ssgi__field_put(bytes, 6 + i, word);
-    }
+    ssgi__field_put(bytes, 2, (uint32_t)field->resolution);
+    ssgi__field_put(bytes, 3, (uint32_t)field->radii);
+    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number);      /* centre .. most */
+    for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
@@ -3848,46 +3263,34 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
 {
     static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
-    float *number[25];
-    uint32_t head[6] = { 0 };
+    float number[25];
+    uint32_t head[4] = { 0 };
     size_t words = 0;
     uint64_t h;
     SSGI__THERE(file);
-    for (size_t i = 0; i < 6 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
+    for (size_t i = 0; i < 4 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
     SSGI__CHECK(head[0] == SSGI__FIELD_MAGIC && (head[1] & 0xffffffu) == (SSGI__FIELD_VERSION & 0xffffffu),
                 "file: is not an ambient occlusion field");
     SSGI__CHECK(head[1] == SSGI__FIELD_VERSION, "file: is of another version");
     SSGI__CHECK(size >= 4 * SSGI__FIELD_HEAD, "file: is cut short");
     memset(f, 0, sizeof *f);
-    if (head[2] <= 128u && head[3] <= 16u) words = ssgi_field_size((int)head[2], (int)head[3]) / 4;
-    SSGI__CHECK(words && head[4] <= 1u && head[5] <= 64u, corrupt);
+    if (head[2] <= 128u) words = ssgi_field_size((int)head[2]) / 4;
+    SSGI__CHECK(words && head[3] <= 64u, corrupt);
     f->resolution = (int)head[2];
-    f->bits = (int)head[3];
-    f->measure = (int)head[4];
-    f->radii = (int)head[5];
+    f->radii = (int)head[3];
     SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
-    h = ssgi__field_checksum(bytes, size - 8);
-    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 2) == (uint32_t)h, corrupt);
-    SSGI__CHECK(ssgi__field_get(bytes, size / 4 - 1) == (uint32_t)(h >> 32), corrupt);
-    ssgi__field_numbers(number, f);
+    h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
+    SSGI__CHECK(ssgi__field_checksum(bytes, size - 8) == h, corrupt);
     for (size_t i = 0; i < 25; ++i) {
-        const uint32_t word = ssgi__field_get(bytes, 6 + i);
-        memcpy(number[i], &word, sizeof word);
-        SSGI__CHECK(ssgi__within(*number[i], i < 17 ? -1e15f : 0.0f, 1e15f), corrupt);
+        const uint32_t word = ssgi__field_get(bytes, 4 + i);
+        memcpy(&number[i], &word, sizeof word);
+        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);
     }
+    memcpy((char *)f + offsetof(ssgi_field, centre), number, sizeof number);
     for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
     SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
-    return SSGI_OK;
-}
-
-SSGI_DEF ssgi_result ssgi_field_peek(size_t *bytes, const void *file, size_t file_size, const char **why)
-{
-    ssgi_field f;
-    SSGI__THERE(bytes);
-    SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    *bytes = ssgi_field_size(f.resolution, f.bits);
     return SSGI_OK;
 }
 
@@ -3896,10 +3299,10 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 {
     ssgi_field f;
     size_t words;
-    SSGI__THERE2(field, texels);
+    SSGI__THERE(field);
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    words = ssgi_field_size(f.resolution, f.bits) / 4;
-    SSGI__ENOUGH(size, 4 * words, "size: must be at least what ssgi_field_peek tells");
+    words = texels ? ssgi_field_size(f.resolution) / 4 : 0;
+    SSGI__ENOUGH(size, 4 * words, "size: must be at least ssgi_field_size of the file's resolution");
     for (size_t i = 0; i < words; ++i)
         texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
@@ -3914,9 +3317,8 @@ SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics,
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
     size_t seen = 0, count;
-    if (!statistics || !rgba) return ssgi__bad(why, !statistics ? "statistics: must not be NULL" : "rgba: must not be NULL");
-    if (width < 1 || height < 1 || width > 65536 || height > 65536)
-        return ssgi__bad(why, "width, height: must be 1..65536");
+    SSGI__THERE2(statistics, rgba);
+    SSGI__SIZE(width, height);
     SSGI__ZERO_OR(points, "points", 2, 64);
     if (!points) points = 32;
     count = (size_t)width * (size_t)height;
@@ -3925,7 +3327,7 @@ SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics,
         for (int k = 0; k < 4; ++k) {
             v = (double)rgba[4 * i + (size_t)k];
             sum[k] += v;
-            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* a share of a few points varies by chance */
+            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* minus the variance of a share of few points */
         }
         ++seen;
     }
@@ -3943,8 +3345,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                    const char **why)
 {
     double open = 0.0, picture = 0.0, shown;
-    if (!calibration || !trace) return ssgi__bad(why, !calibration ? "calibration: must not be NULL" : "trace: must not be NULL");
-    if (!position || !normal || !visibility) return ssgi__bad(why, "position, normal, visibility: must not be NULL");
+    SSGI__THERE2(calibration, trace);
+    SSGI__THERE3(position, normal, visibility);
     SSGI__CHECK(count, "count: must not be 0");
     SSGI__RANGE(rays, 2, 65536);
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
@@ -3952,7 +3354,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         double along[3], occlusion[2] = { 0.0, 0.0 };
         float axes[3][3], from[3], d[3];
         ssgi_hit hit;
-        for (int k = 0; k < 3; ++k) along[k] = (double)normal[3 * i + (size_t)k];
+        ssgi__doubles(along, normal + 3 * i);
         ssgi__normalise(along);
         ssgi__field_axes(axes, along);
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
@@ -3975,14 +3377,14 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
     return SSGI_OK;
 }
 
-/* The square of an error is a sum of what a scene has in it, each times a number that choices were fitted with
+/* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
    (examples/fit.c): squares of the calibration's errors; of them open times a surfel's size over the radius, once and twice,
    times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
 enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
        SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_OCCLUDERS = 4 };
 
-/* A choice: what it is for, what it needs besides layers and cameras, its settings, its cost, its terms' numbers. */
+/* A choice: for what quantity, required inputs besides layers and cameras, settings, cost, weights of the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
     float size, cost, term[SSGI__PLAN_TERMS];
@@ -4045,7 +3447,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_radius(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
     double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    if (s->statistics.visible > 0.0f) {                    /* no more than a guess: the statistics cannot see what is hidden */
+    if (s->statistics.visible > 0.0f) {                    /* a rough estimate: hidden geometry is not in the statistics */
         const float *square = s->statistics.square;
         open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
         picture = 1e-5 + 0.38 * (double)square[1];
@@ -4069,7 +3471,7 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     term[SSGI__PLAN_CONSTANT] = 1e-4;
 }
 
-/* Whether a scene has what a choice needs, and enough of it to be worth that. */
+/* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
     const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
@@ -4078,12 +3480,12 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
     if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1)
         || row->cameras > s->cameras)
         return 0;
-    /* layers and cameras want something hidden */
+    /* skip layers and cameras when little geometry is hidden */
     if (s->statistics.visible > 0.0f && (row->layers > 1 || row->cameras)) {
         const double off = row->cameras ? sqrt((double)square[3]) : 0.0;
         if (sqrt((double)square[1] + (double)square[2]) + off < 0.1 * (double)s->error) return 0;
     }
-    /* directional methods want light that is not the same all around */
+    /* skip directional methods when the energy above band 0 is negligible */
     return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
 }
@@ -4123,7 +3525,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     static const char *const method[] = { "nothing",           "hsao",  "hsao by march", "ssdo", "s3ho",
                                           "deep screen space", "fields" };
     ssgi_plan best, p;
-    float cheaper = 0.0f, goal = 0.0f;
+    float goal = 0.0f;
     int tried = 0, found = 0;
     SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
@@ -4145,23 +3547,19 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest that is within a tenth of what can be had */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 10 % of the goal */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
         best = p;
         found = 1;
     }
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i)         /* the best of those that cost less */
-        if (ssgi_plan_choice(&p, i, s) && p.cost < best.cost && (!(cheaper > 0.0f) || p.error < cheaper))
-            cheaper = p.error;
     if (best.meets && best.method == SSGI_PLAN_NOTHING)
         snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g",
                  (double)best.error, (double)s->error);
     else if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g; "
-                 "what is cheaper errs by %.3g or more",
-                 method[best.method], tried, (double)s->error, (double)best.error, (double)cheaper);
+        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g",
+                 method[best.method], tried, (double)s->error, (double)best.error);
     else
         snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; "
                  "this is the cheapest within a tenth of the least: %.3g", method[best.method], tried,
@@ -4169,16 +3567,6 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     *plan = best;
     return SSGI_OK;
 }
-
-#undef SSGI__CHECK
-#undef SSGI__RANGE
-#undef SSGI__ZERO_OR
-#undef SSGI__SIZE
-#undef SSGI__THERE
-#undef SSGI__THERE2
-#undef SSGI__THERE3
-#undef SSGI__ENOUGH
-#undef SSGI__TRY
 
 #ifdef __cplusplus
 }

@@ -23,11 +23,11 @@
       Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, depth test and blending off, the
       viewport on the picture inside the target, glDrawArrays(GL_TRIANGLES, 0, 3). Textures are read by texelFetch at
       level 0, so wrap modes do not matter, but a texture must be complete: one without mip levels reads 0 under GL's
-      default minifying filter, and the picture is black. GL_NEAREST is right for all but field's cube maps and cap
-      table; depth and 32-bit float textures need it in GLES and WebGL. A texture has one unit, by its name, in every
-      variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
-      layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
-      glUniformBlockBinding). This header calls no GL and includes no GL header.
+      default minifying filter, and the picture is black. GL_NEAREST is right for all; depth and 32-bit float textures
+      need it in GLES and WebGL. A texture has one unit, by its name, in every variant of a pass. The uniform block
+      "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding) the rows' slots are in
+      the text; in the others set them once by name (glUniform1i, glUniformBlockBinding). This header calls no GL and
+      includes no GL header.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: horizon search, slices or the paper's march [HSAO08]
@@ -126,7 +126,8 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
        SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: what decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: ., ., b, c as ssgi_jitter_tile makes it; 1 more fetch */
+       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the
+                                      directions; 1 more fetch */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
                                       fast way */
@@ -171,14 +172,6 @@ enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12
        SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean free direction */
        SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as free directions are spread [SSBN11] */
        SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
-/* desc.storage: how fields are kept */
-enum { SSGI_GL_STORAGE_ATLAS = 0,  /* ssgi_field.texels, a slice of one integer array a field; every dialect; 4 fetches
-                                      */
-       SSGI_GL_STORAGE_CUBE };     /* one field as two cube maps, seamless (ssgi_field_cube); 16 bits not in GLES; 2
-                                      fetches */
-/* desc.cap: how a cap becomes occlusion */
-enum { SSGI_GL_CAP_CLOSED = 0,     /* closed form: two arcs */
-       SSGI_GL_CAP_TABLE };        /* your texture of ssgi_cap_table: 1 fetch */
 /* desc.objects: which object a pixel shows, so that no occluder shades itself */
 enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders shade whatever is there */
        SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_occluder.object leaves its own pixels
@@ -193,9 +186,6 @@ enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius,
                                       normalised */
        SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole over what surfels receive
                                       */
-/* desc.overlap: surfel-surfel visibility is ignored; how overlapping form factors are combined */
-enum { SSGI_GL_OVERLAP_SHARE = 0,  /* each hides its share of what the others leave: 1 - exp(-sum of form factors) */
-       SSGI_GL_OVERLAP_ADD };      /* form factors add up, to 1 at most, as published */
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
 enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
        SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
@@ -279,10 +269,6 @@ typedef struct ssgi_gl_desc {
     int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* field */
-    int storage;         /* SSGI_GL_STORAGE_ATLAS .. */
-    int measure;         /* SSGI_FIELD_VECTOR ..: as the fields were baked */
-    int eight_bits;      /* ATLAS   1: the fields have 8 bits a component */
-    int cap;             /* SSGI_GL_CAP_CLOSED .. */
     int objects;         /* SSGI_GL_OBJECTS_NONE .. */
 
     /* surfels, shuffle, splat, unshuffle, smooth, sum */
@@ -292,11 +278,8 @@ typedef struct ssgi_gl_desc {
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
                             320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int scale_radius;         /* splat   levels draw to 1 pixel of 4^level; 0: so weighted; 1: so enlarged, the paper's, up
-                            to 1/3 too dark */
     int near_samples;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
-    int overlap;         /* sum     SSGI_GL_OVERLAP_SHARE .. */
     int axis;            /* smooth  0: along x; 1: along y */
 
     /* blur */
@@ -341,16 +324,16 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
    desc.fetch by content). 0 for a desc that ssgi_gl_check refuses. */
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
-/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal, _rotate, _product
-   (ssgi_sh_turn is _rotate) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
+/* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
+   (ssgi_sh_turn) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), of desc's
-   storage, measure, eight_bits and cap; the samplers t_ssgi_occluders, t_ssgi_fields (or the two cube maps), t_ssgi_cap
-   are declared in it. float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of
-   1 - occlusion over rows 0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was
-   given. GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), the same for
+   every desc that ssgi_gl_check accepts; the samplers t_ssgi_occluders and t_ssgi_fields are declared in it. float
+   ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
+   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
+   GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -412,14 +395,14 @@ typedef struct ssgi_gl_frame {
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   offscreen[2];    /* surfels: ssgi_surfel_desc.offscreen_growth, .keep_small: ssgi_gl_surfels_set */
+    float   keep_small;  /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
     float   near_depth;      /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
                             nearest depth seen, of the last frame, say, saves most of what stands around the eye */
-    float   gap_;
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends (times the lobe's peak): a tenth of what counts as bright */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
+    float   gap_[2];
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
@@ -427,7 +410,7 @@ typedef struct ssgi_gl_frame {
    view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets what surfels are made with: view, desc (but shrink, and frame.radius in place of most) and mesh_to_view as in
+/* Sets what surfels are made with: view, desc (with frame.radius in place of most) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
    tells how many it asks for. */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
@@ -468,7 +451,7 @@ typedef struct ssgi_gl_light {
     float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
                                its normal. least: the distance below which 1/d^2 grows no more */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
-                               when perspective (ssgi_shadow_patch) */
+                               when perspective: 2 tan(angle/2) / texels */
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
                             light's camera: rows */
     float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
@@ -659,7 +642,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fract(vec2(gradient, dot(q, vec2(0.75487767, 0.56984029))) + u_ssgi_phase);\n"
     "}\n"
     "#else\n"
-    "// in [0,1): x turns the directions, y offsets the steps; c and b + 0.5 of ssgi_jitter_tile\n"
+    "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
     "    vec4 j = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0);\n"
@@ -1559,25 +1542,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
     "}\n" },
-{ "SSGI_FIELD_UNIT", __LINE__, "const float SSGI_FIELD_UNIT = 1.0 / 255.0; // #if eight_bits\n"
-    "const float SSGI_FIELD_UNIT = 1.0 / 65535.0; // #if !eight_bits\n" },
 { "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
-    "#if eight_bits\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
     "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
-    "#else\n"
-    "    uvec4 v = texelFetch(t_ssgi_fields, p, 0);\n"
-    "    a += weight * vec4(v.x & 65535u, v.x >> 16, v.y & 65535u, v.y >> 16);\n"
-    "    b += weight * vec4(v.z & 65535u, v.z >> 16, v.w & 65535u, v.w >> 16);\n"
-    "#endif\n"
     "}\n" },
-{ "ssgi_field_fetch", __LINE__, "#if storage == CUBE\n"
-    "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
-    "    a = textureLod(t_ssgi_field, w, 0.0);\n"
-    "    b = textureLod(t_ssgi_field_centre, w, 0.0);\n"
-    "}\n"
-    "#else\n"
+{ "ssgi_field_fetch", __LINE__ + 1,
     "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w);\n"
@@ -1603,31 +1573,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
-    "    a *= SSGI_FIELD_UNIT;\n"
-    "    b *= SSGI_FIELD_UNIT;\n"
-    "}\n"
-    "#endif\n" },
+    "    a *= 1.0 / 255.0;\n"
+    "    b *= 1.0 / 255.0;\n"
+    "}\n" },
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most half of the\n"
-    "// sphere; c: cosine between its axis and the normal\n"
+    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most a hemisphere;\n"
+    "// c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
     "}\n" },
-{ "ssgi_cap_any", __LINE__, "#if cap == TABLE\n"
-    "// the same from a table: h: solid angle / 2 pi; coordinates hit texel centres\n"
-    "float ssgi_cap_any(float h, float c) {\n"
-    "    float n = float(textureSize(t_ssgi_cap, 0).x);\n"
-    "    return textureLod(t_ssgi_cap, (vec2(h, c + 1.0) * (0.5 * n - 0.5) + 0.5) / n, 0.0).x;\n"
-    "}\n"
-    "#else\n"
-    "// h: solid angle / 2 pi, in [0,2]; what a large cap leaves over is a cap, too\n"
-    "float ssgi_cap_any(float h, float c) {\n"
-    "    float a = ssgi_cap(abs(1.0 - h), h * (2.0 - h), h > 1.0 ? -c : c);\n"
-    "    return h > 1.0 ? 1.0 - a : a;\n"
-    "}\n"
-    "#endif\n" },
 { "ssgi_field_at", __LINE__ + 1,
     "// where a point is about the occluder: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
     "// to_field on\n"
@@ -1649,15 +1605,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
     "    float c = dot(axis, normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n))));\n"
-    "#if measure == SOLID_ANGLE\n"
-    "    float A = ssgi_cap_any(0.159154943 / max(q, 0.0795774715), c);\n"
-    "#else\n"
     "    // the cap of this vector irradiance, and the share of it that is covered\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
-    "    float A = fill * ssgi_cap_any(S / (1.0 + sqrt(max(1.0 - S, 0.0))), c); // #if cap == TABLE\n"
-    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c); // #if cap != TABLE\n"
-    "#endif\n"
+    "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
@@ -1757,10 +1708,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float area = whole / float(n * n), aside = ssgi_outside(middle);\n"
     "    float extent = max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle)));\n"
     "    empty = empty || aside - extent > u_ssgi_radius;\n"
-    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_offscreen.x * aside;\n"
+    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
-    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_offscreen.y > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
     "    int alive = 0; // of a small triangle's three points: others stand for the rest\n"
     "    for (int i = 0; i < 3; ++i)\n"
     "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
@@ -1795,9 +1746,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "patch in vec4 v_ssgi_patch;\n"
     "void main() {\n"
     "    vec3 w = gl_TessCoord, P = v_ssgi_corner[0] * w.x + v_ssgi_corner[1] * w.y + v_ssgi_corner[2] * w.z;\n"
-    "    vec3 u = v_ssgi_corner[1] - v_ssgi_corner[0], v = v_ssgi_corner[2] - v_ssgi_corner[0];\n"
+    "    vec3 flat_ = normalize(cross(v_ssgi_corner[1] - v_ssgi_corner[0], v_ssgi_corner[2] - v_ssgi_corner[0]));\n"
     "    vec3 n = v_ssgi_facing[0] * w.x + v_ssgi_facing[1] * w.y + v_ssgi_facing[2] * w.z;\n"
-    "    vec3 flat_ = normalize(cross(u, v));\n"
     "    vec3 colour = v_ssgi_tint[0] * w.x + v_ssgi_tint[1] * w.y + v_ssgi_tint[2] * w.z;\n"
     "    n = dot(n, n) > 0.0 ? normalize(n) : flat_ * sign(determinant(mat3(u_ssgi_mesh)));\n"
     "    // which point of the tessellator's rings this is: the same number on every machine\n"
@@ -1805,11 +1755,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
-    "    uint h2 = ssgi_hash(h);\n"
-    "    u = normalize(u);\n"
-    "    float away = (1.0 - u_ssgi_surfel.z) * v_ssgi_patch.x * sqrt(float(h2 >> 16) / 65536.0);\n"
-    "    float angle = 6.28318531 * float(h2 & 65535u) / 65536.0;\n"
-    "    P += away * (cos(angle) * u + sin(angle) * cross(flat_, u));\n"
     "#if sends == LIGHTS\n"
     "    colour *= ssgi_surfel_light(P, n);\n"
     "#elif sends == CUSTOM\n"
@@ -1888,14 +1833,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // hashed, not in turn\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 from = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
-    "#if scale_radius\n"
-    "    // a pixel meets one surfel of that many, as large as they [DSS14 3.2]\n"
-    "    v_ssgi_at = vec4(at.xyz, at.w * at.w * block * block);\n"
-    "    v_ssgi_turned = vec4(turned.xyz, 1.0);\n"
-    "#else\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n"
-    "#endif\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n"
@@ -2021,10 +1960,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_once", __LINE__, "// ratio of the union of form factors to their sum\n"
+{ "ssgi_once", __LINE__, "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
     "float ssgi_once(float form) {\n"
-    "    return 1.0 / max(form, 1.0); // #if overlap == ADD\n"
-    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0; // #if overlap != ADD\n"
+    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n" },
 { "main_sum", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -2213,10 +2151,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(lambda, "float", "per radius"),
     SSGI_GL__P(rotation, "mat3", "world to view"),
     SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
-    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; stillness; splits"),
+    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
     SSGI_GL__P(mesh, "mat4", "mesh to view"),
     SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
-    SSGI_GL__P(offscreen, "vec2", "radii per distance; 1: no triangle stands for others"),
+    SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
     SSGI_GL__P(near_depth, "float", "view units"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
@@ -2231,7 +2169,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("normal", 1, "!receiver", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
     SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
-    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: ssgi_jitter_tile"),
+    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
     SSGI_GL__T("views", 4, NULL, "sampler2DArray", "hardware depth, slice camera * view_layers + layer, NEAREST"),
     SSGI_GL__T("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
     SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
@@ -2247,11 +2185,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
     SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
     SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__T("fields", 4, "!eight_bits", "usampler2DArray", "RGBA32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("fields", 4, "eight_bits", "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("field", 5, NULL, "samplerCube", "RGBA16 or RGBA8, LINEAR, seamless: ssgi_field_cube, distance"),
-    SSGI_GL__T("field_centre", 6, NULL, "samplerCube", "the same: ssgi_field_cube, centre"),
-    SSGI_GL__T("cap", 7, NULL, "sampler2D", "R16F or R32F, LINEAR, CLAMP_TO_EDGE: ssgi_cap_table"),
+    SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
     SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao or hsao wrote"),
@@ -2372,15 +2306,11 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__B(shaded), SSGI_GL__B(residual),
     SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
     SSGI_GL__B(lights), SSGI_GL__B(albedo),
-    SSGI_GL__E(storage, SSGI_GL_STORAGE_CUBE, "SSGI_GL_STORAGE", "ATLAS CUBE"),
-    SSGI_GL__E(measure, SSGI_FIELD_SOLID_ANGLE, "SSGI_FIELD", "VECTOR SOLID_ANGLE"), SSGI_GL__B(eight_bits),
-    SSGI_GL__E(cap, SSGI_GL_CAP_TABLE, "SSGI_GL_CAP", "CLOSED TABLE"),
     SSGI_GL__E(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS", "NONE TEXTURE CUSTOM"),
     SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
     SSGI_GL__E(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS", "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__B(scale_radius), SSGI_GL__I(near_samples, 16, "0..16"),
-    SSGI_GL__E(overlap, SSGI_GL_OVERLAP_ADD, "SSGI_GL_OVERLAP", "SHARE ADD"), SSGI_GL__B(axis),
+    SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
     SSGI_GL__B(filter_normals)
@@ -2911,7 +2841,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
     if (dialect->es)
         ssgi_gl__print(t, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                          "precision highp sampler2DArray;\nprecision highp samplerCube;\nprecision highp usampler2D;\n"
+                          "precision highp sampler2DArray;\nprecision highp usampler2D;\n"
                           "precision highp usampler2DArray;\n");
     for (i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
@@ -2944,40 +2874,6 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return ssgi_gl__end(&t);
 }
 
-/* The product's terms: integrals of three basis functions each, by a quadrature that is exact to degree 9. */
-static void ssgi_gl__print_product(ssgi_gl__text *t, int bands)
-{
-    static const char lane[16][4] = { "a.x", "a.y", "a.z", "a.w", "b.x", "b.y", "b.z", "b.w",
-                                      "c.x", "c.y", "c.z", "c.w", "d.x", "d.y", "d.z", "d.w" };
-    static const double gauss[5][2] = { { 0.0, 0.568888888888889 }, { 0.538469310105683, 0.478628670499366 },
-        { -0.538469310105683, 0.478628670499366 }, { 0.906179845938664, 0.236926885056189 },
-        { -0.906179845938664, 0.236926885056189 } };
-    const int n = bands * bands;
-    float basis[50][16];
-    int i, j, k, node;
-    for (i = 0; i < 50; ++i) {
-        const double z = gauss[i / 10][0], r = sqrt(1.0 - z * z), turn = 0.62831853071795865 * (i % 10);
-        const float d[3] = { (float)(r * cos(turn)), (float)(r * sin(turn)), (float)z };
-        ssgi_sh_basis(basis[i], bands, d);
-    }
-    ssgi_gl__print(t, "\n// the product of two functions, as far as these bands hold it\n"
-                      "ssgi_sh ssgi_sh_product(ssgi_sh x, ssgi_sh y) {\n"
-                      "    ssgi_sh p = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n    float q;\n");
-    for (i = 0; i < n; ++i)
-        for (j = i; j < n; ++j) {
-            ssgi_gl__print(t, "    q = x.%s * y.%s", lane[i], lane[j]);
-            ssgi_gl__print(t, i == j ? ";\n" : " + x.%s * y.%s;\n", lane[j], lane[i]);
-            for (k = 0; k < n; ++k) {
-                double sum = 0.0;
-                for (node = 0; node < 50; ++node)
-                    sum += 0.62831853071795865 * gauss[node / 10][1] * (double)basis[node][i] * (double)basis[node][j]
-                         * (double)basis[node][k];
-                if (sum > 1e-5 || sum < -1e-5) ssgi_gl__print(t, "    p.%s += q * %f;\n", lane[k], sum);
-            }
-        }
-    ssgi_gl__print(t, "    return p;\n}\n");
-}
-
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
 {
     ssgi_gl_desc d;
@@ -2988,7 +2884,6 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     d.bands = bands;
     ssgi_gl__link(&stage, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
     ssgi_gl__print_codes(&t, &stage, &d);
-    ssgi_gl__print_product(&t, bands);
     return ssgi_gl__end(&t);
 }
 
@@ -3080,18 +2975,18 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why)
 {
-    float scale[4], offscreen[2];
+    float scale[4];
     int size[2], i;
     ssgi_result r;
     if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
     for (i = 0; mesh_to_view && i < 16; ++i)
         if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR))
             return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    r = ssgi_surfel_scale(scale, offscreen, desc, view, why);
+    r = ssgi_surfel_scale(scale, desc, view, why);
     if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
     if (r != SSGI_OK) return r;
     memcpy(frame->surfel, scale, sizeof scale);
-    memcpy(frame->offscreen, offscreen, sizeof offscreen);
+    frame->keep_small = (float)desc->keep_small;
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
     return SSGI_OK;

@@ -104,19 +104,13 @@ static const entry deep_figure8[] = {
     DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
 };
 static const entry deep_choices[] = { DSS("defaults", COARSE, 1),
-                                      DSS("enlarged, not weighted", COARSE ",scale_radius=1", 1),
                                       DSS("weighted, epsilon 0.02", COARSE ",epsilon=0.02", 0),
-                                      DSS("enlarged, epsilon 0.02", COARSE ",epsilon=0.02,scale_radius=1", 0),
-                                      DSS("form factors added", COARSE ",overlap=add", 1),
                                       DSS("every triangle", COARSE ",keep_small=1", 0),
-                                      DSS("every triangle, added", COARSE ",keep_small=1,overlap=add", 0),
                                       DSS("aside: as published", COARSE ",offscreen_growth=0", 0),
                                       DSS("front: the near plane", COARSE ",near_depth=0", 0),
                                       DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
                                       DSS("no smoothing", COARSE ",smooth=0", 0),
                                       DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),
-                                      DSS("jittered", COARSE ",jitter=1", 0),
-                                      DSS("toward the centroid", COARSE ",shrink=centroid", 0),
                                       DSS("by tessellation", COARSE ",way=capture", 0),
                                       DSS("by geometry shader", COARSE ",way=direct", 0) };
 static const entry deep_lights[] = { { "dss-lit", "dss-lit", COARSE, 1 },

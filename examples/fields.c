@@ -1,5 +1,5 @@
-/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution, measure and bits
-   buy, what occluders cost, what bakes take, how two occluders add up. Declared in report.h. */
+/* fields.c - what report.c shows of ambient occlusion fields: pictures for the demo; what resolution buys, what
+   occluders cost, what bakes take, how two occluders add up. Declared in report.h. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
@@ -76,32 +76,21 @@ static const char *const field_demo_title = "Ambient occlusion fields";
 enum { FIELD_PARTS = COUNT(field_parts),
     FIELD_DEMO_ROWS = 2 * COUNT(moving_entries) + COUNT(pedestal_entries) + COUNT(sunk_entries) };
 
-#define ANGLE "measure=solid-angle,resolution="
-#define EIGHT "bits=8,resolution="
 static const entry field_entries[] = { /* rows of one label make one curve */
-                                       AOF("vector", "resolution=4", 1),
-                                       AOF("vector", "resolution=8", 1),
-                                       AOF("vector", "resolution=16", 1),
-                                       AOF("vector", "resolution=32", 0),
-                                       AOF("solid angle", ANGLE "4", 1),
-                                       AOF("solid angle", ANGLE "8", 1),
-                                       AOF("solid angle", ANGLE "16", 0),
-                                       AOF("vector, 8 bits", EIGHT "4", 0),
-                                       AOF("vector, 8 bits", EIGHT "8", 0),
-                                       AOF("vector, 8 bits", EIGHT "16", 0),
-                                       AOF("solid angle, 8 bits", EIGHT "8,measure=solid-angle", 0)
+                                       AOF("field", "resolution=4", 1), AOF("field", "resolution=8", 1),
+                                       AOF("field", "resolution=16", 1), AOF("field", "resolution=32", 0)
 };
 /* most: texels along a side */
-typedef struct field_scene { const char *title; setup setup; int most; const char *curve[2]; } field_scene;
+typedef struct field_scene { const char *title; setup setup; int most; const char *curve; } field_scene;
 static const field_scene field_scenes[] = {
     { "Ball on a ground",
       { CLOSE("ball-on-ground"), { { "ball", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 },
       32,
-      { "ball, vector", "ball, solid angle" } },
+      "ball" },
     { "Cube on a ground",
       { CLOSE("cube-on-ground"), { { "cube", 1, { 0, 0.501f, 0 } } }, NO_BOXES, 0, 2048 },
       32,
-      { "cube, vector", "cube, solid angle" } },
+      "cube" },
     { "Bunny on a floor",
       { { "bunny-on-floor", BUNNY, 1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0, NULL },
         NO_SPOTS,
@@ -109,8 +98,8 @@ static const field_scene field_scenes[] = {
         0,
         1024 },
       32,
-      { "bunny, vector", "bunny, solid angle" } },
-    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, { NULL, NULL } }
+      "bunny" },
+    { "Two dozen occluders", { WHOLE("casters", "casters"), NO_SPOTS, NO_BOXES, 0, 512 }, 16, NULL }
 };
 
 /* occluders: so many objects from the scene's first on that are no ground; 0: as the scene has it; -1: a cube with the
@@ -127,15 +116,8 @@ static const cost of_occluders[] = { { "1 occluder", "", 1, 0, 1 },
                                      { "10 occluders", "", 10, 0, 1 },
                                      { "24 occluders", "", 24, 0, 1 },
                                      { "24 occluders", "draw=each", 24, 0, 0 },
-                                     { "24 occluders", "storage=cube", 24, 0, 0 },
-                                     { "24 occluders", "cap=table", 24, 0, 0 },
                                      { "100 occluders", "", 100, 0, 1 },
                                      { "100 occluders", "draw=each", 100, 0, 1 },
-                                     { "100 occluders", "storage=cube", 100, 0, 1 },
-                                     { "100 occluders", "cap=table", 100, 0, 1 },
-                                     { "100 occluders", "storage=cube,cap=table", 100, 0, 0 },
-                                     { "100 occluders", "bits=8", 100, 0, 0 },
-                                     { "100 occluders", "measure=solid-angle", 100, 0, 0 },
                                      { "100 occluders", "reach=4", 100, 0, 0 } };
 static const struct { setup setup; const cost *costs; int count;
 } cost_sets[] = {
@@ -152,27 +134,23 @@ static const struct { setup setup; const cost *costs; int count;
 
 /* triangles: of a lumpy ball; 0: the label's first word names the shape. threads: 0 = one a core. */
 typedef struct bake { const char *label, *settings; int triangles, threads, quick; } bake;
-static const bake bakes[] = { { "lumpy ball", "", 1000, 0, 1 },
-                              { "lumpy ball", "", 10000, 0, 1 },
-                              { "lumpy ball", "", 100000, 0, 0 },
-                              { "lumpy ball", "", 1000000, 0, 0 },
-                              { "lumpy ball", "", 10000, 1, 0 },
-                              { "lumpy ball", "", 1000000, 1, 0 },
-                              { "lumpy ball", "resolution=4", 10000, 0, 0 },
-                              { "lumpy ball", "resolution=8", 10000, 0, 1 },
-                              { "lumpy ball", "resolution=32", 10000, 0, 0 },
-                              { "lumpy ball", "rays=32", 10000, 0, 1 },
-                              { "lumpy ball", "rays=64", 10000, 0, 0 },
-                              { "lumpy ball", "rays=128", 10000, 0, 0 },
-                              { "lumpy ball", "rays=256", 10000, 0, 0 },
-                              { "bunny", "", 0, 1, 0 },
-                              { "bunny", "", 0, 0, 1 },
-                              { "bunny, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 },
-                              { "bunny, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 },
-                              { "bunny, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 },
-                              { "cube, error within 0.05", "resolution=16,error=0.05", 0, 0, 0 },
-                              { "cube, error within 0.03", "resolution=16,error=0.03", 0, 0, 0 },
-                              { "cube, error within 0.02", "resolution=16,error=0.02", 0, 0, 0 } };
+static const bake bakes[] = {
+    { "lumpy ball", "", 1000, 0, 1 },
+    { "lumpy ball", "", 10000, 0, 1 },
+    { "lumpy ball", "", 100000, 0, 0 },
+    { "lumpy ball", "", 1000000, 0, 0 },
+    { "lumpy ball", "", 10000, 1, 0 },
+    { "lumpy ball", "", 1000000, 1, 0 },
+    { "lumpy ball", "resolution=4", 10000, 0, 0 },
+    { "lumpy ball", "resolution=8", 10000, 0, 1 },
+    { "lumpy ball", "resolution=32", 10000, 0, 0 },
+    { "lumpy ball", "rays=32", 10000, 0, 1 },
+    { "lumpy ball", "rays=64", 10000, 0, 0 },
+    { "lumpy ball", "rays=128", 10000, 0, 0 },
+    { "lumpy ball", "rays=256", 10000, 0, 0 },
+    { "bunny", "", 0, 1, 0 },
+    { "bunny", "", 0, 0, 1 },
+};
 
 static const struct { const char *label[2]; setup setup;
 } pairs[] = { { { "balls, each traced", "balls, each by its field" },
@@ -298,7 +276,7 @@ static int baked(row *r, const kit_mesh *shape, const ssgi_field_desc *d, kit_er
     r->figure[RADII] = f->radii;
     r->figure[BAKE_RAYS] = d->rays;
     r->figure[WORK] = fmax(r->figure[WORK], 1e-6 * (double)ssgi_field_bake_size(d, shape->triangles));
-    r->figure[BYTES] = fmax(r->figure[BYTES], 0) + 1e-3 * (double)ssgi_field_size(f->resolution, f->bits);
+    r->figure[BYTES] = fmax(r->figure[BYTES], 0) + 1e-3 * (double)ssgi_field_size(f->resolution);
     r->figure[SECONDS] = fmax(r->figure[SECONDS], 0) + seconds;
     r->figure[BAKED_MEDIAN] = fmax(r->figure[BAKED_MEDIAN], (double)f->median);
     r->figure[BAKED_P95] = fmax(r->figure[BAKED_P95], (double)f->p95);
@@ -457,9 +435,9 @@ static int accuracy_of(FILE *html, const field_scene *f, const options *o, row *
 static void curve_of(row *curve, int *points, const field_scene *f, const row *rows, int count)
 {
     for (int i = 0; i + 1 < count; ++i) {                       /* the last is no field's */
-        if (!f->curve[0] || strstr(rows[i].label, "bits")) continue;
+        if (!f->curve) continue;
         curve[*points] = rows[i];
-        curve[*points].label = f->curve[!!strcmp(rows[i].label, "vector")];
+        curve[*points].label = f->curve;
         curve[*points].relative = rows[i].figure[BYTES];
         curve[*points].fetches = rows[i].figure[RESOLUTION];
         curve[(*points)++].share = 100 * rows[i].score.rmse;

@@ -246,9 +246,9 @@ static const struct { const char *file, *scene, *label, *title, *about; } titles
       "Two points a direction, no bounce, no filter. Bias error: of the mean over 8 phases of the noise; noise: "
       "deviation over them. "
       "Hue in shade:\nmean angle of rgb to the truth's, degrees, where blockers keep off 5 % of the light or more." },
-    { "aof", "ball-on-ground", "vector", "What resolution buys: a ball on a ground", "" },
-    { "aof", "cube-on-ground", "vector", "What resolution buys: a cube on a ground", "" },
-    { "aof", "bunny-on-floor", "vector", "What resolution buys: the bunny on a floor", "" },
+    { "aof", "ball-on-ground", "field", "What resolution buys: a ball on a ground", "" },
+    { "aof", "cube-on-ground", "field", "What resolution buys: a cube on a ground", "" },
+    { "aof", "bunny-on-floor", "field", "What resolution buys: the bunny on a floor", "" },
     { "aof", "casters", "", "What resolution buys: two dozen occluders on a ground and on each other", "" },
     { "aof", "bunny-on-floor", "bunny, 69", "What occluders cost a frame",
       "The pass alone, which needs no filter. Covered: pixels within an occluder's reach over the picture's, summed "
@@ -566,7 +566,7 @@ static const char once[] =
     "  leaves out 0.99; RMSE 0.21 and 0.16 of its mean, with 256 of them 0.11\n"
     "- suns whose shadows are longer than the radius, `boxes`, 320x180: irradiance errs by 0.26 as harmonics, by\n"
     "  0.04 with `lights=shadowed`\n"
-    "- a ball that rests on a plane, `aof`: within 0.006 of the closed form; by solid angle, as published, 0.041\n"
+    "- a ball that rests on a plane, `aof`: within 0.006 of the closed form\n"
     "- `aof`: 95 % of receivers within 0.13 for a sheet, 0.08 for a torus\n"
     "- `dss` where the picture shows nothing (`make demo`, 320x180, `size` 0.03), error beside `hsao`'s: off\n"
     "  screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339\n"

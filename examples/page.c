@@ -642,9 +642,7 @@ void field_terms(FILE *f)
           "any distance; occluders do not shade themselves. Its truth: rays that are blocked by all occluders but the "
           "one "
           "that the pixel shows, at any distance; the fields end at eight radii of an occluder's bounding sphere. "
-          "Errors are of occlusion, over the pixels that show something else than the only occluder.\n"
-          "<dt>vector, solid angle<dd>What a field keeps of the occluder: its vector irradiance and how full its cap "
-          "is, or its solid angle as published.\n</dl>\n",
+          "Errors are of occlusion, over the pixels that show something else than the only occluder.\n</dl>\n",
           f);
 }
 

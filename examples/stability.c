@@ -487,11 +487,10 @@ static int ringing_in_shade(result *r, kit_error *err) { return ringing(r, 1, er
    table's size adds to it. Worst error, largest step. */
 static int through(result *r, int steps, kit_error *err)
 {
-    static const struct { const char *label, *settings; float inside, power;
-    } kept[] = { { "vector", "", -1, 1 },
-                 { "solid angle", "measure=solid-angle", -1, 1 },
-                 { "A_0 = 1, p = 2", "", 1, 2 },
-                 { "A_0 = 0", "", 0, 1 } };
+    static const struct {
+        const char *label;
+        float inside, power;
+    } kept[] = { { "as measured", -1, 1 }, { "A_0 = 1, p = 2", 1, 2 }, { "A_0 = 0", 0, 1 } };
     enum { RAYS = 1024 };
     const float up[3] = { 0, 1, 0 };
     const char *why = "";
@@ -517,7 +516,7 @@ static int through(result *r, int steps, kit_error *err)
         double last = 0;
         if (m) {
             kit_method made;
-            if (kit_method_find(&made, "aof", err) || kit_method_set(&made, kept[m - 1].settings, err)) return -1;
+            if (kit_method_find(&made, "aof", err)) return -1;
             const ssgi_field_desc d = kit_method_field(&made);
             f = kit_field(table, &d, NULL, err);
             if (!f) return -1;

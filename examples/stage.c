@@ -54,12 +54,12 @@ int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err)
     const otherwise *l = &s->otherwise;
     const int attenuation = l->hard ? KIT_ATTENUATION_NONE : KIT_ATTENUATION_LINEAR;
     ssgi_dipole dipole;
-    const ssgi_material *m;
+    const kit_material *m;
     if (l->kind == GLOSS)
         return kit_truth_gloss(out, &s->scene, &s->gbuffer.camera, &s->traced, s->radius, attenuation,
                                (double)l->exponent, rays, stride, err);
     if (l->kind == SCATTER) {
-        for (int i = 0; (m = ssgi_material_of(i)) && strcmp(m->name, l->material);) ++i;
+        for (int i = 0; (m = kit_material_of(i)) && strcmp(m->name, l->material);) ++i;
         if (!m || ssgi_dipole_set(&dipole, m->sigma_s, m->sigma_a, m->eta, NULL) != SSGI_OK)
             return kit_fail(err, "%s: there is no such material", l->material);
         return kit_truth_scatter(out, &s->scene, &s->gbuffer.camera, &s->traced, &dipole, l->unit, 1000 * (size_t)rays,

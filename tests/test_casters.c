@@ -31,17 +31,14 @@ static void placed(float m[16], float angle, float scale, float x, float y, floa
 /* ---- the functions of ssgi_gl_field against their twins ---------------------------------------------------------- */
 
 /* What an expression is at POINTS points, given as two vec4 a point, with the functions of desc. textures:
-   t_ssgi_occluders, _fields, _field, _field_centre, _cap. 0 on failure. */
+   t_ssgi_occluders, _fields. 0 on failure. */
 static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expression, const float *first,
-                     const float *second, const GLuint textures[5])
+                     const float *second, const GLuint textures[2])
 {
-    static const char *const names[7] = { "t_ssgi_occluders", "t_ssgi_fields", "t_ssgi_field", "t_ssgi_field_centre",
-                                          "t_ssgi_cap",       "u_first",       "u_second" };
-    static const GLenum kinds[7] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_CUBE_MAP,
-                                     GL_TEXTURE_2D, GL_TEXTURE_2D,       GL_TEXTURE_2D };
+    static const char *const names[4] = { "t_ssgi_occluders", "t_ssgi_fields", "u_first", "u_second" };
+    static const GLenum kinds[4] = { GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_2D, GL_TEXTURE_2D };
     static char text[20000];
-    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program,
-                        unit[7] = { textures[0], textures[1], textures[2], textures[3], textures[4] };
+    GLuint framebuffer, target = kit_texture(64, 64, GL_RGBA32F, NULL), program, unit[4] = { textures[0], textures[1] };
     size_t n = ssgi_gl_field(text, sizeof text, desc);
     int ok;
     snprintf(text + n, sizeof text - n,
@@ -54,20 +51,20 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
                                "float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0); }\n",
                                text, &err);
     if (!CHECK(program != 0, "%s", err.text)) return 0;
-    unit[5] = kit_texture(64, 64, GL_RGBA32F, first);
-    unit[6] = kit_texture(64, 64, GL_RGBA32F, second);
+    unit[2] = kit_texture(64, 64, GL_RGBA32F, first);
+    unit[3] = kit_texture(64, 64, GL_RGBA32F, second);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
     glViewport(0, 0, 64, 64);
     glUseProgram(program);
-    for (GLint k = 0; k < 7; ++k) {
+    for (GLint k = 0; k < 4; ++k) {
         glActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(kinds[k], unit[k]);
         glUniform1i(glGetUniformLocation(program, names[k]), k);
     }
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    for (GLint k = 6; k >= 0; --k) {
+    for (GLint k = 3; k >= 0; --k) {
         glActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(kinds[k], 0);
     }
@@ -78,45 +75,27 @@ static int evaluated(float *out, const ssgi_gl_desc *desc, const char *expressio
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteProgram(program);
-    glDeleteTextures(2, unit + 5);
+    glDeleteTextures(2, unit + 2);
     glDeleteTextures(1, &target);
     return ok;
-}
-
-static GLuint table_of(int size)
-{
-    float *table = malloc((size_t)size * (size_t)size * sizeof *table);
-    GLuint texture;
-    ssgi_cap_table(table, size, NULL);
-    texture = kit_texture(size, size, GL_R32F, table);
-    free(table);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    kit_texture_linear(GL_TEXTURE_2D);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    return texture;
 }
 
 static void caps(void)
 {
     static float at[4 * POINTS], out[POINTS];
-    ssgi_gl_desc d = { .pass = SSGI_GL_FIELD, .measure = SSGI_FIELD_SOLID_ANGLE };
-    GLuint textures[5] = { 0, 0, 0, 0, table_of(64) };
-    double worst[2] = { 0, 0 };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD };
+    const GLuint none[2] = { 0, 0 };
+    double worst = 0;
     for (int i = 0; i < POINTS; ++i) {         /* a grid with both ends, and small caps */
-        at[4 * i] = i % 64 < 56 ? (float)(i % 64) / 27.5f : powf(10, (float)(55 - i % 64));
+        at[4 * i] = i % 64 < 56 ? (float)(i % 64) / 55 : powf(10, (float)(55 - i % 64));
         at[4 * i + 1] = 2 * (float)(i / 64) / 63 - 1;
     }
-    for (int k = 0; k < 2; ++k) {
-        d.cap = k ? SSGI_GL_CAP_TABLE : SSGI_GL_CAP_CLOSED;
-        if (!evaluated(out, &d, "ssgi_cap_any(a.x, a.y)", at, at, textures)) return;
-        for (int i = 0; i < POINTS; ++i)
-            worst[k] = fmax(worst[k], fabs((double)out[i]
-                                           - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
-    }
-    CHECK(worst[0] < 1e-5, "the closed form is off by %.2g", worst[0]);
-    CHECK(worst[1] < 1.7e-3, "the table of 64 x 64 is off by %.2g", worst[1]);
-    t_note("closed form off by at most %.1e, table of 64 x 64 by %.1e", worst[0], worst[1]);
-    glDeleteTextures(1, &textures[4]);
+    if (!evaluated(out, &d, "ssgi_cap(1.0 - a.x, a.x * (2.0 - a.x), a.y)", at, at, none)) return;
+    for (int i = 0; i < POINTS; ++i)
+        worst =
+            fmax(worst, fabs((double)out[i] - (double)ssgi_cap_occlusionf(2 * (float)pi * at[4 * i], at[4 * i + 1])));
+    CHECK(worst < 1e-5, "off by %.2g", worst);
+    t_note("off by at most %.1e", worst);
 }
 
 static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const kit_camera *camera)
@@ -125,9 +104,9 @@ static int scene_of(kit_scene *scene, kit_gbuffer *g, const char *name, const ki
 }
 
 /* The field of a built-in scene's object. */
-static const ssgi_field *field_of(const kit_scene *scene, int object, int measure, int bits, int resolution)
+static const ssgi_field *field_of(const kit_scene *scene, int object, int resolution)
 {
-    const ssgi_field_desc d = { .resolution = resolution, .radii = 8, .rays = 64, .measure = measure, .bits = bits };
+    const ssgi_field_desc d = { .resolution = resolution, .radii = 8, .rays = 64 };
     const ssgi_field *f = kit_field(&scene->shape[scene->object[object].shape], &d, NULL, &err);
     CHECK(f != NULL, "%s", err.text);
     return f;
@@ -135,24 +114,14 @@ static const ssgi_field *field_of(const kit_scene *scene, int object, int measur
 
 static void same_as_on_the_cpu(void)
 {
-    static const struct {
-        int storage, measure, bits, cap;
-        double limit;
-    } row[] = { { 0, 0, 16, 0, 2e-5 }, { 0, 1, 8, 0, 2e-5 },  { 0, 0, 8, 1, 2e-3 },
-                { 0, 1, 16, 1, 2e-3 }, { 1, 0, 16, 0, 2e-2 }, { 1, 1, 8, 0, 2e-2 } };
     static float first[4 * POINTS], second[4 * POINTS], out[POINTS], expected[POINTS];
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
-    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
-        const ssgi_field *f[2] = { field_of(&scene, 3 + m, row[m].measure, row[m].bits, 8),
-                                   field_of(&scene, 12, row[m].measure, row[m].bits, 5) };
-        ssgi_gl_desc d = { .pass = SSGI_GL_FIELD,
-                           .storage = row[m].storage,
-                           .measure = row[m].measure,
-                           .eight_bits = row[m].bits == 8,
-                           .cap = row[m].cap };
+    for (int m = 0; m < 4; ++m) {
+        const ssgi_field *f[2] = { field_of(&scene, 3 + m, 8), field_of(&scene, 12, 5) };
+        const ssgi_gl_desc d = { .pass = SSGI_GL_FIELD };
         ssgi_gl_occluder occluder[2];
-        GLuint textures[5] = { 0 };
+        GLuint textures[2];
         float to[2][16];
         double worst = 0, sum = 0;
         const char *why = "";
@@ -174,7 +143,7 @@ static void same_as_on_the_cpu(void)
             for (int k = 0; k < 3; ++k) { first[4 * i + k] = occluder[0].at[k] + r * p[k]; second[4 * i + k] = n[k]; }
             first[4 * i + 3] = second[4 * i + 3] = 0;
             expected[i] = 1;
-            for (int c = 0; c < (row[m].storage ? 1 : 2); ++c) {
+            for (int c = 0; c < 2; ++c) {
                 ssgi_field_limits l = { occluder[c].ramp, occluder[c].reach, occluder[c].inside, occluder[c].power };
                 const float square = to[c][0] * to[c][0] + to[c][1] * to[c][1] + to[c][2] * to[c][2];
                 float q[3] = { 0 }, turned[3] = { 0 };
@@ -188,21 +157,13 @@ static void same_as_on_the_cpu(void)
         }
         textures[0] = kit_texture(10, 2, GL_RGBA32F, occluder[0].at);
         textures[1] = kit_field_atlas(f, 2);
-        if (row[m].storage) CHECK(kit_field_cubes(&textures[2], f[0]), "no cube maps");
-        textures[4] = table_of(64);
-        if (!evaluated(out, &d,
-                       row[m].storage ? "ssgi_field_visibility(1, 0, a.xyz, b.xyz)"
-                                      : "ssgi_field_visibility(2, 0, a.xyz, b.xyz)",
-                       first, second, textures))
-            return;
+        if (!evaluated(out, &d, "ssgi_field_visibility(2, 0, a.xyz, b.xyz)", first, second, textures)) return;
         for (int i = 0; i < POINTS; ++i) {
             worst = fmax(worst, fabs((double)out[i] - (double)expected[i]));
             sum += (double)expected[i] / POINTS;
         }
-        CHECK(worst < row[m].limit && sum < 0.95, "storage %d measure %d bits %d cap %d: off by %.2g, mean %.3f",
-              row[m].storage, row[m].measure, row[m].bits, row[m].cap, worst, sum);
-        t_note("%s of %d bits, %s, %s: off by %.1e at most", row[m].storage ? "cube" : "atlas", row[m].bits,
-               row[m].measure ? "solid angle" : "vector", row[m].cap ? "table" : "closed form", worst);
+        CHECK(worst < 2e-5 && sum < 0.95, "%d: off by %.2g, mean %.3f", m, worst, sum);
+        t_note("off by %.1e at most", worst);
         if (!m) {                              /* an occluder that is the object itself is left out */
             if (!evaluated(out, &d,
                            "abs(ssgi_field_visibility(1, 5, a.xyz, b.xyz) - 1.0) + abs(ssgi_field_visibility(2, 6, "
@@ -211,7 +172,7 @@ static void same_as_on_the_cpu(void)
                 return;
             for (int i = 0; i < POINTS; ++i) CHECK(out[i] < 1e-6f, "own object: off by %g", (double)out[i]);
         }
-        glDeleteTextures(5, textures);
+        glDeleteTextures(2, textures);
     }
     kit_scene_free(&scene);
 }
@@ -243,15 +204,12 @@ static double apart(const kit_image *a, const kit_image *b)
    alone. */
 static void ball_on_a_plane(void)
 {
-    static const struct {
-        const char *set;
-        double limit;
-    } row[] = { { "", 0.012 }, { "measure=solid-angle", 0.05 }, { "draw=each,storage=cube", 0.012 } };
+    static const struct { const char *set; double limit; } row[] = { { "", 0.012 }, { "draw=each", 0.012 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image out;
     if (!scene_of(&scene, &g, "sphere", NULL)) return;
-    for (int m = 0; m < 3; ++m) {
+    for (int m = 0; m < 2; ++m) {
         double worst = 0, sum = 0;
         int plane = 0, own = 0;
         kit_image frame;
@@ -316,7 +274,7 @@ static void what_a_draw_covers(void)
         float *number = malloc((size_t)g.width * (size_t)g.height * sizeof *number);
         kit_camera_matrices(&g.camera, view, projection);
         CHECK(!kit_texture_read(g.object, g.width, g.height, 1, number), "object numbers cannot be read");
-        const ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64, .bits = 16, .reach = 2.5f };
+        const ssgi_field_desc d = { .resolution = 8, .radii = 8, .rays = 64, .reach = 2.5f };
         const ssgi_field *field[SHAPES] = { NULL };
         double off = 0;
         if (!CHECK(scene.shapes <= SHAPES, "%d shapes", scene.shapes)) return;
@@ -368,8 +326,8 @@ static void what_a_draw_covers(void)
     t_note("five cameras, off by %.1e at most", worst);
 }
 
-/* One draw, a draw each, and fields as cube maps give one picture; occluders together lie between the most of them and
-   their sum; a pixel's own object makes no difference to others. */
+/* One draw and a draw each give one picture; occluders together lie between the most of them and their sum; a pixel's
+   own object makes no difference to others. */
 static void combination(void)
 {
     kit_scene scene;
@@ -379,12 +337,9 @@ static void combination(void)
     if (!scene_of(&scene, &g, "boxes", NULL)) return;
     for (int k = 0; k < scene.objects; ++k) scene.object[k].casts = k == 1 || k == 2;
     if (!drawn_aof(&both, &g, &scene, "")) return;
-    for (int s = 0; s < 2; ++s) {
-        if (!drawn_aof(&other, &g, &scene, s ? "storage=cube" : "draw=each")) return;
-        CHECK(apart(&both, &other) < (s ? 1e-2 : 1e-6), "%s differs by %.2g", s ? "storage=cube" : "draw=each",
-              apart(&both, &other));
-        kit_image_free(&other);
-    }
+    if (!drawn_aof(&other, &g, &scene, "draw=each")) return;
+    CHECK(apart(&both, &other) < 1e-6, "a draw each differs by %.2g", apart(&both, &other));
+    kit_image_free(&other);
     for (int s = 0; s < 2; ++s) {
         scene.object[1].casts = s == 0;
         scene.object[2].casts = s == 1;
@@ -408,13 +363,13 @@ static void combination(void)
     kit_scene_free(&scene);
 }
 
-/* Against rays: share of no occlusion's error, and what the published measure and a coarse cube map lose. */
+/* Against rays: share of no occlusion's error, and what a coarse cube map loses. */
 static void against_truth(void)
 {
     static const struct {
         const char *set;
         double share;
-    } row[] = { { "", 0.16 }, { "measure=solid-angle", 0.19 }, { "resolution=4", 0.18 }, { "normal=depth", 0.25 } };
+    } row[] = { { "", 0.16 }, { "resolution=4", 0.18 }, { "normal=depth", 0.25 } };
     kit_scene scene;
     kit_gbuffer g;
     kit_image truth, out, none;
@@ -444,7 +399,7 @@ static void refusals(void)
     ssgi_gl_occluder occluder, was;
     float m[16];
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err))) return;
-    const ssgi_field *f = field_of(&scene, 3, 0, 16, 4);
+    const ssgi_field *f = field_of(&scene, 3, 4);
     const ssgi_field_limits fine = ssgi_field_limits_of(f);
     memset(&was, 0x5a, sizeof was);
     for (int k = 0; k < 14; ++k) {
@@ -481,13 +436,11 @@ static void refusals(void)
 void test_casters(void)
 {
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
-    RUN("the shader's caps are the CPU's: closed form and table", caps);
-    RUN("the shader's fields are the CPU's: atlas and cube maps, both measures, 16 and 8 bits, turned, scaled and "
-        "moved",
-        same_as_on_the_cpu);
+    RUN("the shader's caps are the CPU's", caps);
+    RUN("the shader's fields are the CPU's: turned, scaled and moved", same_as_on_the_cpu);
     RUN("a ball on a plane is its closed form", ball_on_a_plane);
     RUN("a draw covers each occluder's sphere of influence from anywhere", what_a_draw_covers);
-    RUN("occluders combine to between the most and the sum; one draw, a draw each and cube maps agree", combination);
+    RUN("occluders combine to between the most and the sum; one draw and a draw each agree", combination);
     RUN("two dozen occluders against rays", against_truth);
     RUN("an occluder that cannot be set is refused", refusals);
     kit_fields_free();

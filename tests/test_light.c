@@ -654,10 +654,6 @@ static void planes_do_not_shadow_themselves(void)
             wrong += !(fabs(light - 3 * cos(tilt) / pi) < 1e-4);
         }
         kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
-        /* how much farther the plane is half a texel's diagonal down its slope */
-        const double patch = 0.01, deeper = patch * r * tan(tilt),
-                     safe = (double)ssgi_shadow_bias((float)patch, (float)cos(tilt), 1);
-        CHECK(fabs(safe / deeper - 1) < 1e-5, "tilt %g: %g deeper, the bias is %g", tilts[k % 3], deeper, safe);
     }
     CHECK(!wrong && seen > 3 * W * H, "%d pixels of a bare plane, of %d, are in shadow or wrong", wrong, seen);
 }

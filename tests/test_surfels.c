@@ -72,7 +72,8 @@ static ssgi_surfel *surfels_of(size_t *count, const ssgi_surfel_desc *desc, cons
 static double radius_of(const ssgi_view *view, double size, double depth)
 {
     double scale[2];
-    ssgi__surfel_scale(scale, view, size);
+    scale[0] = 0.5 * size * view->height / fabs((double)view->project[1]);
+    scale[1] = (double)ssgi_view_near(view);
     return ssgi__surfel_radius(scale, view->orthographic, depth);
 }
 
@@ -119,10 +120,10 @@ static void points(void)
         int v = 0;
         for (int segments = i; segments > 0 && i < 65; segments -= 2) v += 3 * segments;
         if (i && i < 65 && i % 2 == 0) ++v;
-        CHECK(ssgi_tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
-              ssgi_tess_count(i), v);
+        CHECK(ssgi__tess_count(i) == v && tess_points(uvw, i) == v, "level %d: %d points, %d expected", i,
+              ssgi__tess_count(i), v);
     }
-    CHECK(ssgi_tess_count(64) == 3169 && ssgi_tess_count(1) == 3 && ssgi_tess_count(-1) == 0,
+    CHECK(ssgi__tess_count(64) == 3169 && ssgi__tess_count(1) == 3 && ssgi__tess_count(-1) == 0,
           "the ends of the formula");
     tess_points(uvw, 5);
     for (int k = 0; k < 4; ++k) {
@@ -147,17 +148,17 @@ static void levels(void)
                 { 100, 11 },  { 200, 16 },  { 400, 23 }, { 800, 32 }, { 1600, 46 }, { 3000, 63 }, { 3168, 64 },
                 { 3169, 64 }, { 3170, 64 }, { 1e4, 64 }, { 1e30, 64 } };
     for (int i = 0; i < COUNT(row); ++i)
-        CHECK(ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
-              row[i].discs, ssgi_tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
+        CHECK(ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3) == row[i].level, "%g discs: level %d, %d expected",
+              row[i].discs, ssgi__tess_level(pi * 0.09 * row[i].discs, 0.3), row[i].level);
     /* where the level's even formula is full: floats stand on either side of it */
     for (int i = 1; i <= 64; ++i)
         for (int k = -1; k <= 1; ++k) {
             const float full = (3 * (float)(i + 1) * (float)(i + 1) + 1) / 4,
                         discs = k ? nextafterf(full, k < 0 ? 0.0f : 1e9f) : full;
-            CHECK(ssgi_tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
-                  ssgi_tess_level(pi * (double)discs, 1), i);
+            CHECK(ssgi__tess_level(pi * (double)discs, 1) == i, "%.9g discs: level %d, %d expected", (double)discs,
+                  ssgi__tess_level(pi * (double)discs, 1), i);
         }
-    CHECK(ssgi_tess_level((double)NAN, 1) == 1, "no level for NaN");
+    CHECK(ssgi__tess_level((double)NAN, 1) == 1, "no level for NaN");
 }
 
 /* ---- surfels of triangles ---------------------------------------------------------------------------------------- */
@@ -232,10 +233,7 @@ static void slivers(void)
     ssgi_view view;
     if (!view_of(&view, &c, 0)) return;
     for (int t = 0; t < 10000; ++t) {
-        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()),
-                               .keep_small = 1,
-                               .splits = 1,
-                               .shrink = t % 5 == 4 ? SSGI_SHRINK_CENTROID : SSGI_SHRINK_INCENTRE };
+        ssgi_surfel_desc d = { .size = 0.3f * powf(10, -1.3f * chance()), .keep_small = 1, .splits = 1 };
         float p[9], u[3], v[3], n[3], side[3], across[3], axis[2][3];
         const float high = powf(10, -3 * chance()), apex = 1.5f * chance() - 0.25f;
         direction(axis[0]);
@@ -254,7 +252,7 @@ static void slivers(void)
         if (!s || !CHECK(count >= 3, "%zu surfels", count)) return;
         double perimeter = 0, area = 0;
         int level = 1;
-        while (ssgi_tess_count(level) < (int)count) ++level;
+        while (ssgi__tess_count(level) < (int)count) ++level;
         /* the shrunk corners are the first ring's */
         for (int k = 0; k < 3; ++k) {
             u[k] = s[level].position[k] - s[0].position[k];
@@ -271,7 +269,7 @@ static void slivers(void)
             perimeter += sqrt(dot(side, side));
         }
         const double inner = 2 * area / perimeter, r = (double)s[0].radius;
-        const int fit = r <= 0.75 * inner && d.shrink == SSGI_SHRINK_INCENTRE;
+        const int fit = r <= 0.75 * inner;
         fits += fit;
         for (size_t i = 0; i < count; ++i)
             for (int e = 0; e < 3; ++e) {
@@ -436,9 +434,6 @@ static void form_factors(void)
                                     { 5, 1.5f, -1, 0, 0.009742632f },
                                     { 2, 2, -0.70710678f, -0.70710678f, 0.078567420f },
                                     { 10, 5, -0.89442719f, -0.44721360f, 0.003549313f } };
-    static const struct {
-        double radii, l, ratio;
-    } bias[] = { { 3, 1, 0.769231 }, { 6, 1, 0.925 }, { 12, 3, 0.697115 }, { 7, 1, 0.943396 } };
     const float up[3] = { 0, 0, 1 }, down[3] = { 0, 0, -1 }, origin[3] = { 0, 0, 0 };
     for (int i = 0; i < COUNT(row); ++i) {
         ssgi_surfel s = { .position = { row[i][0], 0, row[i][1] }, .radius = 1, .normal = { row[i][2], 0, row[i][3] } };
@@ -447,15 +442,6 @@ static void form_factors(void)
         CHECK(form_factor(&s, origin, down) == 0, "row %d: from below the horizon", i);
         for (int k = 0; k < 3; ++k) s.normal[k] = -s.normal[k];
         CHECK(form_factor(&s, origin, up) == 0, "row %d: a back brings something", i);
-    }
-    for (int i = 0; i < COUNT(bias); ++i) {                                    /* enlarged in place of weighted */
-        const float wide = (float)pow(2, bias[i].l);
-        const ssgi_surfel s = { .position = { 0, 0, (float)bias[i].radii }, .radius = 1, .normal = { 0, 0, -1 } },
-                          large = { .position = { 0, 0, (float)bias[i].radii },
-                                    .radius = wide,
-                                    .normal = { 0, 0, -1 } };
-        const double ratio = (double)(form_factor(&large, origin, up) / (wide * wide * form_factor(&s, origin, up)));
-        CHECK(fabs(ratio / bias[i].ratio - 1) < 2e-6, "bias %d: %.6f", i, ratio);
     }
 }
 
@@ -627,7 +613,7 @@ static void predictions(void)
     for (int k = 0; k < 2; ++k) {
         kit_scene scene;
         ssgi_view view;
-        ssgi_surfel_cost triangles = { 0 }, surfels;
+        ssgi_surfel_cost triangles = { 0 }, surfels = { 0 };
         const ssgi_surfel_desc d = { .size = 0.03f };
         const ssgi_splat splat = { .epsilon = 0.05f, .levels = 4 };
         float projection[16];
@@ -641,10 +627,13 @@ static void predictions(void)
         ssgi_surfel_source source = source_of(scene.mesh.position, scene.mesh.triangles);
         kit_camera_matrices(&scene.camera, source.to_view, projection);
         ssgi_surfel *s = surfels_of(&n, &d, &view, &source);
-        CHECK(ssgi_surfels_predict(&triangles, &d, &splat, &view, &source, NULL) == SSGI_OK
-                  && ssgi_splat_predict(&surfels, &splat, &view, s, n, NULL) == SSGI_OK && triangles.surfels == n
-                  && surfels.surfels == n && triangles.splits > 0,
+        CHECK(ssgi_surfels_predict(&triangles, &d, &splat, &view, &source, NULL) == SSGI_OK && triangles.surfels == n
+                  && triangles.splits > 0,
               "%s: %zu predicted, %zu made", names[k], triangles.surfels, n);
+        ssgi_splat full;
+        ssgi__splat_open(&full, &splat, &view, NULL);
+        for (size_t i = 0; i < n; ++i)
+            ssgi__splat_pixels(&surfels, &full, &view, s[i].position, (double)s[i].radius, 1, 1);
         for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) {
             if (l >= 4) CHECK(triangles.pixels[l] == 0 && surfels.pixels[l] == 0, "level %d is not drawn", l);
             sum[0] += triangles.pixels[l];
@@ -702,10 +691,10 @@ static void divided(void)
             for (int j = 0; j < 9; ++j)
                 middle[k] += (double)(source.to_view[4 * (j % 3) + k] * v[9 * (j / 3) + j % 3]) / 3;
         }
-        seen += ssgi_view_outside(&view, middle) <= 0;
+        seen += ssgi__view_aside(&view, middle) <= 0;
         if (t + 1 < all) area += 0.5 * fabs(x[0] * z[1] - x[1] * z[0]);
         ssgi_surfels_predict(&cost, &d, &splat, &view, &part, NULL);
-        wants += cost.splits > 8 && ssgi_view_outside(&view, middle) <= 0;
+        wants += cost.splits > 8 && ssgi__view_aside(&view, middle) <= 0;
     }
     CHECK(fabs(area / 4e6 - 1) < 1e-5, "the ground has %.7g of its area", area / 4e6);
     CHECK(wants == 0 && seen > 20, "%d of the %d in the picture still want more parts", wants, seen);
@@ -739,10 +728,10 @@ static void dipoles(void)
     static const double mm[5] = { 0, 0.5, 1, 2, 5 };
     double worst = 0;
     for (int i = 0; i < COUNT(row); ++i) {
-        const ssgi_material *m = NULL;
+        const kit_material *m = NULL;
         ssgi_dipole d;
-        for (int k = 0; ssgi_material_of(k); ++k)
-            if (!strcmp(ssgi_material_of(k)->name, row[i].name)) m = ssgi_material_of(k);
+        for (int k = 0; kit_material_of(k); ++k)
+            if (!strcmp(kit_material_of(k)->name, row[i].name)) m = kit_material_of(k);
         if (!CHECK(m && ssgi_dipole_set(&d, m->sigma_s, m->sigma_a, m->eta, NULL) == SSGI_OK, "no %s", row[i].name))
             return;
         const int c = row[i].channel;
@@ -759,7 +748,7 @@ static void dipoles(void)
         worst = fmax(worst, fabs(sum / row[i].total - 1));
     }
     CHECK(worst < 1e-4, "planes of surfels are off by %.2g", worst);
-    CHECK(!ssgi_material_of(-1) && !ssgi_material_of(12) && ssgi_material_of(11), "materials end elsewhere");
+    CHECK(!kit_material_of(-1) && !kit_material_of(12) && kit_material_of(11), "materials end elsewhere");
     t_note("planes of surfels off by %.1e", worst);
 }
 
@@ -805,7 +794,7 @@ static void refusals(void)
     const kit_camera c = looking_along_z(160, 90, 0);
     ssgi_view view;
     struct {
-        float scale[4], offscreen[2];
+        float scale[4];
         ssgi_surfel_cost cost;
         ssgi_dipole dipole;
         ssgi_surfel out[2];
@@ -825,14 +814,12 @@ static void refusals(void)
         o = was; \
     } while (0)
     /* wherever a desc, a source or a splat is taken */
-    for (int k = 0; k < 14; ++k) {
+    for (int k = 0; k < 12; ++k) {
         static const char *const names[] = { "desc",
                                              "view",
                                              "desc.size",
                                              "desc.size",
-                                             "desc.jitter",
                                              "desc.splits",
-                                             "desc.shrink",
                                              "desc.keep_small",
                                              "desc.offscreen_growth",
                                              "desc.max_distance",
@@ -843,24 +830,22 @@ static void refusals(void)
         ssgi_surfel_desc d = { 0 };
         ssgi_surfel_source source = source_of(p, 1);
         const ssgi_splat splat = { 0 };
-        const ssgi_surfel_source *from = k == 10 ? NULL : &source;
+        const ssgi_surfel_source *from = k == 8 ? NULL : &source;
         const ssgi_view *v = k == 1 ? NULL : &view;
         if (k == 2) d.size = NAN;
         if (k == 3) d.size = 1e-5f;
-        if (k == 4) d.jitter = 1.5f;
-        if (k == 5) d.splits = 33;
-        if (k == 6) d.shrink = 3;
-        if (k == 7) d.keep_small = 2;
-        if (k == 8) d.offscreen_growth = -1;
-        if (k == 9) d.max_distance = INFINITY;
-        if (k == 11) source.position = NULL;
-        if (k == 12) source.normal_stride = 13;
-        if (k == 13) memset(source.to_view, 0, sizeof source.to_view);
+        if (k == 4) d.splits = 33;
+        if (k == 5) d.keep_small = 2;
+        if (k == 6) d.offscreen_growth = -1;
+        if (k == 7) d.max_distance = INFINITY;
+        if (k == 9) source.position = NULL;
+        if (k == 10) source.normal_stride = 13;
+        if (k == 11) memset(source.to_view, 0, sizeof source.to_view);
         const ssgi_surfel_desc *desc = k ? &d : NULL;
         REFUSED(ssgi_surfels(o.out, 2, &o.count, desc, v, from, &why), names[k]);
         REFUSED(ssgi_surfels_predict(&o.cost, desc, &splat, v, from, &why), names[k]);
-        if (k >= 10) continue;
-        REFUSED(ssgi_surfel_scale(o.scale, o.offscreen, desc, v, &why), names[k]);
+        if (k >= 8) continue;
+        REFUSED(ssgi_surfel_scale(o.scale, desc, v, &why), names[k]);
         REFUSED(ssgi_gl_surfels_set(&o.frame, v, desc, 4, NULL, &why), names[k]);
     }
     const ssgi_surfel_desc d = { 0 };
@@ -875,23 +860,20 @@ static void refusals(void)
                                    .max_radiance = k == 4 ? -1.0f : 0,
                                    .near_depth = k == 5 ? INFINITY : 0,
                                    .levels = k == 6 ? 8 : 0 };
-        REFUSED(ssgi_splat_predict(&o.cost, k ? &splat : NULL, k == 1 ? NULL : &view, NULL, 0, &why), names[k]);
         if (k != 1) REFUSED(ssgi_surfels_predict(&o.cost, &d, k ? &splat : NULL, &view, &source, &why), names[k]);
     }
     const ssgi_splat splat = { 0 };
     ssgi_dipole fine;
     ssgi_dipole_set(&fine, s, a, 1.3f, NULL);
-    REFUSED(ssgi_splat_predict(&o.cost, &splat, &view, NULL, 3, &why), "surfels");
-    REFUSED(ssgi_splat_predict(NULL, &splat, &view, NULL, 0, &why), "cost");
     REFUSED(ssgi_surfels_predict(NULL, &d, &splat, &view, &source, &why), "cost");
     REFUSED(ssgi_surfels(o.out, 2, NULL, &d, &view, &source, &why), "count");
     REFUSED(ssgi_surfels(NULL, 2, &o.count, &d, &view, &source, &why), "out");
-    REFUSED(ssgi_surfel_scale(NULL, o.offscreen, &d, &view, &why), "scale");
+    REFUSED(ssgi_surfel_scale(NULL, &d, &view, &why), "scale");
     REFUSED(ssgi_splat_size(NULL, 10, 10, 4, &why), "size");
     REFUSED(ssgi_splat_size(o.size, 0, 10, 4, &why), "width");
     REFUSED(ssgi_splat_size(o.size, 10, 65537, 4, &why), "height");
     REFUSED(ssgi_splat_size(o.size, 10, 10, 8, &why), "levels");
-    REFUSED(ssgi_dipole_set(&o.dipole, NULL, a, 1.3f, &why), "dipole");
+    REFUSED(ssgi_dipole_set(&o.dipole, NULL, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, bad_s, a, 1.3f, &why), "sigma_s");
     REFUSED(ssgi_dipole_set(&o.dipole, s, bad_a, 1.3f, &why), "sigma_a");
     REFUSED(ssgi_dipole_set(&o.dipole, s, a, 0.9f, &why), "eta");
@@ -933,7 +915,7 @@ static void real_tessellator(void)
     double worst = 0;
     int wrong = 0;
     if (!CHECK(program != 0, "%s", err.text)) return;
-    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi_tess_count(i);
+    for (int i = 1; i <= 64; ++i) all += (size_t)ssgi__tess_count(i);
     float *point = malloc((all + 9) * 4 * sizeof *point);
     glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program);
@@ -1077,8 +1059,7 @@ static int by_seed(const void *a, const void *b)
 /* Tessellation shaders make what the CPU makes; pictures of all three ways agree. */
 static void three_ways(void)
 {
-    static const char *const ways[] = { "size=0.03,jitter=1,way=cpu", "size=0.03,jitter=1,way=capture",
-                                        "size=0.03,jitter=1,way=direct" };
+    static const char *const ways[] = { "size=0.03,way=cpu", "size=0.03,way=capture", "size=0.03,way=direct" };
     static const struct { const char *scene; int orthographic; } row[2] = { { "boxes", 0 }, { "pebbles", 1 } };
     for (int m = 0; m < 2; ++m) {
         deep d[3];
@@ -1183,11 +1164,11 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
 static void as_brute_force(void)
 {
     static const struct { const char *set; int levels, orthographic, hard; float radius;
-    } row[] = { { "levels=1,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 },
-                { "levels=1,smooth=0,overlap=add,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
-                { "levels=4,hard=1,smooth=0,overlap=add,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 },
+    } row[] = { { "levels=1,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 },
+                { "levels=1,smooth=0,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
+                { "levels=4,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 },
                 { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1", 4, 0, 0, 0.6f },
-                { "levels=3,smooth=0,overlap=add,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
+                { "levels=3,smooth=0,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
         deep d;
         kit_image out;
@@ -1195,7 +1176,6 @@ static void as_brute_force(void)
         kit_camera c;
         double sum[2] = { 0, 0 }, squares = 0, ideal = 0;
         int off = 0, pixels = 0;
-        const int add = strstr(row[m].set, "add") != NULL;
         if (!TRY(kit_scene_load(&scene, "boxes", 0, &err))) return;
         c = scene.camera;
         kit_scene_free(&scene);
@@ -1215,8 +1195,8 @@ static void as_brute_force(void)
         for (int i = 0; i < 96 * 54; ++i) {
             float p[3], n[3];
             if (!seen(&d, i, p, n)) { CHECK(out.data[i] == 1, "background is %g", (double)out.data[i]); continue; }
-            const double f = hidden(&d, s, d.run.surfels, row[m].levels, row[m].hard, p, n),
-                         expected = add ? fmax(1 - f, 0) : exp(-f), is = (double)out.data[i];
+            const double f = hidden(&d, s, d.run.surfels, row[m].levels, row[m].hard, p, n), expected = exp(-f),
+                         is = (double)out.data[i];
             off += fabs(is - expected) > 1e-3;
             squares += (is - expected) * (is - expected);
             sum[0] += is;
@@ -1225,8 +1205,9 @@ static void as_brute_force(void)
             ++pixels;
         }
         const double rmse = sqrt(squares / pixels), bias = (sum[0] - sum[1]) / pixels;
-        CHECK(row[m].levels == 1 ? off <= 5 && rmse < 1e-3
-                                 : fabs(bias) < 5e-4 && rmse < (add ? 0.15 : 0.06) * sqrt(ideal / pixels),
+        CHECK(row[m].levels == 1
+                  ? off <= 5 && rmse < 1e-3
+                  : fabs(bias) < 5e-4 && rmse < (strstr(row[m].set, "smooth=0") ? 0.15 : 0.06) * sqrt(ideal / pixels),
               "%s: %d pixels off, bias %+.5f, RMSE %.4f of %.4f", row[m].set, off, bias, rmse, sqrt(ideal / pixels));
         CHECK(ideal / pixels > 1e-3 && pixels > 96 * 27, "%s: nothing to see", row[m].set);
         t_note("%s: %zu surfels, %d of %d pixels off by more than 0.001, bias %+.5f, RMSE %.4f (occlusion's %.3f)",
@@ -1280,7 +1261,7 @@ static void unseen(void)
                          { 11, -5 },
                          m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
         if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss",
-                  "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL))
+                  "levels=1,hard=1,smooth=0,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL))
             return;
         const struct { const char *where; ssgi_surfel s; double least;
         } row[] = { { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 },
@@ -1302,7 +1283,7 @@ static void unseen(void)
             if (!of_these(&out, &d, &s, 1)) return;
             for (int i = 0; i < 96 * 54; ++i) {
                 float p[3], n[3];
-                const double expected = seen(&d, i, p, n) ? 1 - fmin(hidden(&d, &s, 1, 1, 1, p, n), 1) : 1;
+                const double expected = seen(&d, i, p, n) ? exp(-hidden(&d, &s, 1, 1, 1, p, n)) : 1;
                 worst = fmax(worst, fabs((double)out.data[i] - expected));
                 sum += 1 - (double)out.data[i];
             }
@@ -1324,109 +1305,85 @@ static void unseen(void)
     }
 }
 
-/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong, or as large,
-   which loses what the formula says. */
+/* One surfel, level by level: a pixel meets it in one of 4^level sub-buffers, 4^level times as strong. */
 static void shells(void)
 {
-    for (int scale_radius = 0; scale_radius < 2; ++scale_radius) {
-        char set[128];
-        deep d;
-        int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
-        double bias[4] = { 0 };
-        snprintf(set, sizeof set, "levels=4,hard=1,smooth=0,overlap=add,epsilon=0.05,near_samples=1,scale_radius=%d",
-                 scale_radius);
-        if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", set, 0, NULL)) return;
-        for (int k = 0; k < 4; ++k) {
-            static unsigned char met[90][160], level[90][160];
-            const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f,
-                                         (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
-            const double reach = ssgi__surfel_reach(0.05, 1, 0.05);
-            kit_image out;
-            if (!of_these(&out, &d, &s, 1)) return;
-            for (int i = 0; i < 160 * 90; ++i) {
-                float p[3], n[3];
-                const int x = i % 160, y = 89 - i / 160;
-                level[y][x] = 9;
-                met[y][x] = out.data[i] < 1;
-                if (!seen(&d, i, p, n)) continue;
-                const float v[3] = { s.position[0] - p[0], s.position[1] - p[1], s.position[2] - p[2] };
-                const double distance = sqrt(dot(v, v));
-                int l = 0;
-                while (l < 4 && distance > ldexp(reach, l)) ++l;
-                if (l > 3) { wrong += met[y][x]; continue; }
-                ssgi_surfel large = s;
-                large.radius *= (float)(1 << l);
-                const double weighted = (1 << 2 * l) * (double)form_factor(&s, p, n),
-                             f = scale_radius ? (double)form_factor(&large, p, n) : weighted;
-                level[y][x] = (unsigned char)l;
-                if (met[y][x]) {
-                    wrong += fabs(1 - (double)out.data[i] - f) > 2e-5 + 2e-3 * f
-                             && fabs(distance / ldexp(reach, l) - 1) > 1e-3
-                             && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;
-                    bias[l] += (1 - (double)out.data[i]) / weighted;
-                    ++hits[l];
-                }
+    deep d;
+    int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
+    double bias[4] = { 0 };
+    if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1", 0,
+              NULL))
+        return;
+    for (int k = 0; k < 4; ++k) {
+        static unsigned char met[90][160], level[90][160];
+        const ssgi_surfel s = placed(&d, 0.3f * (float)k - 0.4f, 0.12f, 0.1f * (float)k, 0, -1, 0, 0.05f,
+                                     (float)(3141592 * (k + 1) & 0xffffff) / 16777216);
+        const double reach = ssgi__surfel_reach(0.05, 1, 0.05);
+        kit_image out;
+        if (!of_these(&out, &d, &s, 1)) return;
+        for (int i = 0; i < 160 * 90; ++i) {
+            float p[3], n[3];
+            const int x = i % 160, y = 89 - i / 160;
+            level[y][x] = 9;
+            met[y][x] = out.data[i] < 1;
+            if (!seen(&d, i, p, n)) continue;
+            const float v[3] = { s.position[0] - p[0], s.position[1] - p[1], s.position[2] - p[2] };
+            const double distance = sqrt(dot(v, v));
+            int l = 0;
+            while (l < 4 && distance > ldexp(reach, l)) ++l;
+            if (l > 3) { wrong += met[y][x]; continue; }
+            const double f = (1 << 2 * l) * (double)form_factor(&s, p, n), is = -log((double)out.data[i]);
+            level[y][x] = (unsigned char)l;
+            if (met[y][x]) {
+                wrong += fabs(is - f) > 2e-5 + 2e-3 * f && fabs(distance / ldexp(reach, l) - 1) > 1e-3
+                         && fabs(2 * distance / ldexp(reach, l) - 1) > 1e-3;
+                bias[l] += is / f;
+                ++hits[l];
             }
-            /* whole blocks of one level: one pixel of each */
-            for (int l = 0; l < 4; ++l)
-                for (int by = 0; by < 90 >> l; ++by)
-                    for (int bx = 0; bx < 160 >> l; ++bx) {
-                        int all = 1, n = 0;
-                        for (int i = 0; i < 1 << 2 * l; ++i) {
-                            const int x = (bx << l) + (i & ((1 << l) - 1)), y = (by << l) + (i >> l);
-                            all &= level[y][x] == l;
-                            n += met[y][x];
-                        }
-                        blocks[l] += all;
-                        missed += all && n != 1;
+        }
+        /* whole blocks of one level: one pixel of each */
+        for (int l = 0; l < 4; ++l)
+            for (int by = 0; by < 90 >> l; ++by)
+                for (int bx = 0; bx < 160 >> l; ++bx) {
+                    int all = 1, n = 0;
+                    for (int i = 0; i < 1 << 2 * l; ++i) {
+                        const int x = (bx << l) + (i & ((1 << l) - 1)), y = (by << l) + (i >> l);
+                        all &= level[y][x] == l;
+                        n += met[y][x];
                     }
-            kit_image_free(&out);
-        }
-        CHECK(!wrong && !missed && blocks[0] > 500 && blocks[3] > 20,
-              "%s: %d pixels are wrong; of %d, %d, %d, %d blocks %d do not meet it once", set, wrong, blocks[0],
-              blocks[1], blocks[2], blocks[3], missed);
-        /* (d^2 + r^2) / (d^2 + 4^l r^2), d/r from inner to outer */
-        for (int l = 0; l < 4; ++l) {
-            const double in = l ? ldexp(sqrt(19), l - 1) : 0, out = ldexp(sqrt(19), l), w = 1 << 2 * l,
-                         least = (in * in + 1) / (in * in + w), most = (out * out + 1) / (out * out + w);
-            CHECK(scale_radius ? bias[l] / hits[l] > least - 1e-3 && bias[l] / hits[l] < most + 1e-3
-                               : fabs(bias[l] / hits[l] - 1) < 1e-3,
-                  "%s, level %d: %.4f of the weighted, %.3f .. %.3f expected", set, l, bias[l] / hits[l], least, most);
-        }
-        if (scale_radius)
-            t_note("enlarged: %.3f, %.3f, %.3f of what levels 1, 2, 3 weighted bring", bias[1] / hits[1],
-                   bias[2] / hits[2], bias[3] / hits[3]);
-        surface(&d);
+                    blocks[l] += all;
+                    missed += all && n != 1;
+                }
+        kit_image_free(&out);
     }
+    CHECK(!wrong && !missed && blocks[0] > 500 && blocks[3] > 20,
+          "%d pixels are wrong; of %d, %d, %d, %d blocks %d do not meet it once", wrong, blocks[0], blocks[1],
+          blocks[2], blocks[3], missed);
+    for (int l = 0; l < 4; ++l)
+        CHECK(fabs(bias[l] / hits[l] - 1) < 1e-3, "level %d brings %.4f of what it should", l, bias[l] / hits[l]);
+    surface(&d);
 }
 
-/* Surfels one behind the other: shares of what is left, or a sum of 1 at most. */
+/* Surfels one behind the other: shares of what is left. */
 static void overlap(void)
 {
-    for (int add = 0; add < 2; ++add) {
-        deep d;
-        kit_image out;
-        double worst = 0, most = 0;
-        if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss",
-                  add ? "levels=1,hard=1,smooth=0,near_samples=1,overlap=add"
-                      : "levels=1,hard=1,smooth=0,near_samples=1,overlap=share",
-                  0, NULL))
-            return;
-        const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0),
-                                   placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
-                                   placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
-        if (!of_these(&out, &d, s, 3)) return;
-        for (int i = 0; i < 96 * 54; ++i) {
-            float p[3], n[3];
-            if (!seen(&d, i, p, n)) continue;
-            const double f = hidden(&d, s, 3, 1, 1, p, n);
-            most = fmax(most, f);
-            worst = fmax(worst, fabs((double)out.data[i] - (add ? fmax(1 - f, 0) : exp(-f))));
-        }
-        CHECK(worst < 1e-3 && most > 1.5, "%s: off by %.2g, of sums up to %.2f", add ? "add" : "share", worst, most);
-        kit_image_free(&out);
-        surface(&d);
+    deep d;
+    kit_image out;
+    double worst = 0, most = 0;
+    if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", "levels=1,hard=1,smooth=0,near_samples=1", 0, NULL)) return;
+    const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0), placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
+                               placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
+    if (!of_these(&out, &d, s, 3)) return;
+    for (int i = 0; i < 96 * 54; ++i) {
+        float p[3], n[3];
+        if (!seen(&d, i, p, n)) continue;
+        const double f = hidden(&d, s, 3, 1, 1, p, n);
+        most = fmax(most, f);
+        worst = fmax(worst, fabs((double)out.data[i] - exp(-f)));
     }
+    CHECK(worst < 1e-3 && most > 1.5, "off by %.2g, of sums up to %.2f", worst, most);
+    kit_image_free(&out);
+    surface(&d);
 }
 
 /* A white plane of surfels under a white sky: what leaves it is the dipole's total, also where surfels are wider than
@@ -1447,7 +1404,7 @@ static void scattering(void)
         deep d;
         kit_image out;
         ssgi_dipole dipole;
-        const ssgi_material *material = ssgi_material_of(row[m].number);
+        const kit_material *material = kit_material_of(row[m].number);
         const kit_camera c = { { 0, 2, 0 }, { 0, 0, 0 }, { 0, 0, -1 },    0, 1, 0.1f, 50, 48,
                                48,          { 0, 0 },    KIT_DEPTH_NORMAL };
         snprintf(set, sizeof set, "levels=4,epsilon=0.005,size=0.2,material=%s,unit=%g", row[m].name, row[m].unit);
@@ -1486,7 +1443,7 @@ static void near_samples(void)
         deep d;
         kit_image out;
         int n = 0;
-        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,overlap=add,epsilon=0.01,near_samples=%d", 1 << 2 * m);
+        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,epsilon=0.01,near_samples=%d", 1 << 2 * m);
         if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
         const ssgi_surfel s = placed(&d, 0, 0.2f, 0, 0.6f, -0.8f, 0, 0.3f, 0);
         for (int i = 0; i < 4000; ++i) {
@@ -1499,7 +1456,7 @@ static void near_samples(void)
         for (int i = 0; i < 96 * 54; i += 3) {
             float p[3], normal[3];
             if (!seen(&d, i, p, normal)) continue;
-            rmse[m] += pow(1 - (double)out.data[i] - fmin(hidden(&d, part, 4000, 1, 1, p, normal), 1), 2);
+            rmse[m] += pow(1 - (double)out.data[i] - (1 - exp(-hidden(&d, part, 4000, 1, 1, p, normal))), 2);
             ++n;
         }
         rmse[m] = sqrt(rmse[m] / n);
@@ -1520,27 +1477,21 @@ static void against_truth(void)
     static const char *const light[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const bounce[3] = {
         "bounce.R", "bounce.G", "bounce.B"
     };
-    for (int m = 0; m < 2; ++m) {
-        deep d;
-        if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", m ? "scale_radius=1,overlap=add" : "", 0.6f, NULL)
-            || !drawn(&out, &d.run))
-            return;
-        if (!m
-            && (!TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err))
-                || !TRY(kit_image_new(&none, 160, 90, "Y", &err))))
-            return;
-        for (int i = 0; i < 160 * 90; ++i) none.data[i] = 1;
-        TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
-        TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
-        CHECK(score.rmse < 0.33 * nothing.rmse, "RMSE %.4f of %.4f", score.rmse, nothing.rmse);
-        t_note("ambient occlusion%s: RMSE %.4f, %.3f of none's, bias %+.4f", m ? ", as published" : "", score.rmse,
-               score.rmse / nothing.rmse, score.bias);
-        kit_image_free(&out);
-        surface(&d);
-    }
+    deep d;
+    if (!dive(&d, "boxes", NULL, 0, NULL, 160, 90, "dss", "", 0.6f, NULL) || !drawn(&out, &d.run)
+        || !TRY(kit_truth_ao(&truth, &d.scene, &d.g.camera, 0.6f, KIT_ATTENUATION_LINEAR, 64, 1, &err))
+        || !TRY(kit_image_new(&none, 160, 90, "Y", &err)))
+        return;
+    for (int i = 0; i < 160 * 90; ++i) none.data[i] = 1;
+    TRY(kit_score_channel(&nothing, &none, &truth, "Y", NULL, &err));
+    TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err));
+    CHECK(score.rmse < 0.33 * nothing.rmse, "RMSE %.4f of %.4f", score.rmse, nothing.rmse);
+    t_note("ambient occlusion: RMSE %.4f, %.3f of none's, bias %+.4f", score.rmse, score.rmse / nothing.rmse,
+           score.bias);
+    kit_image_free(&out);
+    surface(&d);
     kit_image_free(&truth);
     kit_image_free(&none);
-    deep d;
     if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "", 0.8f, &l)
         || !drawn(&out, &d.run)
         || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 64, 1, &err))
@@ -1584,8 +1535,8 @@ void test_surfels(void)
     RUN("shuffling deals every pixel out once a level", shuffled);
     RUN("splats are what brute force over all surfels is", as_brute_force);
     RUN("surfels beside the picture, behind the eye, hidden and across the near plane darken what they face", unseen);
-    RUN("one surfel in its shells: one pixel of a block, weighted or enlarged", shells);
-    RUN("overlap: shares, or a sum", overlap);
+    RUN("one surfel in its shells: one pixel of a block", shells);
+    RUN("overlap: shares of what is left", overlap);
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
     RUN("occlusion, light and bounce against rays", against_truth);

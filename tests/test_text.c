@@ -19,29 +19,22 @@
 /* values first, first + step .. */
 typedef struct choice { const char *name; size_t offset; int count, first, step; } choice;
 #define CHOICE(field, count, first, step) { #field, offsetof(ssgi_gl_desc, field), count, first, step }
-static const choice choices[] = { CHOICE(orthographic, 2, 0, 1), CHOICE(depth, 3, 0, 1),
-                                  CHOICE(normal, 5, 0, 1),       CHOICE(world_normals, 2, 0, 1),
-                                  CHOICE(noise, 2, 0, 1),        CHOICE(steps, 2, 1, 2),
-                                  CHOICE(normal_rays, 2, 0, 2),  CHOICE(hard, 2, 0, 1),
-                                  CHOICE(thin, 2, 0, 1),         CHOICE(falloff, 2, 0, 1),
-                                  CHOICE(kernel, 2, 0, 1),       CHOICE(fade, 3, 0, 1),
-                                  CHOICE(range, 2, 0, 1),        CHOICE(layers, 3, 1, 1),
-                                  CHOICE(views, 2, 0, 2),        CHOICE(view_layers, 2, 1, 1),
-                                  CHOICE(receiver, 2, 0, 1),     CHOICE(environment, 3, 0, 1),
-                                  CHOICE(bounce, 3, 0, 1),       CHOICE(bands, 4, 1, 1),
-                                  CHOICE(packed, 2, 0, 1),       CHOICE(transfer, 3, 0, 1),
-                                  CHOICE(shaded, 2, 0, 1),       CHOICE(shading, 4, 0, 1),
-                                  CHOICE(lights, 2, 0, 1),       CHOICE(albedo, 2, 0, 1),
-                                  CHOICE(residual, 2, 0, 1),     CHOICE(two_sided, 2, 0, 1),
-                                  CHOICE(shadow, 4, 0, 1),       CHOICE(accumulate, 2, 0, 1),
-                                  CHOICE(radiance, 4, 0, 1),     CHOICE(storage, 2, 0, 1),
-                                  CHOICE(measure, 2, 0, 1),      CHOICE(eight_bits, 2, 0, 1),
-                                  CHOICE(cap, 2, 0, 1),          CHOICE(objects, 3, 0, 1),
-                                  CHOICE(half, 2, 0, 1),         CHOICE(colour, 3, 0, 1),
-                                  CHOICE(filter, 2, 0, 1),       CHOICE(filter_normals, 2, 0, 1),
-                                  CHOICE(effect, 5, 0, 1),       CHOICE(sends, 3, 0, 1),
-                                  CHOICE(scale_radius, 2, 0, 1), CHOICE(near_samples, 2, 1, 3),
-                                  CHOICE(overlap, 2, 0, 1),      CHOICE(axis, 2, 0, 1) };
+static const choice choices[] = {
+    CHOICE(orthographic, 2, 0, 1),  CHOICE(depth, 3, 0, 1),    CHOICE(normal, 5, 0, 1),
+    CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1),    CHOICE(steps, 2, 1, 2),
+    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thin, 2, 0, 1),
+    CHOICE(falloff, 2, 0, 1),       CHOICE(kernel, 2, 0, 1),   CHOICE(fade, 3, 0, 1),
+    CHOICE(range, 2, 0, 1),         CHOICE(layers, 3, 1, 1),   CHOICE(views, 2, 0, 2),
+    CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
+    CHOICE(bounce, 3, 0, 1),        CHOICE(bands, 4, 1, 1),    CHOICE(packed, 2, 0, 1),
+    CHOICE(transfer, 3, 0, 1),      CHOICE(shaded, 2, 0, 1),   CHOICE(shading, 4, 0, 1),
+    CHOICE(lights, 2, 0, 1),        CHOICE(albedo, 2, 0, 1),   CHOICE(residual, 2, 0, 1),
+    CHOICE(two_sided, 2, 0, 1),     CHOICE(shadow, 4, 0, 1),   CHOICE(accumulate, 2, 0, 1),
+    CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
+    CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
+    CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
+    CHOICE(axis, 2, 0, 1)
+};
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
     MOST = 1 << 11,
@@ -327,13 +320,8 @@ static void speak(void)
         spoken[texts].fresh = s == interfaces && (int)(hash >> 40 & 1) == (i & 1);      /* one in ES, the next not */
         if (spoken[texts].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
     }
-    for (int i = 0; i < 16 * SSGI_GL_DIALECTS; ++i, ++texts) {
-        const int k = i / SSGI_GL_DIALECTS;
-        const ssgi_gl_desc d = { .dialect = i % SSGI_GL_DIALECTS,
-                                 .storage = k & 1,
-                                 .measure = k >> 1 & 1,
-                                 .eight_bits = k >> 2 & 1,
-                                 .cap = k >> 3 };
+    for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
+        const ssgi_gl_desc d = { .dialect = i };
         spoken[texts].desc = d;
         spoken[texts].stage = TOOLBOX;
     }
@@ -482,11 +470,7 @@ static size_t any_text(int k, char *out, size_t capacity)
           .version = "#version 430",
           .fetch = "// mine" },
         { .pass = SSGI_GL_SHADE, .lights = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
-        { .pass = SSGI_GL_FIELD,
-          .measure = SSGI_FIELD_SOLID_ANGLE,
-          .cap = SSGI_GL_CAP_TABLE,
-          .objects = SSGI_GL_OBJECTS_TEXTURE,
-          .lines = 1 },
+        { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
         { .pass = SSGI_GL_SPLAT,
           .dialect = SSGI_GL_320ES,
           .tessellate = 1,
@@ -640,7 +624,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         char start[16] = "\n";
         CHECK(!strstr(end, strcat(start, w)), "%s: a declaration after the declarations: %s", describe(d), w);
     }
-    CHECK(precisions == (es ? 7 : 0), "%s: %d precisions", describe(d), precisions);
+    CHECK(precisions == (es ? 6 : 0), "%s: %d precisions", describe(d), precisions);
     return found;
 }
 
@@ -980,20 +964,16 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 15),         INT(dialect, 5),        INT(orthographic, 1),  INT(depth, 2),
-             INT(normal, 4),        INT(world_normals, 1),  INT(noise, 1),         INT(samples, 64),
-             INT(search, 1),        INT(directions, 32),    INT(steps, 64),        INT(normal_rays, 8),
-             INT(hard, 1),          INT(thin, 1),           INT(falloff, 1),       INT(kernel, 1),
-             INT(fade, 2),          INT(range, 1),          INT(layers, 8),        INT(views, 4),
-             INT(view_layers, 8),   INT(receiver, 7),       INT(environment, 2),   INT(bounce, 2),
-             INT(bands, 4),         INT(packed, 1),         INT(transfer, 2),      INT(shaded, 1),
-             INT(shading, 3),       INT(lights, 1),         INT(albedo, 1),        INT(residual, 1),
-             INT(two_sided, 1),     INT(shadow, 3),         INT(accumulate, 1),    INT(radiance, 3),
-             INT(storage, 1),       INT(measure, 1),        INT(eight_bits, 1),    INT(cap, 1),
-             INT(objects, 2),       INT(effect, 4),         INT(levels, 7),        INT(tessellate, 1),
-             INT(sends, 2),         INT(scale_radius, 1),   INT(near_samples, 16), INT(overlap, 1),
-             INT(axis, 1),          INT(half, 1),           INT(colour, 2),        INT(filter, 1),
-             INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
+             INT(pass, 15),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 1),  INT(directions, 32),
+             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thin, 1),    INT(falloff, 1),
+             INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
+             INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
+             INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
+             INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
+             INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
+             INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
+             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1144,10 +1124,8 @@ static void defaults(void)
           { .pass = SSGI_GL_SHADE, .shading = 3, .packed = 1, .bands = 3 },
           1 + 1 },
         ROW(2 + 4, (.pass = SSGI_GL_FIELD), (.samples = 64, .layers = 8, .half = 1)),
-        ROW(5 + 2 + 1 + 1,
-            (.pass = SSGI_GL_FIELD, .storage = SSGI_GL_STORAGE_CUBE, .cap = 1, .objects = SSGI_GL_OBJECTS_TEXTURE,
-             .normal = SSGI_GL_NORMAL_FROM_DEPTH),
-            (.eight_bits = 1)),
+        ROW(5 + 4 + 1, (.pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
+            (.half = 1)),
         ROW(0, (.pass = SSGI_GL_SURFELS),
             (.shadow = SSGI_GL_SHADOW_MAP, .environment = SSGI_GL_ENVIRONMENT_MAP, .effect = SSGI_GL_EFFECT_BOUNCE)),
         ROW(3 + 6 + 4,
@@ -1161,7 +1139,7 @@ static void defaults(void)
         ROW(2 + 1 + 16 * 2, (.pass = SSGI_GL_SMOOTH), (.levels = 5)),
         ROW(5 + 1 + 2 * (1 + 1 + 4),
             (.pass = SSGI_GL_SMOOTH, .levels = 2, .filter_normals = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH),
-            (.overlap = 1)),
+            (.near_samples = 1)),
         ROW(1 + 5, (.pass = SSGI_GL_SUM), (.levels = 5)),
         ROW(2 + 3 + 4, (.pass = SSGI_GL_SUM, .levels = 3, .effect = SSGI_GL_EFFECT_LIGHT), (.axis = 1)),
         ROW(2 + 4 + 8 * 5, (.pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS), (.bands = 4, .filter_radius = 1)),

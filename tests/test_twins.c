@@ -331,7 +331,7 @@ static void twin_views(void)
             NEAR(out[i][0], p[0], 4e-7 * (fabs((double)p[0]) + 2 * fabs((double)view.project[2])), "ssgi_project.x");
             NEAR(out[i][1], p[1], 4e-7 * (fabs((double)p[1]) + 2 * fabs((double)view.project[3])), "ssgi_project.y");
             NEAR(out[i][2], ssgi_pixel_footprint(&view, in[i][3]), 2e-7f * out[i][2], "ssgi_footprint");
-            NEAR(out[i][3], ssgi_normal_offset(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
+            NEAR(out[i][3], 0.5f * ssgi_pixel_footprint(&view, in[i][3]), 3e-7f * out[i][3], "ssgi_lift");
         }
     }
 }
@@ -560,14 +560,13 @@ static void twin_views_of_others(void)
 /* What ssgi_gl_sh writes, in both languages: a case is four pixels, one a word of the result. */
 static void twin_harmonics(void)
 {
-    enum { BASIS, ZONAL, TURN, PRODUCT, SUMS, FUNCTIONS };
+    enum { BASIS, ZONAL, TURN, SUMS, FUNCTIONS };
     static const char *const heads[] = { "#version 330 core\n", "#version 300 es\nprecision highp float;\n" };
     static const char *const words[] = { "s.a", "s.a", "w == 0 ? s.a : w == 1 ? s.b : s.c",
                                          "w == 0 ? s.a : w == 1 ? s.b : w == 2 ? s.c : s.d" };
     static const char *const parts[] = { "", "", " s.b = b; s.c = c;", " s.b = b; s.c = c; s.d = d;" };
     static const char *const calls[] = { "s = ssgi_sh_basis(Y(2).xyz);", "s = ssgi_sh_zonal(X(0), Y(2).xyz);",
                                          "ssgi_sh_turn(s, mat3(Y(0).xyz, Y(1).xyz, Y(2).xyz));",
-                                         "s = ssgi_sh_product(s, y);",
                                          "float both = ssgi_sh_dot(s, y); ssgi_sh_add(s, y, 0.5); s.a.x = both;" };
     static const double tilts[8] = { 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 5e-7, 1e-7, 0 };   /* of the axis from either pole */
     static float others[4 * MANY];
@@ -583,7 +582,7 @@ static void twin_harmonics(void)
             others[i] = ins[i] * uniform(-1, 1);
         }
         /* rotations: none, half turns, the axis at a pole and near it, any */
-        for (int i = 0; i < MANY / 4 && what < PRODUCT; ++i) {
+        for (int i = 0; i < MANY / 4 && what < SUMS; ++i) {
             const double tilt = tilts[i / 2 % 8], a = (double)uniform(0, 6.28f), b = (double)uniform(0, 6.28f);
             if (i < 4) rotation(&others[16 * i], i < 2 ? pi : 0, i & 1 ? pi / 2 : 0, i & 1 ? pi / 2 : 0);
             else rotation(&others[16 * i], i & 16 ? (double)uniform(0, 3.14159f) : i & 1 ? tilt : pi - tilt, a, b);
@@ -608,7 +607,6 @@ static void twin_harmonics(void)
             if (what == BASIS) ssgi_sh_basis(want, bands, y + 8);
             if (what == ZONAL) ssgi_sh_zonal(want, bands, x, y + 8);
             if (what == TURN) ssgi_sh_rotate(want, bands, x, 1, y);
-            if (what == PRODUCT) ssgi_sh_product(want, bands, x, y);
             for (int j = 0; j < 16 && what == SUMS; ++j) {
                 want[j] = x[j] + 0.5f * y[j];
                 both += (double)x[j] * (double)y[j];
@@ -621,8 +619,8 @@ static void twin_harmonics(void)
         }
         glDeleteTextures(1, &map);
     }
-    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, product %.1e, sums %.1e", worst[BASIS], worst[ZONAL],
-           worst[TURN], worst[PRODUCT], worst[SUMS]);
+    t_note("worst of basis %.1e, zonal %.1e, turn %.1e, sums %.1e", worst[BASIS], worst[ZONAL], worst[TURN],
+           worst[SUMS]);
 }
 
 /* A half's bits: to nearest, to even between two; and its value. */

@@ -116,10 +116,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     const kit_scene *scene = m->world->scene;
     const int way = (int)kit_method_value(m->method, "way"), effect = m->gather.effect,
               lit = effect != SSGI_GL_EFFECT_OCCLUSION;
-    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"),
-                                 (float)kit_method_value(m->method, "jitter"),
-                                 (int)kit_method_value(m->method, "splits"),
-                                 (int)kit_method_value(m->method, "shrink"),
+    const ssgi_surfel_desc d = { (float)kit_method_value(m->method, "size"), (int)kit_method_value(m->method, "splits"),
                                  fmaxf((float)kit_method_value(m->method, "offscreen_growth"), 1e-6f),
                                  (int)kit_method_value(m->method, "keep_small"),
                                  run->frame.radius < 1e17f ? run->frame.radius : 0 };
@@ -167,25 +164,25 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         if (failed) return -1;
     }
     vertices = patches_of(scene, &d, view, picture, effect == SSGI_GL_EFFECT_SCATTER, patches);
+    ssgi_surfel_source source = { .position = vertices,
+                                  .normal = vertices ? vertices + 3 : NULL,
+                                  .colour = vertices ? vertices + 6 : NULL,
+                                  .position_stride = 36,
+                                  .normal_stride = 36,
+                                  .colour_stride = 36,
+                                  .triangles = (size_t)(patches[0] + patches[1]) };
+    memcpy(source.to_view, picture, sizeof source.to_view);
     for (int pass = 0; pass < 2 && vertices && !failed; ++pass) {           /* counts, then surfels */
-        ssgi_surfel_source source = { .position = vertices,
-                                      .normal = vertices + 3,
-                                      .colour = vertices + 6,
-                                      .position_stride = 36,
-                                      .normal_stride = 36,
-                                      .colour_stride = 36,
-                                      .triangles = (size_t)(patches[0] + patches[1]) };
-        memcpy(source.to_view, picture, sizeof source.to_view);
         if (pass) surfels = malloc((run->surfels + 1) * sizeof *surfels);
         failed = (pass && !surfels)
                  || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
     }
+    if (vertices && !failed) failed = ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK;
     if (!vertices || failed) {
         free(vertices);
         free(surfels);
         return kit_fail(m->err, "surfels: %s", *why ? why : "out of memory");
     }
-    ssgi_splat_predict(&cost, &splat, view, surfels, run->surfels, NULL);
     for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
     if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
@@ -235,7 +232,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         }
         if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, &bounce)) return -1;
     } else if (effect == SSGI_GL_EFFECT_SCATTER) {
-        const ssgi_material *material = ssgi_material_of((int)kit_method_value(m->method, "material"));
+        const kit_material *material = kit_material_of((int)kit_method_value(m->method, "material"));
         ssgi_dipole dipole;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);

@@ -332,28 +332,6 @@ GLuint kit_texture_array(int width, int height, int layers, GLenum internal_form
     return layers < 1 ? 0 : texture_new(width, height, layers, internal_format, data_or_null);
 }
 
-GLuint kit_texture_cube(int size, GLenum internal_format, const void *data)
-{
-    const int wide = internal_format == GL_RGBA16;
-    const size_t face = 4 * (size_t)size * (size_t)size * (wide ? 2 : 1);
-    GLuint texture = 0;
-    while (glGetError() != GL_NO_ERROR) {}
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, texture);
-    for (GLenum k = 0; k < 6; k++)
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + k, 0, (GLint)internal_format, size, size, 0, GL_RGBA,
-                     wide ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, (const char *)data + k * face);
-    kit_texture_linear(GL_TEXTURE_CUBE_MAP);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
-    if (!kit_gl_is_es()) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);       /* GLES is always */
-    glBindTexture(GL_TEXTURE_CUBE_MAP, 0);
-    if (glGetError() != GL_NO_ERROR) {
-        glDeleteTextures(1, &texture);
-        return 0;
-    }
-    return texture;
-}
-
 void kit_texture_linear(GLenum target)
 {
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);

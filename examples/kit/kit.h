@@ -226,6 +226,9 @@ void kit_env_place(const kit_image *env, const float direction[3], double at[2])
 void kit_env_direction(const kit_image *env, double x, double y, float direction[3]);  /* unit */
 /* "point:x,y,z,r,g,b" or "sun:x,y,z,r,g,b": numbers as above, finite, colours 0 or more; a sun's direction need not be
    unit, but not 0. */
+/* Published constants of scattering [JMLH01 figure 5], per millimetre: number i; NULL past them. */
+typedef struct kit_material { const char *name; float sigma_s[3], sigma_a[3], eta; } kit_material;
+const kit_material *kit_material_of(int i);
 int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */

@@ -137,9 +137,6 @@ int         kit_gl_is_software(void);
 GLuint      kit_texture(int width, int height, GLenum internal_format, const float *data_or_null);
 /* The same with layers slices, a 2D array; data slice after slice. Draw into one with glFramebufferTextureLayer. */
 GLuint      kit_texture_array(int width, int height, int layers, GLenum internal_format, const float *data_or_null);
-/* A cube map, LINEAR, seamless, one level, of RGBA8 or RGBA16: six faces of size x size texels, GL's order. 0 if the
-   context has no such format (GLES: RGBA16). */
-GLuint      kit_texture_cube(int size, GLenum internal_format, const void *data);
 void        kit_texture_linear(GLenum target);    /* the texture bound there filters */
 /* Reads the lower left width x height texels, the first components of each (1..4). -1: the context cannot read this
    texture. */
@@ -239,10 +236,8 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
    failure. seconds: what the bake took; may be NULL. desc's callbacks are not looked at. */
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
 void   kit_fields_free(void);
-/* t_ssgi_fields: count fields of equal bits, a slice each; the two cube maps of one (0: the context lacks their
-   format). */
+/* t_ssgi_fields: count fields, a slice each. */
 GLuint kit_field_atlas(const ssgi_field *const *field, int count);
-int    kit_field_cubes(GLuint cube[2], const ssgi_field *field);
 
 /* ---- >>method ----------------------------------------------------------------------------------------------- */
 
@@ -285,7 +280,6 @@ typedef struct kit_pass {
     /* target: 0 when it draws into a slice of senders */
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS];
     GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_occluders */
-    GLuint             cube[2];            /* field: of its occluders, when fields are cube maps */
     /* field: occluders drawn at once, blended over what is there; the first such pass clears */
     int                instances;
     int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
@@ -317,7 +311,7 @@ typedef struct kit_run {
     /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];
     ssgi_gl_views cameras;
-    GLuint        fields, cap;             /* field: all shapes' fields as one array; the table of caps */
+    GLuint        fields;                  /* field: all shapes' fields as one array */
     int           occluders;
     size_t        surfels;                 /* that the splats' buffer holds */
     double        splat_pixels;            /* predicted, all splats of the first splat pass */

@@ -397,9 +397,7 @@ int kit_add_environment(kit_making *m)
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
     if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
         failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
-                     != SSGI_OK
-                 || (kit_method_value(m->method, "dering") > 0
-                     && ssgi_sh_dering(run->harmonics, m->gather.bands, NULL, &why) != SSGI_OK);
+                 != SSGI_OK;
     if (!failed && mapped)
         failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
                                       m->gather.samples
@@ -652,7 +650,7 @@ int kit_open_lit(kit_making *m, const float picture[16])
 }
 
 /* Occluders first .. last - 1 of the rows in one draw. */
-static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first, int last, const GLuint *cube)
+static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first, int last)
 {
     kit_run *run = m->run;
     const GLuint rows_texture =
@@ -661,7 +659,6 @@ static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first,
     if (!p) return -1;
     p->lights = rows_texture;
     p->instances = last - first;
-    if (cube) memcpy(p->cube, cube, sizeof p->cube);
     run->light = p->target[0];
     return rows_texture ? 0 : kit_fail(m->err, "no memory for %d occluders", last - first);
 }
@@ -685,7 +682,6 @@ int kit_open_field(kit_making *m, const float picture[16])
     rows = calloc((size_t)(scene->objects + 1), sizeof *rows);
     if (!field || !slice || !rows) failed = kit_fail(m->err, "no memory for %d objects", scene->objects);
     for (int s = 0; s < scene->shapes && !failed; ++s) {       /* rows come shape after shape */
-        const int first = count;
         slice[s] = -1;
         for (int i = 0; i < scene->objects && !failed; ++i) {
             const kit_object *o = &scene->object[i];
@@ -696,7 +692,7 @@ int kit_open_field(kit_making *m, const float picture[16])
                 slice[s] = fields;
                 field[fields] = kit_field(&scene->shape[s], &d, NULL, m->err);
                 if (!field[fields]) { failed = -1; break; }
-                run->field_bytes += ssgi_field_size(field[fields]->resolution, field[fields]->bits);
+                run->field_bytes += ssgi_field_size(field[fields]->resolution);
                 ++fields;
             }
             for (int c = 0; c < 4; ++c)
@@ -713,31 +709,13 @@ int kit_open_field(kit_making *m, const float picture[16])
                 != SSGI_OK)
                 failed = kit_fail(m->err, "object %s: %s", o->name, why);
         }
-        if (failed || first == count) continue;
-        if (m->gather.storage) {
-            GLuint cube[2];
-            if (!kit_field_cubes(cube, field[slice[s]]))
-                failed = kit_fail(m->err, "--set storage=cube: %s has no cube maps of %d bits", kit_gl_name(), d.bits);
-            for (int k = 0; k < 2; ++k) kit_keep(run, cube[k]);
-            for (int i = first; i < count && !failed; i += each ? 1 : count - first)
-                failed = add_occluders(m, rows, i, each ? i + 1 : count, cube);
-        }
     }
-    if (!failed && !count) failed = add_occluders(m, rows, 0, 0, NULL);
-    if (!failed && count && !m->gather.storage) {
+    if (!failed && !count) failed = add_occluders(m, rows, 0, 0);
+    if (!failed && count) {
         run->fields = kit_keep(run, kit_field_atlas(field, fields));
         if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
         for (int i = 0; i < count && !failed; i += each ? 1 : count)
-            failed = add_occluders(m, rows, i, each ? i + 1 : count, NULL);
-    }
-    if (!failed && m->gather.cap) {
-        const int size = (int)kit_method_value(m->method, "table_size");
-        float *table = malloc((size_t)size * (size_t)size * sizeof *table);
-        if (table) ssgi_cap_table(table, size, NULL);
-        run->cap = kit_keep(run, table ? kit_texture(size, size, GL_R16F, table) : 0);
-        glBindTexture(GL_TEXTURE_2D, run->cap);
-        kit_texture_linear(GL_TEXTURE_2D);
-        free(table);
+            failed = add_occluders(m, rows, i, each ? i + 1 : count);
     }
     run->occluders = count;
     free(field);

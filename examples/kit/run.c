@@ -183,9 +183,6 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
                   { "lights", p->lights },
                   { "occluders", p->lights },
                   { "fields", run->fields },
-                  { "field", p->cube[0] },
-                  { "field_centre", p->cube[1] },
-                  { "cap", run->cap },
                   { "objects", p->gbuffer->object },
                   { "shadow", run->atlas },
                   { "light", p->source },
@@ -300,8 +297,12 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
         free(kernel);
     }
     if (m.gather.noise == SSGI_GL_NOISE_TEXTURE) {
-        float tile[4 * 16];
-        ssgi_jitter_tile(tile, 4, m.gather.directions ? m.gather.directions : 1, NULL);
+        float tile[4 * 16] = { 0 };        /* both strata once each over the 4 x 4 texels, far apart in neighbours */
+        for (int i = 0; i < 16; ++i) {
+            const int x = i % 4, y = i / 4, a = (2 * x + y) % 4, b = (x + 2 * y) % 4;
+            tile[4 * i + 2] = ((float)(4 * b + a) + 0.5f) / 16 - 0.5f;
+            tile[4 * i + 3] = (float)fmod((4 * a + b) * 0.61803398874989485, 1);
+        }
         run->noise = kit_keep(run, kit_texture(4, 4, GL_RGBA32F, tile));
     }
     run->bytes = !failed && glGetTexLevelParameteriv ? bytes_of(run) : (double)NAN;

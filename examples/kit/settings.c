@@ -162,9 +162,6 @@ static const row indirect_row = { { "indirect", "one bounce: no, in one gather w
                                   PLAN,
                                   0 };
 static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
-static const row dering_row = {
-    { "dering", "1: weakens the environment's higher bands until it is nowhere negative", NULL, 0, 0, 1, 1 }, PLAN, 0
-};
 static const row residual_row = {
     { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0,
       1, 1 },
@@ -181,31 +178,11 @@ static const row cone_row = { { "cone",
                               PLAN,
                               0 };
 
-static const row resolution_row = {
-    { "resolution", "texels along a side of a field's cube map; with error at most", NULL, 16, 2, 128, 1 }, PLAN, 0
-};
-static const row radii_row = {
-    { "radii", "distances sampled along each direction; with error at most", NULL, 12, 4, 64, 1 }, PLAN, 0
-};
+static const row resolution_row = { { "resolution", "texels along a side of a field's cube map", NULL, 16, 2, 128, 1 },
+                                    PLAN,
+                                    0 };
+static const row radii_row     = { { "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1 }, PLAN, 0 };
 static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
-static const row error_row = {
-    { "error", "above 0: the smallest resolution and fewest radii with which 95 % of receivers are within it", NULL, 0,
-      0, 1, 0 },
-    PLAN,
-    0
-};
-static const row measure_row = { { "measure",
-                                   "what a field keeps: vector irradiance and fill, or solid angle as published",
-                                   "vector solid-angle", 0, 0, 1, 1 },
-                                 GATHER,
-                                 DESC(measure) };
-static const row bits_row      = { { "bits", "a component of a field", "16 8", 0, 0, 1, 1 }, GATHER, DESC(eight_bits) };
-static const row storage_row = { { "storage", "fields as slices of an integer array, or as cube maps", "atlas cube", 0,
-                                   0, 1, 1 },
-                                 GATHER,
-                                 DESC(storage) };
-static const row cap_row = { { "cap", "closed form, or a table", "closed table", 0, 0, 1, 1 }, GATHER, DESC(cap) };
-static const row table_row     = { { "table_size", "of that table", NULL, 64, 2, 1024, 1 }, PLAN, 0 };
 static const row reach_row = {
     { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
 };
@@ -270,25 +247,9 @@ static const row each_row = {
     PLAN,
     0
 };
-static const row jitter_row = { { "jitter", "how far surfels are moved by chance, in radii", NULL, 0, 0, 1, 0 },
-                                PLAN,
-                                0 };
 static const row splits_row = {
     { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0
 };
-static const row shrink_row = { { "shrink", "way=cpu: how surfels keep off edges", "incentre centroid", 0, 0, 1, 1 },
-                                PLAN,
-                                0 };
-static const row scale_radius_row = {
-    { "scale_radius", "levels make up for fewer surfels by weight, or by radius as published", NULL, 0, 0, 1, 1 },
-    GATHER,
-    DESC(scale_radius)
-};
-static const row overlap_row = { { "overlap",
-                                   "where surfels hide each other: form factors as shares of what is left, or added",
-                                   "share add", 0, 0, 1, 1 },
-                                 GATHER,
-                                 DESC(overlap) };
 static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row likeness_row = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 },
                                   GATHER,
@@ -325,10 +286,10 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
         &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
         &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
         &blur_row, &filter_row, &compare_row
-#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, &dering_row, VECTORS }
+#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS }
 #define SURFELS(every, epsilon, levels) \
-    &size_row, epsilon, levels, &way_row, &jitter_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
-        &shrink_row, &scale_radius_row, &near_row, &overlap_row, &both_row, &smooth_row, &likeness_row, &normal_row
+    &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
+        &both_row, &smooth_row, &likeness_row, &normal_row
 #define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
@@ -393,8 +354,8 @@ static const plan plans[] = {
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &error_row, &measure_row, &bits_row, &storage_row, &cap_row,
-        &table_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row, &occluders_row, &normal_row } }
+      { &resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row,
+        &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 
@@ -496,10 +457,7 @@ ssgi_field_desc kit_method_field(const kit_method *method)
     d.resolution = (int)kit_method_value(method, "resolution");
     d.radii = (int)kit_method_value(method, "radii");
     d.rays = (int)kit_method_value(method, "rays");
-    d.measure = (int)kit_method_value(method, "measure");
-    d.bits = kit_method_value(method, "bits") > 0 ? 8 : 16;
     d.reach = (float)kit_method_value(method, "reach");
-    d.error = (float)kit_method_value(method, "error");
     return d;
 }
 /* From the settings: the passes' descs, and what of the frame they set. */
