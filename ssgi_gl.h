@@ -132,6 +132,13 @@ enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
                                       fast way */
        SSGI_GL_MARCH };            /* the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+/* desc.behind: how far what is seen reaches away from the viewer */
+enum { SSGI_GL_BEHIND_CONSTANT = 0,/* by frame.thickness */
+       SSGI_GL_BEHIND_SOLID,       /* without end */
+       SSGI_GL_BEHIND_BACK,        /* to the nearest back face (t_ssgi_back: one depth-only pass, front faces culled);
+                                      what has none, and sheets, by frame.thickness */
+       SSGI_GL_BEHIND_SLABS };     /* likewise; and from the next front face behind that to the next back face (two more
+                                      passes, each peeled by the one before) */
 /* desc.falloff: how a blocker's weight falls with its distance t, by how far along their directions samples stand */
 enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
        SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
@@ -220,7 +227,7 @@ typedef struct ssgi_gl_desc {
                             a segment */
     int steps;           /* hsao   [limit: 0..64] [default: 6; others 1]  per direction: N_s; of points, the first
                             blocked one counts */
-    int thin;            /* 0: what is seen extends away from the viewer without end; 1: by frame.thickness */
+    int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
     int falloff;         /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
     int kernel;          /* ssao, ssdo, s3ho   0: one set in the text, turned by the noise; 1: M sets in a texture, the
                             noise picks */
@@ -228,7 +235,7 @@ typedef struct ssgi_gl_desc {
     int range;           /* ssao, ssdo, s3ho   1: surfaces beyond the radius, or below the receiver's plane, block
                             nothing [S3HO12 2.1] */
     int layers;          /* all but hsao's slices   [limit: 0..8] [default: 1]  depth layers, peeled: solid from an odd
-                            one to the next; an odd last one as thin says */
+                            one to the next; an odd last one as behind says */
     int views;           /* all but hsao's slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
                             in front of its depth; occluded if none does and at least one finds it inside solid geometry
                             */
@@ -296,10 +303,12 @@ typedef struct ssgi_gl_desc {
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
    for accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
-     hsao slices   FAST half 1x3, BALANCED half 2x6, BEST full size 3x8 (slices x steps)
-     hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2, thin
-     ssao          8, 16, 32 points, thin
-     ssdo, s3ho    half 4x4, 4x4, 8x6 (directions x points), thin, range, fade
+     hsao slices   FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
+     hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
+     ssao          8, 16, 32 points
+     ssdo, s3ho    half 4x4, 4x4, 8x6 (directions x points), range, fade
+   desc.behind stays as it is: BACK or SLABS where the scene is of closed solids and the passes that draw them are
+   affordable.
    Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
@@ -377,8 +386,8 @@ typedef struct ssgi_gl_frame {
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
                             fetches: all that test points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: radius]  how far behind what is seen things are taken
-                            to reach (desc.thin); 0.7 of it suits ssdo, half march */
+    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  how far what is seen reaches away from the
+                            viewer, where desc.behind knows no better; 1 suits ssao, 0.5 march */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
                             radius: nowhere */
@@ -539,6 +548,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
+    "}\n" },
+{ "ssgi_slabs", __LINE__ + 1,
+    "// view depths: of the nearest back face at or behind what is seen, of the next front face behind that, of where\n"
+    "// that ends\n"
+    "vec3 ssgi_slabs(ivec2 p) {\n"
+    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if behind == BACK\n"
+    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
+    "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
+    "    return mix(z, vec3(SSGI_FAR), lessThanEqual(z, vec3(0.0))); // #if depth != WINDOW\n"
     "}\n" },
 { "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
@@ -721,6 +739,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
     "}\n" },
+{ "ssgi_deep", __LINE__ + 1,
+    "// How deep what begins at z is, but for a least at most the radius. Sheets, whose back face is what is seen (to\n"
+    "// a half's precision), and what has no back face are ssgi_thickness() deep.\n"
+    "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
+    "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
+    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n"
+    "}\n" },
 /* ---- the blocker itself, where it is looked at: what it sends, how far it is */
 
 { "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
@@ -797,7 +822,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// Where depth s stands at a pixel of camera v: above 0 inside matter, which is from an odd layer to the next;\n"
     "// -1 seen in the open, by more than the slack; 0 not known.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
-    "    // matter whose far side is no layer has no end; if thin, ssgi_thickness(); behind, nothing is known\n"
+    "    // matter whose far side is no layer has no end, or is ssgi_thickness() deep; behind, nothing is known\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
@@ -808,7 +833,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float near = ssgi_surface(v, p, j), far = j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR;\n"
     "        float back = far;\n"
     "#endif\n"
-    "        if (far >= SSGI_FAR) back = near + ssgi_thickness(); // #if thin\n"
+    "        if (far >= SSGI_FAR) back = near + ssgi_thickness(); // #if behind != SOLID\n"
     "        bool inside = !known && s > near && s < back;\n"
     "        if (!known && s <= near - slack) found = -1.0;\n"
     "#if bounce\n"
@@ -845,20 +870,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return max(found, 0.0);\n"
     "}\n"
-    "#else\n"
-    "// how much S is blocked: behind what is seen at its pixel; 0 off the picture and behind the eye\n"
+    "#endif\n" },
+{ "ssgi_blocked", __LINE__, "#if !(layers > 1 || views)\n"
+    "// how much S is blocked: behind what is seen at its pixel, as far as desc.behind says; 0 off the picture and\n"
+    "// behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "#if bounce\n"
     "    uvec2 s = ssgi_held(-1, p, 0);\n"
-    "    float z = ssgi_unpack_depth(s.y), behind = -S.z - z;\n"
+    "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_sender.xyz = ssgi_sent(s, ssgi_point(-1, p, z));\n"
     "    ssgi_sender_place = s.y; // #if transfer\n"
     "#else\n"
-    "    float z = ssgi_depth(p), behind = -S.z - z;\n"
+    "    float z = ssgi_depth(p);\n"
     "#endif\n"
-    "    return S.z < 0.0 && ssgi_inside(p) && behind > 0.0\n"
-    "        && behind < ssgi_thickness() // #if thin\n"
+    "    bool found = -S.z > z;\n"
+    "    found = found && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
+    "#if behind == BACK || behind == SLABS\n"
+    "    vec3 back = ssgi_slabs(p);\n"
+    "    vec2 end_ = vec2(z, back.y) + ssgi_deep(vec2(z, back.y), back.xz, vec2(ssgi_footprint(z)));\n"
+    "    found = found && -S.z < end_.x;\n"
+    "#endif\n"
+    "#if behind == SLABS\n"
+    "    if (-S.z > back.y && -S.z < end_.y) {\n"
+    "        ssgi_sender.xyz *= found ? 1.0 : 0.0; // nobody knows what that sends // #if bounce\n"
+    "        if (!found) z = back.y; // #if fade || range\n"
+    "        found = true;\n"
+    "    }\n"
+    "#endif\n"
+    "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
     "}\n"
@@ -1236,22 +1276,92 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
     "}\n" },
 { "ssgi_arc", __LINE__ + 1,
-    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c and sines s: the\n"
-    "// integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected normal;\n"
-    "// half its cosine and +-half its sine are given.\n"
-    "vec2 ssgi_arc(vec2 c, vec2 s, float cosg, vec2 sing) {\n"
-    "    vec2 x = abs(c), e = sqrt(max(1.0 - x, 0.0)); // acos, error < 7e-5\n"
-    "    e *= 1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x));\n"
-    "    return cosg * s * s + sing * (mix(e, 3.14159265 - e, lessThan(c, vec2(0.0))) - s * c);\n"
+    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c: the integral of\n"
+    "// sin x cos(g - x), where g is the signed angle from the view direction to the projected normal; half its\n"
+    "// cosine and +-half its sine are given.\n"
+    "vec2 ssgi_arc(vec2 c, float cosg, vec2 sing) {\n"
+    "    vec2 q = c * c; // acos c - c sin acos c, to 0.0015, is 0 at c = 1 and odd about c = 0\n"
+    "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
+    "    return cosg * (1.0 - q) + sing * e;\n"
     "}\n" },
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
+{ "SSGI_JOINED", __LINE__ + 1,
+    "const float SSGI_JOINED = 4.0; // slope up to which taps are of one surface, if desc.behind is CONSTANT\n" },
+{ "ssgi_between", __LINE__, "// the sectors from one to another, a bit each\n"
+    "uvec2 ssgi_between(vec2 from, vec2 to) {\n"
+    "    uvec2 a = uvec2(from), b = uvec2(to), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
+    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n"
+    "}\n" },
+{ "ssgi_count", __LINE__, "#if dialect == 330 || dialect == 300ES\n"
+    "// bitCount, which this language lacks\n"
+    "vec2 ssgi_count(uvec2 m) {\n"
+    "    m -= (m >> 1u) & 0x55555555u;\n"
+    "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
+    "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
+    "    return vec2((m * 0x01010101u) >> 24u);\n"
+    "}\n"
+    "#else\n"
+    "vec2 ssgi_count(uvec2 m) {\n"
+    "    return vec2(bitCount(m));\n"
+    "}\n"
+    "#endif\n" },
+/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
+   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
+   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
+   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
+   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
+   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
+   texel's centre took off the slice. */
+
+{ "ssgi_slice", __LINE__ + 1,
+    "// A slice: t in the tangent plane, n normal to it, both in the slice; what ssgi_arc takes; the measure of each\n"
+    "// side up to the view direction, sectors per measure, what rounds them; the rays through points at x, y, per\n"
+    "// depth, less x, y over depth when perspective. On the side of -t x counts backward.\n"
+    "struct ssgi_slice { vec3 t, n; float cosg; vec2 sing, whole, sectors, noise, x, y; };\n" },
+{ "ssgi_slice_of", __LINE__, "// the slice of V and along, whose parts of the unit normal in it are b and a\n"
+    "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, float a, float b, vec3 n, vec2 noise) {\n"
+    "    ssgi_slice s;\n"
+    "    s.t = along * b - V * a;\n"
+    "    s.n = n;\n"
+    "    s.cosg = 0.5 * b;\n"
+    "    s.sing = vec2(0.5, -0.5) * a;\n"
+    "    s.whole = max(ssgi_arc(vec2(-a, a), s.cosg, s.sing), 1e-5);\n"
+    "    s.sectors = 32.0 / s.whole;\n"
+    "    s.noise = noise;\n"
+    "#if orthographic\n"
+    "    s.x = vec2(-s.t.z, s.t.z);\n"
+    "    s.y = vec2(-n.z);\n"
+    "#else\n"
+    "    s.x = vec2(dot(P, s.t), -dot(P, s.t));\n"
+    "    s.y = vec2(dot(P, n));\n"
+    "#endif\n"
+    "    return s;\n"
+    "}\n" },
+{ "ssgi_sector", __LINE__, "// where elevations with cosines c are among the sectors; 0 where there is nothing\n"
+    "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
+    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
+    "}\n" },
+{ "ssgi_behind", __LINE__ + 1,
+    "// moves points at x, y, depth z along the rays through them, away from the viewer; their sectors\n"
+    "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
+    "    x += by * s.x; // #if orthographic\n"
+    "    y += by * s.y; // #if orthographic\n"
+    "    by /= z; // #if !orthographic\n"
+    "    x += by * (x + s.x); // #if !orthographic\n"
+    "    y += by * (y + s.y); // #if !orthographic\n"
+    "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
+    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
+    "}\n" },
+{ "ssgi_fresh", __LINE__ + 1,
+    "// Occlusion of each side's whole measure, in 32nds, by what an arc of sectors covers of those that are free, at\n"
+    "// a distance; they are free no more.\n"
+    "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
+    "    vec2 fresh = ssgi_count(arc & ~mask);\n"
+    "    mask |= arc;\n"
+    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
+    "}\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
-    "// Occlusion: horizons on both sides (.x, .y) of SSGI_DIRECTIONS planes through the view direction. n over the\n"
-    "// length l of its projection makes dot(d, n) the height over the tangent plane within the slice: exactly 0 on\n"
-    "// a plane, wherever texels lie. Each rise of a horizon is attenuated by the mean distance of the taps that it\n"
-    "// lies between. Sines of elevations below SSGI_LEVEL count as 0: normals of 10 bits do not know better;\n"
-    "// beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a texel's centre took off the\n"
-    "// slice.\n"
+    "// occlusion by SSGI_DIRECTIONS slices, both sides (.x, .y) of each walked from near to far\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 normal, vec2 xi) {\n"
     "    vec2 pixel = vec2(p) + 0.5;\n"
     "    vec3 V = ssgi_toward(P);\n"
@@ -1259,51 +1369,70 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float total = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = 3.14159265 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 slice = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
-    "        float a = dot(normal, slice), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
-    "        float cosg = b / l, sing = a / l;\n"
-    "        vec2 pixels = ssgi_screen(P, slice) * u_ssgi_radius;\n"
-    "        vec3 t = slice * cosg - V * sing, n = normal / l;\n"
-    "        vec2 low = vec2(1.0), below = vec2(0.0), sum = vec2(0.0), sings = vec2(0.5, -0.5) * sing;\n"
-    "        cosg *= 0.5;\n"
-    "#if thin\n"
-    "        // what is seen reaches so far away from the viewer\n"
-    "        vec3 back = vec3(dot(t, V) * vec2(1.0, -1.0), dot(n, V)) * u_ssgi_thickness;\n"
+    "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
+    "        float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
+    "        vec2 pixels = ssgi_screen(P, along) * u_ssgi_radius;\n"
+    "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
+    "        ssgi_slice s = ssgi_slice_of(P, V, along, a / l, b / l, normal / l, noise);\n"
+    "        vec2 sum = vec2(0.0), last = vec2(0.0);\n"
+    "#if behind != SOLID\n"
+    "        vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
+    "        vec2 ended = was; // #if behind != CONSTANT\n"
     "#endif\n"
-    "        vec2 last = vec2(0.0); // #if !hard\n"
+    "        uvec2 mask = uvec2(0u);\n"
     "        for (int k = 0; k < SSGI_STEPS; ++k) {\n"
     "            vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
     "            u *= u;\n"
     "            ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
-    "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, ssgi_depth(q0)) - P;\n"
-    "            vec3 d1 = ssgi_position(vec2(q1) + 0.5, ssgi_depth(q1)) - P;\n"
-    "            vec2 x = vec2(dot(d0, t), -dot(d1, t)), y = vec2(dot(d0, n), dot(d1, n));\n"
+    "            vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
+    "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
+    "            vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
     "            vec2 far = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18), h = min(y / far, 1.0);\n"
-    "            vec2 c = sqrt(1.0 - h * h) * mix(vec2(1.0), vec2(-1.0), lessThan(x, vec2(0.0)));\n"
-    "            vec2 above = ssgi_arc(c, h, cosg, sings);\n"
-    "            vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
-    "            bvec2 rises = bvec2(h.x > least.x && c.x < low.x && far.x < u_ssgi_radius && ssgi_inside(q0),\n"
-    "                                h.y > least.y && c.y < low.y && far.y < u_ssgi_radius && ssgi_inside(q1));\n"
-    "#if thin\n"
-    "            // light passes between its back and low\n"
-    "            vec2 xb = x - back.xy, yb = y - back.z, rb = inversesqrt(xb * xb + yb * yb), cb = xb * rb;\n"
-    "            bvec2 open = bvec2(rises.x && yb.x > 0.0 && cb.x < low.x, rises.y && yb.y > 0.0 && cb.y < low.y);\n"
-    "            below = mix(below, ssgi_arc(cb, yb * rb, cosg, sings), open);\n"
-    "#endif\n"
-    "#if hard\n"
-    "            sum += mix(vec2(0.0), above - below, rises);\n"
+    "            vec2 c = sqrt(1.0 - h * h), least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
+    "            bvec2 inside = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
+    "            bvec2 seen = bvec2(inside.x && far.x < u_ssgi_radius, inside.y && far.y < u_ssgi_radius);\n"
+    "            bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
+    "            vec2 to = ssgi_sector(s, mix(c, -c, lessThan(x, vec2(0.0))), up);\n"
+    "#if behind == SOLID\n"
+    "            sum += ssgi_fresh(mask, ssgi_between(vec2(0.0), to), 0.5 * (far + last));\n"
     "#else\n"
-    "            sum += mix(vec2(0.0), (above - below) * (1.0 - 0.5 * (far + last) / u_ssgi_radius), rises);\n"
-    "            last = min(far, u_ssgi_radius);\n"
+    "            vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: between this tap and the last\n"
+    "            before = u;\n"
+    "#if behind == CONSTANT\n"
+    "            vec2 from = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), to);\n"
+    "            bvec2 joined = lessThan(abs(z - was), SSGI_JOINED * gap);\n"
+    "#else\n"
+    "            vec3 back0 = ssgi_slabs(q0), back1 = ssgi_slabs(q1);\n"
+    "            vec2 deep = ssgi_deep(z, vec2(back0.x, back1.x), gap), end_ = z + deep;\n"
+    "            vec2 from = min(ssgi_behind(s, bx, by, z, deep), to);\n"
+    "            bvec2 joined = lessThan(max(z - ended, was - end_), gap); // their depths overlap\n"
+    "            ended = mix(vec2(-SSGI_FAR), end_, seen);\n"
+    "            far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
     "#endif\n"
-    "            low = mix(low, c, rises);\n"
-    "            below = mix(below, above, rises);\n"
+    "            joined = bvec2(joined.x && seen.x, joined.y && seen.y);\n"
+    "            uvec2 arc = ssgi_between(mix(from, min(from, bottom), joined), mix(to, max(to, top), joined));\n"
+    "            sum += ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined)));\n"
+    "            was = mix(vec2(-SSGI_FAR), z, seen);\n"
+    "            bottom = from;\n"
+    "            top = to;\n"
+    "#endif\n"
+    "            last = min(far, u_ssgi_radius);\n"
+    "#if behind == SLABS\n"
+    "            vec2 next = vec2(back0.y, back1.y); // the second slab\n"
+    "            to = ssgi_behind(s, x, y, z, next - z);\n"
+    "            far = sqrt(x * x + y * y);\n"
+    "            seen = bvec2(inside.x && far.x < u_ssgi_radius, inside.y && far.y < u_ssgi_radius);\n"
+    "            from = min(ssgi_behind(s, x, y, next, ssgi_deep(next, vec2(back0.z, back1.z), 2.0 * gap)), to);\n"
+    "            far = 0.5 * (far + min(far, sqrt(x * x + y * y)));\n"
+    "            sum += ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
+    "#endif\n"
     "        }\n"
-    "        total += l * (sum.x + sum.y);\n"
+    "        total += l * dot(sum, s.whole);\n"
     "    }\n"
-    "    return total / float(SSGI_DIRECTIONS);\n"
+    "    return total / (32.0 * float(SSGI_DIRECTIONS));\n"
     "}\n"
-    "#elif pass == HSAO\n"
+    "#endif\n" },
+{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    mat3 basis = ssgi_basis(n);\n"
@@ -1427,7 +1556,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        // a segment shorter than a pixel finds nothing\n"
     "        if (bias >= 0.0) reach = min(reach, max(bias, 1.5 * ssgi_footprint(-P.z)));\n"
     "#endif\n"
-    "        ssgi_segment_length = reach; // #if thin && (shadow == SEGMENT || shadow == FILL)\n"
+    "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
     "        g *= 1.0 - ssgi_segment(start, s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
     "#endif\n"
@@ -2183,6 +2312,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
+    SSGI_GL__T("back", 13, "behind != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
+    SSGI_GL__T("back", 13, "behind == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
+               "back face; next front face behind it; next back face behind that"),
     SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
     SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
@@ -2290,7 +2422,8 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
     SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
     SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64, "0..64"), SSGI_GL__I(steps, 64, "0..64"), SSGI_GL__B(thin),
+    SSGI_GL__I(samples, 64, "0..64"), SSGI_GL__I(steps, 64, "0..64"),
+    SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
     SSGI_GL__E(falloff, SSGI_GL_FALLOFF_SQUARE, "SSGI_GL_FALLOFF", "LINEAR SQUARE"), SSGI_GL__B(kernel),
     SSGI_GL__E(fade, SSGI_GL_FADE_LAMBDA, "SSGI_GL_FADE", "NONE SMOOTH LAMBDA"), SSGI_GL__B(range),
     SSGI_GL__I(layers, 8, "0..8"), SSGI_GL__I(views, 4, "0..4"), SSGI_GL__I(view_layers, 8, "0..8"),
@@ -2347,6 +2480,9 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         if (desc->views)
             return ssgi_gl__bad(why, "desc.views: slices read what is seen alone; extra cameras need SSGI_GL_MARCH");
     }
+    if (desc->behind >= SSGI_GL_BEHIND_BACK && desc->pass <= SSGI_GL_LIGHTS && (desc->layers > 1 || desc->views))
+        return ssgi_gl__bad(why, "desc.behind: back faces are those of one layer and camera; layers and views want "
+                                 "SSGI_GL_BEHIND_CONSTANT or _SOLID");
     if (desc->world_normals && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
         return ssgi_gl__bad(why, "desc.world_normals: normals from depth are in view space");
     if (desc->half && desc->pass == SSGI_GL_BLUR && desc->filter == SSGI_GL_GAUSSIAN)
@@ -2375,14 +2511,14 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
-    static const struct counts { unsigned char half, samples, directions, steps, rays, thin, faded; } table[5][3] = {
-        /* FAST, BALANCED, BEST of ssao; slices; march, whose rays past a solid foreground would all end on it; ssdo and
-           s3ho, where points along a direction miss less than single ones; lights */
-        { { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 }, { 0, 32, 0, 1, 0, 1, 0 } },
-        { { 1, 0, 1, 3, 0, 0, 0 }, { 1, 0, 2, 6, 0, 0, 0 }, { 0, 0, 3, 8, 0, 0, 0 } },
-        { { 0, 0, 4, 6, 0, 1, 0 }, { 0, 0, 6, 9, 1, 1, 0 }, { 0, 0, 8, 18, 2, 1, 0 } },
-        { { 1, 4, 0, 4, 0, 1, 1 }, { 0, 4, 0, 4, 0, 1, 1 }, { 0, 8, 0, 6, 0, 1, 1 } },
-        { { 0, 4, 0, 1, 0, 1, 0 }, { 0, 8, 0, 1, 0, 1, 0 }, { 0, 16, 0, 1, 0, 1, 0 } } };
+    static const struct counts { unsigned char half, samples, directions, steps, rays, faded; } table[5][3] = {
+        /* FAST, BALANCED, BEST of ssao; slices; march; ssdo and s3ho, where points along a direction miss less than
+           single ones; lights */
+        { { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 }, { 0, 32, 0, 1, 0, 0 } },
+        { { 1, 0, 1, 4, 0, 0 }, { 1, 0, 2, 8, 0, 0 }, { 0, 0, 2, 10, 0, 0 } },
+        { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
+        { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
+        { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } } };
     const struct counts *c;
     int row;
     ssgi_result r = ssgi_gl_check(desc, why);
@@ -2407,7 +2543,6 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         desc->directions = c->directions;
         desc->normal_rays = c->rays;
     }
-    desc->thin = c->thin;
     desc->filter = SSGI_GL_BILATERAL;
     desc->filter_radius = 1;
     desc->noise = SSGI_GL_NOISE_GRADIENT;
@@ -2956,7 +3091,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.size[1] = view->height;
     f.radius = radius;
     f.offset = 1.5f;
-    f.thickness = radius;
+    f.thickness = 0.6f * radius;
     f.fade = 0.3f * radius;
     f.distance_clamp = 0.25f;
     f.gain = 1.0f;

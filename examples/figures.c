@@ -498,7 +498,7 @@ static void stability(void)
         { "light", "a sun turns 0.25 to 8 degrees a frame: second difference" }, { "rotation",
             "an object turns as much: the same, raw" },
         { "resolution", "160x90 to 3840x2160, constant angular radius" } };
-    static const char *const methods[] = { "ssao", "hsao-fast", "hsao", "hsao-thin", "hsao-best", "hsao-march",
+    static const char *const methods[] = { "ssao", "hsao-fast", "hsao", "hsao-back", "hsao-best", "hsao-march",
         "ssdo", "s3ho", "ssbn", "dss", "dss-lit", "aof" };
     enum { METHODS = sizeof methods / sizeof *methods };
     const csv c = csv_read("stability.csv", NULL);

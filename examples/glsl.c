@@ -3,7 +3,7 @@
 
       build/glsl-text FOLDER         FOLDER/hsao.330.frag: every choice at its default; FOLDER/hsao.330.half.frag: one
          choice changed; in 450 two, too:
-                                     FOLDER/hsao.450.half.thin.frag
+                                     FOLDER/hsao.450.half.slabs.frag
 
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of
    fields alone: FOLDER/field.table.glsl (ssgi_gl_field). ssdo's default here is an environment map. FOLDER/sh4.glsl:

@@ -28,7 +28,8 @@ static const char usage[] =
     "  render --list | --list hsao\n"
     "what to draw\n"
     "  --gbuffer F.exr       a captured frame: Z (view depth > 0), N.X N.Y N.Z (view space); perhaps albedo.R ..,\n"
-    "                        direct.R .., farther depth layers layer1.Z ..; --camera tells where it was taken\n"
+    "                        direct.R .., farther depth layers layer1.Z ..; back.Z, front2.Z, back2.Z (behind=);\n"
+    "                        --camera tells where it was taken\n"
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
@@ -357,6 +358,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                        r->ms[i], kit_fetches(d));
             }
             printf("]");
+            if (r->run->gbuffer->slabs) printf(", \"slabs_ms\": %.4f", r->run->gbuffer->slab_ms);
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
             const kit_score *s = &r->score[g];
@@ -378,6 +380,9 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                 kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
+        if (r->run->gbuffer->slabs)
+            printf("%-8s %9.3f ms, %d draws of the scene for back faces, not in the sum\n", "slabs",
+                   r->run->gbuffer->slab_ms, r->run->gbuffer->slabs > 1 ? 3 : 1);
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
                r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }

@@ -4,7 +4,7 @@
 /* ---- >>methods --------------------------------------------------------------------------------------------------- */
 
 /* What a method is shown with: all that reads the screen; light, which is ambient visibility when it is white and from
-   everywhere; surfels; fields; what `thin` mends; a sun that turns. */
+   everywhere; surfels; fields; what back faces mends; a sun that turns. */
 enum {
     SCREEN = 1,
     LIGHT = 2,
@@ -20,7 +20,7 @@ static const method methods[] = {
     { "ssao",       "ssao",       "",                             SCREEN,         3840 },
     { "hsao-fast",  "hsao-fast",  "",                             SCREEN,         3840 },
     { "hsao",       "hsao",       "",                             SCREEN,         3840 },
-    { "hsao-thin",  "hsao",       "thin=1,thickness=0.35",        THIN,           3840 },
+    { "hsao-back",  "hsao",       "behind=back",                  THIN,           3840 },
     { "hsao-best",  "hsao-best",  "",                             SCREEN,         3840 },
     { "hsao-march", "hsao-march", "",                             SCREEN,         1920 },
     { "ssdo",       "ssdo",       "bounce=none",                  LIGHT | TURNED, 1920 },

@@ -132,7 +132,7 @@ static void furnace(void)
                 { "ssdo", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
                 { "ssdo", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
                 { "ssdo", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,thin=0", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
                 { "ssdo", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
                 { "ssdo", "room", "two_sided=1", TWICE },
@@ -322,7 +322,7 @@ static void corner_darkens(void)
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "bounce=none,samples=64,thin=0,%s", row[m].set);
+        snprintf(set, sizeof set, "bounce=none,samples=64,behind=solid,%s", row[m].set);
         if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &l)) return;
         for (int i = 0; i < 3; ++i) {
             const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8),
@@ -355,7 +355,7 @@ static void corner_bounces(void)
         kit_run run;
         char set[96];
         double found[3];
-        snprintf(set, sizeof set, "thin=0,%s", row[m].set);
+        snprintf(set, sizeof set, "behind=solid,%s", row[m].set);
         if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &dark)) return;
         for (int i = 0; i < 3; ++i) {
             found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
@@ -398,10 +398,10 @@ static void layers_count(void)
 {
     static const struct {
         double c, thickness;
-        int layers, thin;
+        int layers, ends;
     } row[] = { { 0.1, 0.05, 2, 0 }, { 0.1, 0.25, 2, 0 }, { 0.25, 0.1, 2, 0 }, { 0.5, 0.25, 2, 0 },
                 { 0.1, 0.05, 1, 0 }, { 0.25, 0.1, 3, 0 }, { 0.25, 0.1, 3, 1 }, { 0.25, 0.1, 1, 1 } };
-    const double gap = 0.15, reach = 0.2;                          /* of what is thin, across */
+    const double gap = 0.15, reach = 0.2;                          /* of what has no back, across */
     kit_lighting l;
     double worst = 0;
     if (!lighten(&l, "white", NULL)) return;
@@ -410,19 +410,19 @@ static void layers_count(void)
         const double truth =
             linear_corner(c)
             - (row[m].layers > 1 ? linear_corner(back)
-               : row[m].thin     ? linear_corner(c + reach)
+               : row[m].ends     ? linear_corner(c + reach)
                                  : 0)
-            + (row[m].layers > 2 ? linear_corner(next) - (row[m].thin ? linear_corner(next + reach) : 0) : 0);
+            + (row[m].layers > 2 ? linear_corner(next) - (row[m].ends ? linear_corner(next + reach) : 0) : 0);
         kit_gbuffer g;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,thin=%d,thickness=%.6f", row[m].layers, row[m].thin,
-                 reach * sqrt(2));
+        snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,behind=%s,thickness=%.6f", row[m].layers,
+                 row[m].ends ? "constant" : "solid", reach * sqrt(2));
         if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo", set, 1, NULL, &l)) return;
         const double o = 1 - row_of(&run, &g, row_at(c), 8), noise = 5 * sqrt(truth * (1 - truth) / (64 * 8 * COLUMNS));
         worst = fmax(worst, fabs(o - truth));
-        CHECK(fabs(o - truth) <= fmin(noise, 0.003), "thin %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f",
-              row[m].thin, row[m].layers, row[m].thickness, c, o, truth);
+        CHECK(fabs(o - truth) <= fmin(noise, 0.003), "ends %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f",
+              row[m].ends, row[m].layers, row[m].thickness, c, o, truth);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
     }
@@ -453,8 +453,8 @@ static void cameras_know_more(void)
         double error[2] = { 0 }, bias[2] = { 0 };
         int n = 0;
         if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
-        if (!lit(&blind, &g, "ssdo", "bounce=none,thin=0", row[m].radius, &scene, &l)
-            || !lit(&knowing, &g, "ssdo", "bounce=none,thin=0,views=3,view_layers=2", row[m].radius, &scene, &l)
+        if (!lit(&blind, &g, "ssdo", "bounce=none,behind=solid", row[m].radius, &scene, &l)
+            || !lit(&knowing, &g, "ssdo", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius, &scene, &l)
             || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)))
             return;
         const float *a = kit_image_channel(&blind, "irradiance.G"), *b = kit_image_channel(&knowing, "irradiance.G");
@@ -541,7 +541,9 @@ static void backs_are_dark(void)
     for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
     for (int both = 0; both < 2; ++both) {
-        if (!lit(&out, &shining, "ssdo", both ? "thin=0,two_sided=1" : "thin=0,two_sided=0", 0.4f, NULL, &dark)) return;
+        if (!lit(&out, &shining, "ssdo", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f, NULL,
+                 &dark))
+            return;
         sum[both] = mean(&out, "bounce.G");
         kit_image_free(&out);
     }
@@ -766,7 +768,7 @@ void test_light(void)
     RUN("open planes get the environment's cosine integral, without noise", open_planes);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
     RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
-    RUN("two layers see through behind a slab, an odd last one is solid or thin", layers_count);
+    RUN("two layers see through behind a slab, an odd last one is solid or ends", layers_count);
     RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("a sender seen from behind is dark, unless both sides shine", backs_are_dark);

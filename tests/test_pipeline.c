@@ -19,9 +19,9 @@ static const struct {
                 { "hsao-fast", "steps=33" },
                 { "hsao-best", "steps=33" },
                 { "hsao-march", "steps=33" },
-                { "hsao-march", "steps=33,normal_rays=2,thin=0" },
-                { "ssao", "samples=33,normal=depth,thin=0" },
-                { "hsao", "steps=33,normal=depth,thin=1" } };
+                { "hsao-march", "steps=33,normal_rays=2,behind=solid" },
+                { "ssao", "samples=33,normal=depth,behind=solid" },
+                { "hsao", "steps=33,normal=depth,behind=constant" } };
 enum { METHODS = (int)(sizeof methods / sizeof methods[0]) };
 
 static uint32_t random_state;
@@ -179,20 +179,41 @@ int flat(const kit_image *frame, int x, int y)
     return 1;
 }
 
+/* A plane that is 0.03 deep, before another one that is 0.02 deep. */
+static int floors(kit_gbuffer *g, kit_image *frame, const kit_camera *c, const double plane[4])
+{
+    static const double behind[3] = { 0.03, 0.05, 0.07 };
+    const double (*n)[4] = (const double (*)[4])plane;
+    if (!planes_seen(frame, c, n, 1, ",back.Z,front2.Z,back2.Z")) return 0;
+    for (size_t k = 0; k < 3; ++k) {
+        const double farther[4] = { plane[0], plane[1], plane[2], plane[3] - behind[k] };
+        const size_t pixels = (size_t)frame->width * (size_t)frame->height;
+        kit_image other;
+        if (!planes_seen(&other, c, (const double (*)[4])farther, 1, "")) return 0;
+        memcpy(frame->data + (4 + k) * pixels, other.data, pixels * sizeof(float));
+        kit_image_free(&other);
+    }
+    return TRY(kit_gbuffer_from_frame(g, frame, c, &err));
+}
+
 static void planes_stay_bright(void)
 {
     static const struct { const char *method, *set; double most;
     } row[] = { { "ssao", "", 1e-3 },
-                { "ssao", "thin=0,blur=0", 1e-3 },
+                { "ssao", "behind=solid,blur=0", 1e-3 },
                 { "hsao", "", 1e-5 },
                 { "hsao-fast", "", 1e-5 },
                 { "hsao-best", "blur=0", 1e-5 },
-                { "hsao-best", "thin=1,hard=1,blur=0", 1e-5 },
+                { "hsao-best", "hard=1,blur=0", 1e-5 },
+                { "hsao", "behind=solid", 1e-5 },
+                { "hsao", "behind=back", 1e-5 },
+                { "hsao-best", "behind=slabs,blur=0", 1e-5 },
+                { "hsao-fast", "behind=slabs", 1e-5 },
                 { "hsao-march", "normal_rays=0,blur=0", 1e-5 },
-                { "hsao-march", "normal_rays=2,thin=0,blur=0", 1e-3 },
+                { "hsao-march", "normal_rays=2,behind=solid,blur=0", 1e-3 },
                 { "ssao", "normal=depth", 1e-3 },
                 { "hsao-best", "normal=depth,blur=0", 1e-5 },
-                { "hsao-march", "normal=depth,normal_rays=2,thin=0,blur=0", 1e-3 } };
+                { "hsao-march", "normal=depth,normal_rays=2,behind=solid,blur=0", 1e-3 } };
     enum { ROWS = (int)(sizeof row / sizeof row[0]), TURNS = 3, PLANES = 15 };
     static const double tilts[] = { 0, 30, 60, 75, 85 }, turns[TURNS] = { 0, 90, 217 };
     kit_gbuffer g[PLANES];
@@ -204,7 +225,7 @@ static void planes_stay_bright(void)
         for (int i = 0; i < PLANES; ++i) {
             const double a = tilts[i / TURNS] * pi / 180, b = turns[i % TURNS] * pi / 180,
                          n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
-            if (!walls(&g[i], &frame[i], &c, n, 1)) return;
+            if (!floors(&g[i], &frame[i], &c, n[0])) return;
         }
         for (int m = 0; m < ROWS; ++m) {
             if (!start(&run, &g[0], row[m].method, row[m].set, 0.1f)) continue;
@@ -299,7 +320,7 @@ static void corner_converges(void)
     static const struct { const char *method, *set; double (*truth)(double); double bound;
     } row[] = { { "hsao-best", "directions=8,steps=48,blur=0", linear_corner, 0.002 },
                 { "hsao-best", "directions=8,steps=48,hard=1,blur=0", hard_corner, 0.01 },
-                { "ssao", "samples=64,thin=0,blur=0", linear_corner, 0.004 } };
+                { "ssao", "samples=64,behind=solid,blur=0", linear_corner, 0.004 } };
     kit_gbuffer g[4];
     kit_run run;
     double worst = 0, scaled[2] = { 0 };
@@ -343,6 +364,167 @@ static void corner_converges(void)
     for (int i = 0; i < 4; ++i) kit_gbuffer_free(&g[i]);
 }
 
+/* ---- slabs: plates over a floor, endless sideways, from 45 degrees above ----------------------------------------- */
+
+/* from where to where along the floor, away from the viewer, and over it */
+typedef struct plate { double y[2], h[2]; } plate;
+/* the second one is hidden by the first */
+static const plate plates[2] = { { { 0.2, 0.6 }, { 0.4, 0.5 } }, { { 0.5, 0.8 }, { 0.15, 0.2 } } };
+
+/* Where a line from y, h along dy, dh is in a plate: 1, or 0 if it misses. */
+static int crosses(const plate *p, double y, double h, double dy, double dh, double t[2])
+{
+    const double a = (p->y[0] - y) / dy, b = (p->y[1] - y) / dy, c = (p->h[0] - h) / dh, d = (p->h[1] - h) / dh;
+    t[0] = fmax(fmin(a, b), fmin(c, d));
+    t[1] = fmin(fmax(a, b), fmax(c, d));
+    return t[0] < t[1] && t[0] > 0;
+}
+
+/* Occlusion of the floor at 0, linear within radius 1, by quadrature over the hemisphere. */
+static double plates_truth(int count)
+{
+    enum { N = 1500 };
+    double sum = 0;
+    for (int i = 0; i < N; ++i)
+        for (int k = 0; k < N; ++k) {
+            const double z = sqrt((i + 0.5) / N), across = sqrt(1 - z * z) * cos(2 * pi * (k + 0.5) / N);
+            double t[2], nearest = 1;
+            for (int p = 0; p < count; ++p) if (crosses(&plates[p], 0, 0, across, z, t)) nearest = fmin(nearest, t[0]);
+            sum += 1 - nearest;
+        }
+    return sum / ((double)N * N);
+}
+
+static int over_floor(kit_gbuffer *g, int count)
+{
+    kit_camera camera = looking_along_z(WIDE, HIGH, 1);
+    const double r = sqrt(0.5), pixel = r / SPAN;
+    kit_image frame;
+    camera.ortho_height = (float)(HIGH * pixel);
+    if (!TRY(kit_image_new(&frame, WIDE, HIGH, "Z,N.X,N.Y,N.Z,back.Z,front2.Z,back2.Z", &err))) return 0;
+    for (int row = 0; row < HIGH; ++row) {
+        /* at view depth 1; the floor at 0 is at depth 4 */
+        const double up = (row - HIGH / 2) * pixel, y0 = r * up - 3 * r, h0 = r * up + 3 * r;
+        double v[7] = { 0, 0, r, r, 0, 0, 0 }, t[2], stop[5] = { 0 };
+        int found = 0;
+        for (int p = 0; p < count; ++p) {
+            if (!crosses(&plates[p], y0, h0, r, -r, t)) continue;
+            stop[found++] = 1 + t[0];
+            stop[found++] = 1 + t[1];
+            /* its edge, not its top */
+            if (found == 2 && fabs(y0 + t[0] * r - plates[p].y[0]) < 1e-9) { v[2] = -r; v[3] = r; }
+        }
+        stop[found++] = 1 + h0 / r;
+        v[0] = stop[0];
+        for (int k = 1; k < found && k < 4; ++k) v[3 + k] = stop[k];
+        for (size_t k = 0; k < 7; ++k)
+            for (size_t x = 0; x < WIDE; ++x)
+                frame.data[(k * HIGH + (size_t)(HIGH - 1 - row)) * WIDE + x] = (float)v[k];
+    }
+    const int ok = TRY(kit_gbuffer_from_frame(g, &frame, &camera, &err));
+    kit_image_free(&frame);
+    return ok;
+}
+
+static void plates_cover_what_they_cover(void)
+{
+    static const struct {
+        const char *behind;
+        int plates, knows;
+    } row[] = { { "back", 1, 1 }, { "slabs", 1, 1 },    { "slabs", 2, 1 },
+                { "back", 2, 0 }, { "constant", 1, 0 }, { "solid", 1, 0 } };
+    double truth[2];
+    for (int i = 0; i < 2; ++i) truth[i] = plates_truth(i + 1);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; ++i) {
+        kit_gbuffer g;
+        kit_run run;
+        char set[96];
+        snprintf(set, sizeof set, "directions=8,steps=48,blur=0,behind=%s", row[i].behind);
+        if (!over_floor(&g, row[i].plates) || !start(&run, &g, "hsao-best", set, 1)) return;
+        const double o = 1 - row_of(&run, &g, HIGH / 2, 4), want = truth[row[i].plates - 1];
+        CHECK(row[i].knows == (fabs(o - want) < 0.006), "%d plates, %s: %.4f, truth %.4f", row[i].plates, set, o, want);
+        t_note("%d plates, %s: %.4f, truth %.4f", row[i].plates, row[i].behind, o, want);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+}
+
+/* The faces along a pixel's ray, told apart by their winding, are what the kit draws. */
+static void back_faces_are_drawn(void)
+{
+    static const char *const scenes[] = { "plates", "grass" };          /* solids; sheets */
+    for (int s = 0; s < 2; ++s) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_image frame, again;
+        ssgi_trace trace;
+        void *memory;
+        int wrong = 0, found[3] = { 0 }, differ = 0;
+        if (!TRY(kit_scene_load(&scene, scenes[s], 0, &err))) return;
+        scene.camera.width = 160;
+        scene.camera.height = 90;
+        memory = malloc(ssgi_trace_size(scene.mesh.triangles));
+        if (!CHECK(memory
+                       && ssgi_trace_build(&trace, memory, ssgi_trace_size(scene.mesh.triangles), scene.mesh.position,
+                                           12, NULL, scene.mesh.triangles, NULL)
+                              == SSGI_OK,
+                   "no trace")
+            || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
+            || !TRY(kit_gbuffer_slabs(&g, &scene, 2, &err)) || !TRY(kit_gbuffer_read(&frame, &g, &err)))
+            return;
+        const float *depth[4] = { kit_image_channel(&frame, "Z"), kit_image_channel(&frame, "back.Z"),
+                                  kit_image_channel(&frame, "front2.Z"), kit_image_channel(&frame, "back2.Z") };
+        float world[16], projection[16];
+        ssgi_view view;
+        if (!CHECK(depth[1] && depth[2] && depth[3], "channels are missing") || !view_of(&view, &g.camera)) return;
+        kit_camera_matrices(&g.camera, world, projection);
+        for (int i = 0; i < 160 * 90; ++i) {
+            float p[3], d[3], t = 0;
+            double z[4] = { 0 };
+            int next = 1;
+            ssgi_hit hit;
+            ssgi_view_position(&view, (float)(i % 160) + 0.5f, 89.5f - (float)(i / 160), 1, p);
+            for (int k = 0; k < 3; ++k) d[k] = world[4 * k] * p[0] + world[4 * k + 1] * p[1] + world[4 * k + 2] * p[2];
+            while (next < 4 && ssgi_trace_closest(&trace, g.camera.eye, d, t, 1e6f, &hit)) {
+                const float *c = scene.mesh.position + 9 * hit.triangle;
+                double a[3], b[3], face = 0;
+                for (int k = 0; k < 3; ++k) {
+                    a[k] = (double)c[3 + k] - (double)c[k];
+                    b[k] = (double)c[6 + k] - (double)c[k];
+                }
+                for (int k = 0; k < 3; ++k)
+                    face += (double)d[k] * (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]);
+                if (!(z[0] > 0)) z[0] = (double)hit.t;
+                if ((face > 0) == (next != 2)) z[next++] = (double)hit.t;
+                t = hit.t * 1.000004f;
+            }
+            for (int k = 1; k < 4; ++k) found[k - 1] += z[k] > 0;
+            for (int k = 0; k < 4; ++k)
+                if (fabs((double)depth[k][i] - z[k]) > 1e-3 * z[0]) { ++wrong; break; }
+        }
+        CHECK(wrong < 160 * 90 / 50 && found[0] > 1000 && found[1] > 500,
+              "%s: %d pixels hold other faces than their rays meet; back faces, slabs: %d, %d, %d", scenes[s], wrong,
+              found[0], found[1], found[2]);
+        t_note("%s: %d of 14400 pixels hold other faces than their rays meet; %d with a back face, %d with a second "
+               "slab",
+               scenes[s], wrong, found[0], found[2]);
+        kit_gbuffer_free(&g);
+        if (!TRY(kit_gbuffer_from_frame(&g, &frame, &scene.camera, &err)) || !TRY(kit_gbuffer_read(&again, &g, &err)))
+            return;
+        for (int c = 0; c < frame.channels; ++c)
+            if (strstr(frame.name[c], ".Z") && frame.name[c][0] != 'N')
+                differ += memcmp(kit_image_channel(&again, frame.name[c]), kit_image_channel(&frame, frame.name[c]),
+                                 160 * 90 * sizeof(float))
+                          != 0;
+        CHECK(!differ && g.slabs == 2, "%d channels of slabs are lost in a frame", differ);
+        kit_gbuffer_free(&g);
+        kit_image_free(&frame);
+        kit_image_free(&again);
+        kit_scene_free(&scene);
+        free(memory);
+    }
+}
+
 /* ---- the same picture, whatever the camera, the layout and the units --------------------------------------------- */
 
 enum { ROOM_W = 480, ROOM_H = 270 };
@@ -356,7 +538,7 @@ static void same_picture(void)
     };
     static const struct {
         const char *method, *set;
-    } alike[] = { { "ssao", "noise=texture,thin=0" },
+    } alike[] = { { "ssao", "noise=texture,behind=solid" },
                   { "hsao", "noise=texture" },
                   { "hsao-best", "noise=texture" },
                   { "hsao-march", "noise=texture" } };
@@ -520,8 +702,8 @@ static void radii_do_not_matter(void)
     if (!load(&scene, 160, 90) || !TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))) return;
     for (int m = 0; m < METHODS; ++m) {
         /* Points lifted by most of a pixel stand behind a silhouette beside them, and what is solid blocks them at any
-           radius: a limit of ssao and of normal rays without thin. All else sees nothing. */
-        const int allowed = strstr(methods[m].set, "thin=0") ? 160 * 90 / 10 : 0;
+           radius: a limit of ssao and of normal rays. All else sees nothing. */
+        const int allowed = strstr(methods[m].set, "behind=solid") ? 160 * 90 / 10 : 0;
         int dark = 0;
         if (!start(&run, &g, methods[m].method, methods[m].set, 1e-6f) || !draw(&out, &run)) return;
         for (int i = 0; i < out.width * out.height; ++i) dark += !(out.data[i] >= 1 - 1e-6f);
@@ -645,12 +827,12 @@ static void fetches_are_counted(void)
         "float ssgi_custom_depth(ivec2 p, int layer) { tick(); return ((p.x / 5 + p.y / 4) & 1) == 0 ? 2.0 : 1.8; }\n"
     };
     static const struct {
-        int pass, search, rays, thin, normal;
-    } row[] = { { SSGI_GL_SSAO, 0, 0, 1, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 0, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 1, SSGI_GL_NORMAL_FROM_DEPTH },
-                { SSGI_GL_HSAO, SSGI_GL_MARCH, 0, 0, SSGI_GL_NORMAL_CUSTOM },
-                { SSGI_GL_HSAO, SSGI_GL_MARCH, 2, 0, SSGI_GL_NORMAL_CUSTOM } };
+        int pass, search, rays, behind, normal;
+    } row[] = { { SSGI_GL_SSAO, 0, 0, 0, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 1, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_SLICES, 0, 0, SSGI_GL_NORMAL_FROM_DEPTH },
+                { SSGI_GL_HSAO, SSGI_GL_MARCH, 0, 1, SSGI_GL_NORMAL_CUSTOM },
+                { SSGI_GL_HSAO, SSGI_GL_MARCH, 2, 1, SSGI_GL_NORMAL_CUSTOM } };
     const kit_camera c = looking_along_z(W, H, 0);
     uint32_t count[W * H];
     ssgi_view view;
@@ -677,7 +859,7 @@ static void fetches_are_counted(void)
         d.pass = row[i / 2].pass;
         d.search = row[i / 2].search;
         d.normal_rays = row[i / 2].rays;
-        d.thin = row[i / 2].thin;
+        d.behind = row[i / 2].behind;
         d.normal = row[i / 2].normal;
         d.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);
@@ -815,6 +997,9 @@ void test_pipeline(void)
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
     RUN("planes stay bright, tilted and turned, by every method", planes_stay_bright);
     RUN("the corner agrees with its closed forms and with the paper's march", corner_converges);
+    RUN("plates over a floor cover what they cover: one by its back, one behind another as slabs",
+        plates_cover_what_they_cover);
+    RUN("back faces and slabs are what rays meet, and come back from a frame", back_faces_are_drawn);
     RUN("depth layout, units, shift, roll and place in the textures change nothing", same_picture);
     RUN("every size of picture gives sound values, and 1 where nothing is", sizes_do_not_matter);
     RUN("a tiny radius sees nothing, a huge one no nonsense", radii_do_not_matter);

@@ -264,7 +264,7 @@ static void walls_block(void)
         kit_gbuffer g;
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=0,samples=64,%s", row[m].set);
+        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,behind=solid,samples=64,%s", row[m].set);
         corner_planes(plane, w->c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v, w, plane[0], along);
@@ -308,7 +308,7 @@ static void walls_reflect(void)
         if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "thin=0,samples=64,fade=lambda,lambda=2,%s", sets[m]);
+        snprintf(set, sizeof set, "behind=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
         if (!strip_mean(found, &run, &g, row_at(w.c), 8, run.passes - 1, 1)) return;
@@ -351,7 +351,7 @@ static void range_is_checked(void)
             kit_gbuffer g;
             char set[128];
             snprintf(set, sizeof set,
-                     "range=%d,indirect=none,filtered=vectors,store=float,bands=1,thin=0,samples=64,offset=0", m);
+                     "range=%d,indirect=none,filtered=vectors,store=float,bands=1,behind=solid,samples=64,offset=0", m);
             for (int i = 0; i < WIDTH * HEIGHT; ++i)
                 if (i % WIDTH >= EDGE) frame.data[i] = (float)(4 - row[k].high * radius);
             if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
@@ -708,7 +708,7 @@ static void filter_averages_tiles(void)
         float v[16 * COLUMNS];
         kit_run run;
         char set[96];
-        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,thin=0,noise=texture,%s",
+        snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,behind=solid,noise=texture,%s",
                  sets[m]);
         if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
@@ -738,7 +738,7 @@ static void filter_keeps_edges(void)
         kit_image out;
         float *v;
         char set[96];
-        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,thin=1,%s", sets[m]);
+        snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,behind=constant,%s", sets[m]);
         if (!begin(&run, &g, "s3ho", set, 0.1f, NULL, &dark) || !drawn(&out, &run) || !(v = vectors_new(&run, 1)))
             return;
         for (int i = 0; i < 16 * W * H; ++i)
@@ -886,8 +886,8 @@ static void bent_normals_bend(void)
         for (int i = 0; i < 3; ++i) along[i] = -both[1][i];
         wall_vector(v, &w, both[0], along);
         if (!slab(&g, w.c, 9, 0, 1)
-            || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,thin=0,noise=texture,blur=4,samples=64", 1, NULL,
-                      &l)
+            || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,behind=solid,noise=texture,blur=4,samples=64", 1,
+                      NULL, &l)
             || !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run)
             || !strip(texel, &run, row_at(w.c), 2, 1))
             return;
@@ -927,7 +927,7 @@ static void same_picture(void)
         ALIKE = 3
     };
     static const struct { const char *method, *set;
-    } alike[ALIKE] = { { "s3ho", "noise=texture,thin=0" },
+    } alike[ALIKE] = { { "s3ho", "noise=texture,behind=solid" },
                        { "s3ho", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
                        { "ssbn", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
     static const char *const names[WAYS] = { "",           "normal depth",           "infinite far plane",

@@ -13,7 +13,7 @@
    PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what
    this same program interpolated, so a surface finds its own depth again bit by bit; the tolerance is for surfaces that
    coincide (a box on a floor), whose depths differ by rounding. Window depth would not do: away from a near plane its
-   steps are coarser than that by far. */
+   steps are coarser than that by far. SLAB is PEEL without normals and albedo. */
 static const char vertex_source[] =
     "layout(location = 0) in vec3 a_position;\n"
     "layout(location = 1) in vec3 a_normal;\n"
@@ -44,10 +44,18 @@ static const char fragment_source[] =
     "flat in vec3 v_facing;\n"
     "flat in vec3 v_albedo;\n"
     "flat in float v_object;\n"
+    "#ifdef SLAB\n"
+    "#define PEEL\n"
+    "layout(location = 0) out float o_depth;\n"
+    "vec4 o_normal, o_albedo;\n"
+    "#else\n"
     "layout(location = 0) out vec4 o_normal;\n"
     "layout(location = 1) out vec4 o_albedo;\n"
     "#ifdef PEEL\n"
     "layout(location = 2) out float o_depth;\n"
+    "#endif\n"
+    "#endif\n"
+    "#ifdef PEEL\n"
     "uniform sampler2D u_previous;\n"
     "#else\n"
     "layout(location = 2) out highp uint o_object;\n"
@@ -98,6 +106,65 @@ static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
     return vertices;
 }
 
+/* Makes ready to draw the soup as g's camera sees it; a framebuffer without targets. */
+static GLuint begin(kit_soup *soup, const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program)
+{
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
+    float view[16], projection[16];
+    GLuint framebuffer;
+    kit_camera_matrices(&g->camera, view, projection);
+    while (glGetError() != GL_NO_ERROR) {}
+    kit_soup_open(soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glUseProgram(program);
+    glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
+    glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
+    glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
+    glDepthFunc(reversed ? GL_GREATER : GL_LESS);
+    if (reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    return framebuffer;
+}
+
+/* Draws the nearest back face; the next front face behind that, and its back face, as window depths. Each pass writes
+   view depth, too, which the next one peels by. */
+static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program,
+                      const GLuint depth[3])
+{
+    static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL, passes = g->slabs > 1 ? 3 : 1;
+    const GLfloat clear = reversed ? 0.0f : 1.0f;
+    GLuint framebuffer, view_depth[2];
+    int complete = 1;
+    kit_soup soup;
+    framebuffer = begin(&soup, g, mesh, vertices, program);
+    for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, view_depth[1], 0);
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glActiveTexture(GL_TEXTURE0);
+    glEnable(GL_CULL_FACE);
+    kit_timer_begin();
+    for (int i = 0; i < passes && complete; i++) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, view_depth[i % 2], 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth[i], 0);
+        glBindTexture(GL_TEXTURE_2D, view_depth[(i + 1) % 2]);
+        complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+        glClearBufferfv(GL_COLOR, 0, farthest);
+        glClearBufferfv(GL_DEPTH, 0, &clear);
+        glCullFace(i == 1 ? GL_BACK : GL_FRONT);
+        if (complete) glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
+    }
+    g->slab_ms = kit_timer_end();
+    glDisable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    kit_soup_close(&soup);
+    glDeleteTextures(2, view_depth);
+    glDeleteFramebuffers(1, &framebuffer);
+    return complete && glGetError() == GL_NO_ERROR;
+}
+
 /* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one
    too, for its view depth, into the slices that the second will have; view depths go from layer to layer through a pair
    of textures, so that none reads the array that it writes. */
@@ -108,22 +175,11 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
     const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
     const GLfloat clear = reversed ? 0.0f : 1.0f;
-    float view[16], projection[16];
     GLuint framebuffer, view_depth[2] = { 0, 0 };
     int complete = 1;
     kit_soup soup;
-    kit_camera_matrices(&g->camera, view, projection);
-    while (glGetError() != GL_NO_ERROR) {}
-    kit_soup_open(&soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    framebuffer = begin(&soup, g, mesh, vertices, program);
     glDrawBuffers(3, targets);
-    glUseProgram(program);
-    glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
-    glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
-    glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
-    glDepthFunc(reversed ? GL_GREATER : GL_LESS);
-    if (reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     if (peels) {
         for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
         glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[1], 0);
@@ -161,7 +217,7 @@ static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
     return complete && glGetError() == GL_NO_ERROR;
 }
 
-static int rasterise(const kit_gbuffer *g, const kit_scene *scene, int peels, kit_error *err)
+static int rasterise(kit_gbuffer *g, const kit_scene *scene, int peels, const GLuint *slab, kit_error *err)
 {
     float *vertices;
     GLuint program;
@@ -172,8 +228,13 @@ static int rasterise(const kit_gbuffer *g, const kit_scene *scene, int peels, ki
     vertices = vertices_new(&scene->mesh, &g->camera);
     if (!vertices)
         return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
-    program = kit_program_text(peels ? "#define PEEL\n" : "", vertex_source, fragment_source, err);
-    drawn = program && draw(g, &scene->mesh, vertices, program, peels);
+    program = kit_program_text(slab    ? "#define SLAB\n"
+                               : peels ? "#define PEEL\n"
+                                       : "",
+                               vertex_source, fragment_source, err);
+    drawn = program
+            && (slab ? draw_slabs(g, &scene->mesh, vertices, program, slab)
+                     : draw(g, &scene->mesh, vertices, program, peels));
     free(vertices);
     if (!program) return -1;
     glDeleteProgram(program);
@@ -213,7 +274,7 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
     g.normal = kit_texture(g.width, g.height, GL_RGBA32F, NULL);
     g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, NULL);
     g.object = kit_texture(g.width, g.height, GL_R32UI, NULL);
-    if (rasterise(&g, scene, 0, err)) {
+    if (rasterise(&g, scene, 0, NULL, err)) {
         kit_gbuffer_free(&g);
         return -1;
     }
@@ -240,13 +301,56 @@ int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, k
         g.layer_depth  = kit_texture_array(g.width, g.height, layers - 1, GL_DEPTH_COMPONENT32F, NULL);
         g.layer_normal = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA32F, NULL);
         g.layer_albedo = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA16F, NULL);
-        if (rasterise(&g, scene, 1, err)) {
+        if (rasterise(&g, scene, 1, NULL, err)) {
             layers_free(&g);
             return -1;
         }
         layers_free(gbuffer);
         *gbuffer = g;
     } else layers_free(gbuffer);
+    return 0;
+}
+
+/* Three planes of texels as one texture of four components, rows as they are. */
+static GLuint packed_slabs(const kit_gbuffer *g, const float *planes)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height;
+    float *packed = calloc(4 * texels, sizeof *packed);
+    GLuint texture;
+    if (!packed) return 0;
+    for (size_t i = 0; i < 3 * texels; i++) packed[4 * (i % texels) + i / texels] = planes[i];
+    texture = kit_texture(g->width, g->height, GL_RGBA32F, packed);
+    free(packed);
+    return texture;
+}
+
+int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err)
+{
+    const size_t texels = (size_t)gbuffer->width * (size_t)gbuffer->height;
+    kit_gbuffer g = *gbuffer;
+    GLuint depth[3] = { 0, 0, 0 };
+    float *planes;
+    int failed;
+    if (slabs < 1 || slabs > 2) return kit_fail(err, "slabs %d: must be 1 or 2", slabs);
+    if (g.depth_is_linear)
+        return kit_fail(err, "G-buffer: it came from a frame, which has no scene to draw back faces of");
+    g.slabs = slabs;
+    for (int i = 0; i < (slabs > 1 ? 3 : 1); i++)
+        depth[i] = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
+    failed = rasterise(&g, scene, 0, depth, err);
+    if (!failed && slabs > 1) {
+        planes = malloc(3 * texels * sizeof *planes);
+        failed = !planes;
+        for (int i = 0; i < 3 && !failed; i++)
+            failed = kit_texture_read(depth[i], g.width, g.height, 1, planes + (size_t)i * texels);
+        g.slab = failed ? 0 : packed_slabs(&g, planes);
+        failed = !g.slab && kit_fail(err, "G-buffer of %s: no memory for slabs", scene->name);
+        free(planes);
+    } else if (!failed) { g.slab = depth[0]; depth[0] = 0; }
+    glDeleteTextures(3, depth);
+    if (failed) return -1;
+    glDeleteTextures(1, &gbuffer->slab);
+    *gbuffer = g;
     return 0;
 }
 
@@ -269,6 +373,8 @@ static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
 enum { Z, N, ALBEDO = 4, DIRECT = 7, CHANNELS = 10 };
 static const char *const channel_names[CHANNELS] =
     { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.G", "direct.B" };
+
+static const char *const slab_names[3] = { "back.Z", "front2.Z", "back2.Z" };
 
 static void channel_name(char out[32], int layer, int c)
 {
@@ -300,6 +406,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
 {
     const size_t width = (size_t)frame->width, texels = width * (size_t)frame->height;
     const float *channel[KIT_MAX_LAYERS][CHANNELS];
+    const float *slab[3];
     float view[16], *depth, *normal, *albedo, *direct;
     kit_gbuffer g;
     GLint limit = 0;
@@ -320,6 +427,10 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
         if (channels_find(channel[layer], frame, layer, ALBEDO, DIRECT, err) != 1)
             return kit_fail(err, "frame: layer%d lacks albedo, which the first layer has", layer);
     layers = (size_t)g.layers;
+    for (int i = 0; i < 3; i++) slab[i] = kit_image_channel(frame, slab_names[i]);
+    if ((slab[1] || slab[2]) && !(slab[0] && slab[1] && slab[2]))
+        return kit_fail(err, "frame: front2.Z and back2.Z need each other and back.Z");
+    g.slabs = slab[2] ? 2 : slab[0] ? 1 : 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (frame->width > limit || frame->height > limit)
         return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height,
@@ -365,6 +476,12 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
         if (colours)
             g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
     }
+    for (size_t at = 0; at < (g.slabs > 1 ? 3 : (size_t)g.slabs) * texels; at++) {
+        const size_t i = at % texels;
+        const float z = slab[at / texels][(size_t)frame->height * width - (i / width + 1) * width + i % width];
+        depth[at] = z > 0 && z <= FLT_MAX ? z : 0;
+    }
+    if (g.slabs) g.slab = g.slabs > 1 ? packed_slabs(&g, depth) : kit_texture(g.width, g.height, GL_R32F, depth);
     free(depth);
     *gbuffer = g;
     return 0;
@@ -409,6 +526,10 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
     int result = 0;
     for (int layer = 0; layer < g->layers; layer++) names_add(names, sizeof names, layer, Z, (int)channels);
     if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
+    for (int i = 0; i < (g->slabs > 1 ? 3 : g->slabs); i++) {
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, ",%s", slab_names[i]);
+    }
     depth = malloc(texels * 13 * sizeof *depth);
     if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
     if (kit_image_new(&image, g->viewport[2], g->viewport[3], names, err)) {
@@ -438,6 +559,15 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
             }
         }
     }
+    if (g->slabs && !result) result = kit_texture_read(g->slab, g->width, g->height, g->slabs > 1 ? 4 : 1, normal);
+    for (size_t k = 0; k < (g->slabs > 1 ? 3 : (size_t)g->slabs) && !result; k++) {
+        float *out = kit_image_channel(&image, slab_names[k]);
+        for (size_t i = 0; i < pixels; i++) {
+            const size_t from = ((size_t)g->viewport[1] + height - 1 - i / width) * (size_t)g->width
+                                + (size_t)g->viewport[0] + i % width;
+            out[i] = (float)view_depth(g, (double)normal[g->slabs > 1 ? 4 * from + k : from]);
+        }
+    }
     free(depth);
     if (result) {
         kit_image_free(&image);
@@ -450,6 +580,7 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 void kit_gbuffer_free(kit_gbuffer *gbuffer)
 {
     layers_free(gbuffer);
+    glDeleteTextures(1, &gbuffer->slab);
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);

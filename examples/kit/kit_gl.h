@@ -17,24 +17,25 @@
 #define KIT_GL_CORE(X) \
     X(ActiveTexture, ACTIVETEXTURE) \
     X(AttachShader, ATTACHSHADER) \
-    X(BeginQuery, BEGINQUERY) X(BeginTransformFeedback, \
-                                BEGINTRANSFORMFEEDBACK) X(BindBuffer, BINDBUFFER) X(BindBufferBase, \
-                                                                                    BINDBUFFERBASE) X(BindFramebuffer, \
-                                                                                                      BINDFRAMEBUFFER) \
-        X(BindTexture, \
-          BINDTEXTURE) X(BindVertexArray, \
-                         BINDVERTEXARRAY) X(BufferData, \
-                                            BUFFERDATA) X(CheckFramebufferStatus, \
-                                                          CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, \
-                                                                                    CLEARBUFFERFV) X(ClearBufferuiv, \
-                                                                                                     CLEARBUFFERUIV) \
-            X(ColorMask, \
-              COLORMASK) X(CompileShader, \
-                           COMPILESHADER) X(CreateProgram, \
-                                            CREATEPROGRAM) X(CreateShader, \
-                                                             CREATESHADER) X(DeleteBuffers, \
-                                                                             DELETEBUFFERS) X(DeleteFramebuffers, \
-                                                                                              DELETEFRAMEBUFFERS) \
+    X(BeginQuery, BEGINQUERY) \
+    X(BeginTransformFeedback, \
+      BEGINTRANSFORMFEEDBACK) X(BindBuffer, \
+                                BINDBUFFER) X(BindBufferBase, \
+                                              BINDBUFFERBASE) X(BindFramebuffer, \
+                                                                BINDFRAMEBUFFER) X(BindTexture, \
+                                                                                   BINDTEXTURE) X(BindVertexArray, \
+                                                                                                  BINDVERTEXARRAY) \
+        X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, \
+                                    CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, \
+                                                              CLEARBUFFERFV) X(ClearBufferuiv, \
+                                                                               CLEARBUFFERUIV) X(ColorMask, COLORMASK) \
+            X(CompileShader, \
+              COMPILESHADER) X(CreateProgram, \
+                               CREATEPROGRAM) X(CreateShader, \
+                                                CREATESHADER) X(CullFace, \
+                                                                CULLFACE) X(DeleteBuffers, \
+                                                                            DELETEBUFFERS) X(DeleteFramebuffers, \
+                                                                                             DELETEFRAMEBUFFERS) \
                 X(DeleteProgram, \
                   DELETEPROGRAM) X(DeleteShader, \
                                    DELETESHADER) X(DeleteTextures, \
@@ -181,6 +182,11 @@ typedef struct kit_gbuffer {
     int        layers;
     /* kinds as above; normals of even layers point away from the viewer */
     GLuint     layer_depth, layer_normal, layer_albedo;
+    /* 1: slab is of depth's kind: the nearest back face. 2: RGBA32F: that; the next front face behind it; the next
+       back face behind that. 0: there is none */
+    int        slabs;
+    GLuint     slab;
+    double     slab_ms;                    /* what drawing them took; frames: 0 */
 } kit_gbuffer;
 
 /* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture,
@@ -197,14 +203,20 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
 #define KIT_MAX_LAYERS 8
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
+/* Back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene: slabs 1 or 2, as
+   kit_gbuffer.slab has them, in place of those that it has. One draw of the scene, or three. Leaves GL as
+   kit_gbuffer_from_scene does. */
+int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
+
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero
    normal is taken as +z, -z in even layers) and perhaps albedo.R/G/B; the same as layer1.Z, layer1.N.X .. of the second
    layer, layer2.Z .. of the third, and so on to KIT_MAX_LAYERS; and perhaps direct.R/G/B (what is not finite or below 0
-   becomes 0). The camera's size becomes the frame's; its planes, where 0, bracket Z. */
+   becomes 0); back.Z, or back.Z, front2.Z and back2.Z (view depth, 0 = nowhere). The camera's size becomes the frame's;
+   its planes, where 0, bracket Z. */
 int  kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err);
 
-/* The inverse, of the viewport: those channels of all layers, and direct.R/G/B where there is direct; background is 0
-   in all. */
+/* The inverse, of the viewport: those channels of all layers, direct.R/G/B and slabs where there are any; background is
+   0 in all. */
 int  kit_gbuffer_read(kit_image *frame, const kit_gbuffer *gbuffer, kit_error *err);
 void kit_gbuffer_free(kit_gbuffer *gbuffer);
 

@@ -166,6 +166,7 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
     const struct { const char *name; GLuint texture;
     } table[] = { { "depth", p->gbuffer->depth },
                   { "layers", p->gbuffer->layer_depth },
+                  { "back", p->gbuffer->slab },
                   { "views", run->view_depth },
                   { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
                   { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
@@ -273,6 +274,13 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
     if (m.gather.views && !m.world->scene)
         return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
     if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
+    if (m.gather.behind >= SSGI_GL_BEHIND_BACK) {
+        const int slabs = m.gather.behind == SSGI_GL_BEHIND_BACK ? 1 : 2;
+        if (slabs > g->slabs && !m.world->scene)
+            return kit_fail(err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
+                            g->slabs ? "front2.Z" : "back.Z");
+        if (slabs != g->slabs && m.world->scene && kit_gbuffer_slabs(g, m.world->scene, slabs, err)) return -1;
+    }
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
         failed = kit_open_lit(&m, picture);

@@ -28,6 +28,10 @@ static const row normal_row = {
 static const row thickness_row = {
     { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness)
 };
+static const row slice_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.6, 0,
+                                       100, 0 },
+                                     SCALED,
+                                     FRAMED(thickness) };
 static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0,
                                       100, 0 },
                                     SCALED,
@@ -36,10 +40,13 @@ static const row most_thick_row = { { "thickness", "how far behind what is seen 
                                       100, 0 },
                                     SCALED,
                                     FRAMED(thickness) };
-static const row thin_row = { { "thin", "1: things reach away from the viewer by thickness, 0: without end", NULL, 0, 0,
-                                1, 1 },
-                              GATHER,
-                              DESC(thin) };
+static const row behind_row = {
+    { "behind",
+      "how far what is seen reaches away from the viewer: by thickness; without end; to its back face; two such slabs",
+      "constant solid back slabs", 0, 0, 3, 1 },
+    GATHER,
+    DESC(behind)
+};
 static const row half_row = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1,
                                 1 },
                               GATHER | BLUR,
@@ -269,21 +276,21 @@ static const row unit_row      = { { "unit", "world units of a millimetre", NULL
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES \
     { \
-        &slices_row, &steps_row, &half_row, &thin_row, &thickness_row, &hard_row, &normal_row, &noise_row, &phase_row, \
-            &blur_row, &filter_row, &compare_row \
+        &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
+            &phase_row, &blur_row, &filter_row, &compare_row \
     }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define SSDO \
     { \
         &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-            &range_row, &half_row, &thin_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
+            &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
             &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
             &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, \
             &filter_row, &compare_row \
     }
 #define VECTORS \
     &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
-        &thin_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
+        &behind_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
         &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
         &blur_row, &filter_row, &compare_row
 #define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS }
@@ -298,7 +305,7 @@ static const plan plans[] = {
       0,
       SSGI_GL_BALANCED,
       { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
-        &half_row, &thin_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
+        &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
         &filter_row, &compare_row } },
     { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED,
       SLICES },
@@ -309,7 +316,7 @@ static const plan plans[] = {
       SSGI_GL_HSAO,
       SSGI_GL_MARCH,
       SSGI_GL_BALANCED,
-      { &dirs_row, &steps_row, &rays_row, &half_row, &thin_row, &half_thick_row, &hard_row, &offset_row, DEEP,
+      { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
         &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED,
       SSDO },
@@ -486,7 +493,7 @@ int kit_settings_apply(kit_making *m, float radius)
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
-    m->lights.thin = !(kit_method_value(m->method, "solid") > 0);
+    m->lights.behind = kit_method_value(m->method, "solid") > 0 ? SSGI_GL_BEHIND_SOLID : SSGI_GL_BEHIND_CONSTANT;
     if (m->gather.pass == SSGI_GL_S3HO) {
         const int bent = !m->gather.bands;
         if (bent) {
