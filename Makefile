@@ -71,12 +71,9 @@ demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
-# Its second scanned mesh comes from a package that nothing else needs; without it, the chart says so.
-BED     = build/models/iron-bed.obj
-BED_ZIP = /usr/share/sweethome3d/furniture/Scopia.sh3f
+# Some of its scenes come from packages that nothing else needs; without them, the chart says so.
 chart: build/report build/figures
-	@test -n "$(QUICK)$(SCENE:iron-bed=)" -o -s $(BED) || { sh examples/kit/install.sh sweethome3d-furniture unzip && mkdir -p build/models \
-		&& unzip -p $(BED_ZIP) scopia/iron_bed/iron_bed.obj >$(BED); } || rm -f $(BED)
+	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs rafters))
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
 

@@ -233,7 +233,7 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     const int count = chosen(entries, chart_entries, COUNT(chart_entries), o);
     int peers;
     stage s;
-    if (!count || (!o->scenes && !strcmp(v.path, BED) && access(BED, R_OK))) return 0;
+    if (!count || (!o->scenes && packages_of(v.path) && access(v.path, R_OK))) return 0;
     if (!rows) return 1;
     if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err)
         || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
@@ -274,9 +274,10 @@ static int ao_chart(FILE *html, const options *o, row *mean, int *count, int *me
         const int n = unit(each.file, o, "ao", k, ao_unit, r, err);
         if (n < 0) return -1;
         if (!n) {
-            static const char *const without =
-                "iron-bed: left out, " BED
-                " is not there; make chart takes it from Debian's package sweethome3d-furniture";
+            const view v = view_at(o, k);
+            char without[256];
+            snprintf(without, sizeof without, "%s: left out, %s is not there; make chart takes it from Debian's %s",
+                v.name, v.path, packages_of(v.path));
             fprintf(stderr, "report: note: %s\n", without);
             fprintf(each.file, "<p class=\"faint\">%s.</p>\n", without);
             continue;

@@ -10,7 +10,9 @@
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
-#define BED     "build/models/iron-bed.obj"    /* make chart puts it there */
+#define BED     "build/models/iron-bed.obj"    /* make chart puts these there: examples/kit/models.sh */
+#define MAPLE   "build/models/maple.obj"
+#define HOUSE   "build/models/fzk-house.obj"
 
 /* SLOW: so many times the reference's time */
 enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640,
@@ -46,6 +48,8 @@ typedef struct view {
 #define NO_CROPS { { 0 } }
 extern const view views[];
 extern const int views_count;
+/* The packages that make chart takes such a mesh from; NULL = it is none of these. */
+const char *packages_of(const char *path);
 
 /* ---- >>stage.c: a scene, its light, its G-buffer, its truth and what else is shown beside methods */
 
