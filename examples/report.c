@@ -195,6 +195,7 @@ static void mean_of(row *mean, const row (*rows)[CHART_ROWS], int scenes, int co
         row m = rows[0][i];
         m.scene = "mean";
         m.bytes = m.relative = m.ms = m.share = m.fetches = m.figure[FITTED] = 0;
+        for (int j = PLACE_ERROR; j < PLACE_ERROR + 4 * KIT_PLACES; ++j) m.figure[j] = 0;
         memset(&m.score, 0, sizeof m.score);
         memset(m.split, 0, sizeof m.split);
         for (int s = 0; s < scenes; ++s) {
@@ -206,6 +207,7 @@ static void mean_of(row *mean, const row (*rows)[CHART_ROWS], int scenes, int co
             m.share += r->share / scenes;
             m.fetches += r->fetches / scenes;
             m.figure[FITTED] += r->figure[FITTED] / scenes;
+            for (int j = PLACE_ERROR; j < PLACE_ERROR + 4 * KIT_PLACES; ++j) m.figure[j] += r->figure[j] / scenes;
             m.score.rmse += r->score.rmse / scenes;
             m.score.bias += r->score.bias / scenes;
             m.score.p95 += r->score.p95 / scenes;

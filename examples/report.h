@@ -72,6 +72,7 @@ typedef struct stage {
     kit_run      lights;
     /* and what ambient visibility leaves as it is: that, unless suns are local, too */
     kit_image    direct;
+    kit_image    places;                       /* edges, border, interior */
     /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
     kit_image    frame, truth, unit;
     given        given[2];

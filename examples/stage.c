@@ -250,9 +250,8 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
         s->rays = s->rays > LEAST_RAYS * thrift * thrift ? s->rays / (thrift * thrift) : LEAST_RAYS;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err)
-                   || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
-               ? -1
-               : 0;
+        || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
+        || kit_image_places(&s->places, &s->frame, &s->gbuffer.camera, s->radius, err) ? -1 : 0;
 }
 
 int stage_compare(stage *s, kit_error *err)
@@ -274,6 +273,7 @@ int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
 void stage_close(stage *s)
 {
     for (int i = 0; i < s->givens; ++i) kit_image_free(&s->given[i].picture);
+    kit_image_free(&s->places);
     kit_image_free(&s->frame);
     kit_image_free(&s->truth);
     kit_image_free(&s->unit);
@@ -297,6 +297,22 @@ double median(double *v, int count)
 {
     qsort(v, (size_t)count, sizeof *v, by_value);
     return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
+}
+
+/* Edges, border and interior apart. */
+static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
+{
+    kit_score_place place[KIT_PLACES];
+    if (s->places.width != picture->width || s->places.height != picture->height) return 0;
+    if (kit_score_places(place, picture, &s->truth, channels, s->lit ? 3 : 1, &s->places, err)) return -1;
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const double none = place[k].score.pixels ? 0 : (double)NAN;
+        r->figure[PLACE_ERROR + k] = place[k].error;
+        r->figure[PLACE_AREA + k] = place[k].area;
+        r->figure[PLACE_RMSE + k] = place[k].score.rmse + none;
+        r->figure[PLACE_BIAS + k] = place[k].score.bias + none;
+    }
+    return 0;
 }
 
 /* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
@@ -323,6 +339,7 @@ int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
         if (s->lit) r->bias[g] = here.bias * known;
+        if (!failed && (g == 1 || (g == 3 && !s->between))) failed = score_places(r, s, picture, names[g], err);
     }
     free(mask);
     return failed ? -1 : 0;
