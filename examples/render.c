@@ -362,7 +362,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             printf(", \"settings\": {");
             for (int i = 0; i < m->count; ++i)
                 printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
-            printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
+            printf("}, \"margin_pixels\": %d, \"fetches\": %g, \"context\": ", r->run->margin, r->run->fetches);
             print_string(kit_gl_name());
             if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
         }
@@ -397,6 +397,9 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                 kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
+        if (r->run->margin)
+            printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
+                   r->run->wide.height);
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
                r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }

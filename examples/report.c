@@ -61,6 +61,9 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "march, 2 layers", "hsao-march", "layers=2",                            1 },
     { "4 cameras",       "ssao",       "views=4",                             1 },
     { "4 cameras",       "hsao-march", "directions=4,steps=6,views=4",          0 },
+    { "hsao, margin",    "hsao",       "margin=0.25",                         1 },
+    { "hsao, margin",    "hsao",       "margin=1",                            0 },
+    { "hsao, margin",    "hsao-best",  "margin=0.25",                         0 },
     { "dss",             "dss",        "size=0.03",                           1 },
     { "dss",             "dss",        "",                                    0 }
 };

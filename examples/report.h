@@ -21,7 +21,7 @@ enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 
    LEAST_RAYS */
 extern int thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
-enum { MOST_ENTRIES = 34, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
+enum { MOST_ENTRIES = 37, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
 /* quick: shown by chart --quick too */
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;
