@@ -74,7 +74,7 @@ demo: build/render build/report
 # Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
 # Some of its scenes come from packages that nothing else needs; without them, the chart says so.
 chart: build/report build/figures
-	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs rafters))
+	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
 

@@ -12,7 +12,7 @@ const entry reference = { "ssao, no blur", "ssao", "samples=16,blur=0", 1 };   /
    than LEAST_RAYS */
 int thrift = 1;
 
-/* rafters and maple are kept aside while settings are tuned. */
+/* attic and maple are kept aside while settings are tuned. */
 const view views[] = {
     { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
     { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
@@ -23,7 +23,7 @@ const view views[] = {
     { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL },
     { "slats",     "slats",     0, { 0 }, { 0 }, 0, 0, NULL },
     { "stairs",    HOUSE,       0, { 10.9f, 1.65f, -0.9f }, { 7.4f, 1.5f, -3.4f }, 60, 0.5f, NULL },
-    { "rafters",   HOUSE,       0, { 11, 4.3f, -6.5f }, { 5, 4.9f, -4.2f }, 60, 0.6f, NULL },
+    { "attic",     HOUSE,       0, { 11.3f, 4.9f, -4.9f }, { 7.2f, 2.9f, -2.6f }, 60, 0.6f, NULL },
     { "maple",     MAPLE,       1, { 150, 1350, 500 }, { -60, 840, -40 }, 25, 60, NULL }
 };
 enum { VIEWS = COUNT(views) };
