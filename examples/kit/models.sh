@@ -8,7 +8,8 @@ new=build/models/new
 from_furniture() {  # NAME, its path in the library without .obj
     [ -s "build/models/$1.obj" ] && return
     sh "$kit/install.sh" sweethome3d-furniture unzip && mkdir -p "$new" || return
-    unzip -p /usr/share/sweethome3d/furniture/Scopia.sh3f "scopia/$2.obj" >"$new/$1.obj" && mv "$new/$1.obj" build/models/
+    unzip -p /usr/share/sweethome3d/furniture/Scopia.sh3f "scopia/$2.obj" >"$new/$1.obj" \
+        && mv "$new/$1.obj" build/models/
 }
 
 house() {  # AC14-FZK-Haus by KIT/IAI, a building model in IFC
