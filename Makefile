@@ -13,7 +13,8 @@ WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lm -lpthread -ldl
-KIT       = util image mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run lights deep plan
+KIT       = util image places mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run \
+            lights deep plan
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
 
@@ -71,12 +72,9 @@ demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
-# Its second scanned mesh comes from a package that nothing else needs; without it, the chart says so.
-BED     = build/models/iron-bed.obj
-BED_ZIP = /usr/share/sweethome3d/furniture/Scopia.sh3f
+# Some of its scenes come from packages that nothing else needs; without them, the chart says so.
 chart: build/report build/figures
-	@test -n "$(QUICK)$(SCENE:iron-bed=)" -o -s $(BED) || { sh examples/kit/install.sh sweethome3d-furniture unzip && mkdir -p build/models \
-		&& unzip -p $(BED_ZIP) scopia/iron_bed/iron_bed.obj >$(BED); } || rm -f $(BED)
+	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
 

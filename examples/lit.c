@@ -75,7 +75,8 @@ static const entry extension_entries[] = {
     { "4 layers",                            "ssdo", "layers=4",                       1 },
     { "4 cameras",                           "ssdo", "views=4",                        1 },
     { "2 layers, 4 cameras of 2 layers",     "ssdo", "layers=2,views=4,view_layers=2", 1 },
-    { "harmonics, 1 layer",                  "s3ho", "",                               1 }
+    { "harmonics, 1 layer",                  "s3ho", "",                               1 },
+    { "1 layer, a margin",                   "ssdo", "margin=0.25",                    1 }
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },

@@ -172,17 +172,39 @@ static const column columns[] = {
       offsetof(row, split[3]), 2, 0 },
     { OF_SPLIT, "in shade", "hue_in_shade_degrees",
       "the same over pixels that blockers keep 5 % or more of their light from", offsetof(row, split[4]), 2, 0 },
+    { OF_PLACES, "edge", "edge_error", "share of the squared error within 3 pixels of a jump in depth",
+      offsetof(row, figure[PLACE_ERROR + 0]), 3, 0 },
+    { OF_PLACES, NULL, "edge_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 0]), 3, 0 },
+    { OF_PLACES, NULL, "edge_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 0]), 4, 0 },
+    { OF_PLACES, NULL, "edge_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 0]), 4, 1 },
+    { OF_PLACES, "border", "border_error",
+      "share of the squared error elsewhere, nearer to the border than the radius is long",
+      offsetof(row, figure[PLACE_ERROR + 1]), 3, 0 },
+    { OF_PLACES, NULL, "border_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 1]), 3, 0 },
+    { OF_PLACES, NULL, "border_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 1]), 4, 0 },
+    { OF_PLACES, NULL, "border_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 1]), 4, 1 },
+    { OF_PLACES, "inside", "interior_error", "share of the squared error of what is left",
+      offsetof(row, figure[PLACE_ERROR + 2]), 3, 0 },
+    { OF_PLACES, NULL, "interior_pixels", "share of the pixels", offsetof(row, figure[PLACE_AREA + 2]), 3, 0 },
+    { OF_PLACES, NULL, "interior_rmse", "RMSE there", offsetof(row, figure[PLACE_RMSE + 2]), 4, 0 },
+    { OF_PLACES, NULL, "interior_bias", "bias there", offsetof(row, figure[PLACE_BIAS + 2]), 4, 1 },
     { OF_AO | OF_LIT | OF_DEEP, "SSIM", "ssim", "structural similarity with the truth, 1 = the same",
       offsetof(row, score.ssim), 4, 0 }
 };
 
 /* The next column after c (-1: the first) that is of one of these kinds; -1 past the last. A software rasteriser's
-   milliseconds would mislead. */
-static int next_column(int c, int of)
+   milliseconds would mislead. Those without a head are in CSV alone. */
+static int next_key(int c, int of)
 {
     while (++c < (int)(sizeof columns / sizeof columns[0]))
         if (columns[c].of & of && !(columns[c].offset == offsetof(row, ms) && kit_gl_is_software())) return c;
     return -1;
+}
+
+static int next_column(int c, int of)
+{
+    do c = next_key(c, of); while (c >= 0 && !columns[c].head);
+    return c;
 }
 
 static double figure_of(const row *r, int c)
@@ -254,13 +276,13 @@ void table_csv(FILE *f, const row *rows, int count, int head)
                                           : OF_LIT | OF_SPLIT;
     if (head) {
         fputs("scene,label,method,settings", f);
-        for (int c = -1; (c = next_column(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
+        for (int c = -1; (c = next_key(c, of)) >= 0;) fprintf(f, ",%s", columns[c].key);
         fputs(",pixels\n", f);
     }
     for (int i = 0; i < count; ++i) {
         const char *const names[] = { rows[i].scene, rows[i].label, rows[i].method, rows[i].settings };
         for (int k = 0; k < 4; ++k) { if (k) fputc(',', f); csv_field(f, names[k]); }
-        for (int c = -1; (c = next_column(c, of)) >= 0;) {
+        for (int c = -1; (c = next_key(c, of)) >= 0;) {
             double v = figure_of(&rows[i], c);
             if (isnan(v)) fputc(',', f); else fprintf(f, ",%.6g", v);
         }
@@ -601,9 +623,15 @@ void html_terms(FILE *f)
           "out.\n"
           "<dt>bias, p95, SSIM<dd>The mean difference (below 0: too dark), the difference that 95 % of the pixels stay "
           "under, the structural similarity.\n"
+          "<dt>edge, border, inside<dd>Which shares of the squared error sit within 3 pixels of a jump in depth; "
+          "elsewhere, nearer to the picture's border than the radius is long; and in the rest. With light: of "
+          "irradiance. The CSV has their shares of the pixels, RMSE and bias as well.\n"
           "<dt>model, noise<dd>Drawn with four phases of its noise: the model's error is what their mean picture is "
           "off, the noise what a pixel varies by, as under light below. The noise is 0 where no phase changes the "
           "picture.\n"
+          "<dt>margin<dd>The depth buffer is larger than the picture on each side, by so many radii as projected at "
+          "the "
+          "border; time is that of the passes: a larger depth buffer has to be drawn, too.\n"
           "<dt>grey band<dd>The Pareto front: no other point of the chart is both faster and closer to the truth.\n"
           "<dt>floor<dd>The exact answer from one depth layer, ray-traced against the visible surface taken as thin "
           "sheets. What lies between it and the truth is not in the depth buffer: "

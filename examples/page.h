@@ -22,13 +22,15 @@ enum {
     OF_MOTION = 4096,
     OF_PHASES = 8192,
     OF_PEER = 16384,
+    OF_PLACES = OF_AO | OF_LIT,
     OF_DEEPS = OF_DEEP | OF_DEEP_LIT | OF_GROWTH | OF_STAGES | OF_TURN | OF_MOTION,
     SPLITS = 5
 };
 
 /* What is known of fields: of the bake; of a picture's error beside its score; the occluders' reach as a share of the
    picture, each counted; of two occluders' occlusions. Of deep screen space: what is splatted; its stages' shares of
-   the time; how far the camera is turned; what a place's visibility varies by while the camera moves. */
+   the time; how far the camera is turned; what a place's visibility varies by while the camera moves. Of AO, and of
+   irradiance: edges, border and interior apart. */
 enum {
     TRIANGLES,
     RESOLUTION,
@@ -58,7 +60,11 @@ enum {
     FLICKER_TRUE,
     FLICKER_ADDED,
     FITTED,
-    FIGURES
+    PLACE_ERROR,
+    PLACE_AREA = PLACE_ERROR + KIT_PLACES,
+    PLACE_RMSE = PLACE_AREA + KIT_PLACES,
+    PLACE_BIAS = PLACE_RMSE + KIT_PLACES,
+    FIGURES = PLACE_BIAS + KIT_PLACES
 };
 
 /* What is known about one setting on one scene (or about the mean of them). What does not apply is NAN. */

@@ -109,11 +109,13 @@ int planned(measuring *measure_, int count, const options *o)
 /* What all units depend on: the program with its tables, what it is asked for, meshes. */
 void units_begin(const options *o, int all)
 {
+    static const char *const files[] = { BUNNY, BED, MAPLE, HOUSE };
     const char *const text[] = { kit_gl_name(), o->out, o->method ? o->method : "", o->quick ? "quick" : "" };
     memset(&units, 0, sizeof units);
     units.all = all;
     units.begun = kit_seconds();
-    units.key = hashed_file(hashed_file(hashed_file(KIT_HASH, "/proc/self/exe"), BUNNY), BED);
+    units.key = hashed_file(KIT_HASH, "/proc/self/exe");
+    for (int i = 0; i < COUNT(files); ++i) units.key = hashed_file(units.key, files[i]);
     for (int i = 0; i < COUNT(text); ++i) units.key = kit_hash(units.key, text[i], strlen(text[i]) + 1);
     for (int i = 0; i < o->scenes; ++i)
         units.key = hashed_file(kit_hash(units.key, o->scene[i], strlen(o->scene[i]) + 1), o->scene[i]);

@@ -49,7 +49,8 @@ static const char usage[] =
     "  --context osmesa | egl | egl-es   [osmesa]\n"
     "what comes out\n"
     "  --out F.exr | F.png   Y = ambient visibility; lit: R G B, irradiance.R .., bounce.R .. (PNG: R G B, sRGB)\n"
-    "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference\n"
+    "  --score REF.exr       RMSE, bias, p95 and SSIM against a reference; then edges (within 3 pixels of a jump in\n"
+    "                        depth), border (nearer to it than the radius is long) and interior apart\n"
     "  --time N              median GL time of each pass over N frames\n"
     "  --save-gbuffer F.exr  the G-buffer, as --gbuffer takes it\n"
     "  --json                machine-readable\n";
@@ -271,22 +272,24 @@ static int camera_check(const kit_camera *c, kit_error *err)
    bounce, their three channels together. */
 enum { GROUPS = 3 };
 static const char *const group_names[GROUPS] = { "radiance", "irradiance", "bounce" };
+static const char *const place_names[KIT_PLACES] = { "edge", "border", "interior" };
 typedef struct result {
-    kit_image picture, frame;
-    const kit_run *run;
+    kit_image        picture, frame;
+    const kit_run   *run;
     const ssgi_plan *plan;
-    double *ms;
-    int frames, lit;
-    kit_score score[GROUPS];
-    double nothing[GROUPS] /* lit: mean of the reference */;
+    double          *ms;
+    int              frames, lit;
+    kit_score        score[GROUPS];
+    kit_score_place  place[GROUPS][KIT_PLACES];
+    double           nothing[GROUPS];          /* lit: mean of the reference */
 } result;
 
-static int score_of(result *r, const char *path, kit_error *err)
+static int score_of(result *r, const char *path, const kit_camera *camera, double radius, kit_error *err)
 {
     static const char *const names[10] = {
         "Y", "R", "G", "B", "irradiance.R", "irradiance.G", "irradiance.B", "bounce.R", "bounce.G", "bounce.B"
     };
-    kit_image reference, none = { 0 };
+    kit_image reference, none = { 0 }, places = { 0 };
     int status = 0;
     const float *mask = kit_image_channel(&r->frame, "Z");
     if (kit_exr_read(&reference, path, err)) return -1;
@@ -298,7 +301,8 @@ static int score_of(result *r, const char *path, kit_error *err)
             kit_image_free(&reference);
             return -1;
         }
-    if (kit_image_new(&none, reference.width, reference.height, r->lit ? KIT_LIT_CHANNELS : "Y", err)) status = -1;
+    if (kit_image_new(&none, reference.width, reference.height, r->lit ? KIT_LIT_CHANNELS : "Y", err)
+        || kit_image_places(&places, &r->frame, camera, (float)radius, err)) status = -1;
     if (!status && !r->lit) for (size_t i = 0; i < (size_t)none.width * (size_t)none.height; ++i) none.data[i] = 1.0f;
     for (int g = 0; g < (r->lit ? GROUPS : 1) && !status; ++g) {
         const char *const *channels = r->lit ? names + 1 + 3 * g : names;
@@ -309,7 +313,9 @@ static int score_of(result *r, const char *path, kit_error *err)
                      ? -1
                      : 0;
         if (!status) r->nothing[g] = r->lit ? -nothing.bias : nothing.rmse;
+        if (!status) status = kit_score_places(r->place[g], &r->picture, &reference, channels, count, &places, err);
     }
+    kit_image_free(&places);
     kit_image_free(&none);
     kit_image_free(&reference);
     return status;
@@ -323,6 +329,17 @@ static void print_string(const char *s)
         if ((unsigned char)*s < 32) printf("\\u%04x", (unsigned)(unsigned char)*s); else putchar(*s);
     }
     putchar('"');
+}
+
+/* Edges, border and interior apart: behind the score, in JSON as its last members. */
+static void report_places(const kit_score_place *place, int json)
+{
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const kit_score *s = &place[k].score;
+        printf(json ? ", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"error_share\": %.6f, \"pixel_share\": %.6f}"
+            : "  %-8s RMSE %.5f, bias %+.5f, %.3f of the squared error on %.3f of the pixels\n", place_names[k],
+            s->rmse, s->bias, place[k].error, place[k].area);
+    }
 }
 
 static void report(const options *o, const kit_method *m, const result *r, double radius)
@@ -346,7 +363,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
             printf(", \"settings\": {");
             for (int i = 0; i < m->count; ++i)
                 printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
-            printf("}, \"fetches\": %g, \"context\": ", r->run->fetches);
+            printf("}, \"margin_pixels\": %d, \"fetches\": %g, \"context\": ", r->run->margin, r->run->fetches);
             print_string(kit_gl_name());
             if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
         }
@@ -363,12 +380,14 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
             const kit_score *s = &r->score[g];
             printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, "
-                   "\"pixels\": %zu}",
+                   "\"pixels\": %zu",
                    !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim, r->lit ? "mean" : "share",
                    r->lit              ? r->nothing[g]
                    : r->nothing[g] > 0 ? s->rmse / r->nothing[g]
                                        : 0.0,
                    s->pixels);
+            report_places(r->place[g], 1);
+            printf("}");
         }
         printf("}\n");
         return;
@@ -383,19 +402,26 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
         if (r->run->gbuffer->slabs)
             printf("%-8s %9.3f ms, %d draws of the scene for back faces, not in the sum\n", "slabs",
                    r->run->gbuffer->slab_ms, r->run->gbuffer->slabs > 1 ? 3 : 1);
+        if (r->run->margin)
+            printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
+                   r->run->wide.height);
         printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
                r->frames, r->picture.width, r->picture.height, kit_gl_name());
     }
-    if (o->score && !r->lit)
+    if (o->score && !r->lit) {
         printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what,
                o->score, r->score[0].rmse, r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias,
                r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
-    for (int g = 0; g < GROUPS && o->score && r->lit; ++g)
+        report_places(r->place[0], 0);
+    }
+    for (int g = 0; g < GROUPS && o->score && r->lit; ++g) {
         printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu "
                "pixels\n",
                what, o->score, group_names[g], r->score[g].rmse,
                r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias,
                r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
+        report_places(r->place[g], 0);
+    }
 }
 
 /* ---- >>job: what is asked for, and what it takes ----------------------------------------------------------------- */
@@ -534,7 +560,7 @@ static int do_job(job *j, kit_error *err)
     } else if (!r->picture.data && (o->out || o->score || o->time) && draw(j, err)) return -1;
     const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
-    if (o->score && score_of(r, o->score, err)) return -1;
+    if (o->score && score_of(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
     if (o->out) {
         const int png = !strcmp(strrchr(o->out, '.'), ".png");
         if (png ? kit_png_write(&r->picture, r->lit ? "R,G,B" : "Y", r->lit, o->out, err)

@@ -68,6 +68,9 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "march, 2 layers", "hsao-march", "layers=2",                            1 },
     { "4 cameras",       "ssao",       "views=4",                             1 },
     { "4 cameras",       "hsao-march", "directions=4,steps=6,views=4",          0 },
+    { "hsao, margin",    "hsao",       "margin=0.25",                         1 },
+    { "hsao, margin",    "hsao",       "margin=1",                            0 },
+    { "hsao, margin",    "hsao-best",  "margin=0.25",                         0 },
     { "dss",             "dss",        "size=0.03",                           1 },
     { "dss",             "dss",        "",                                    0 }
 };
@@ -202,6 +205,7 @@ static void mean_of(row *mean, const row (*rows)[CHART_ROWS], int scenes, int co
         row m = rows[0][i];
         m.scene = "mean";
         m.bytes = m.relative = m.ms = m.share = m.fetches = m.figure[FITTED] = 0;
+        for (int j = PLACE_ERROR; j < PLACE_ERROR + 4 * KIT_PLACES; ++j) m.figure[j] = 0;
         memset(&m.score, 0, sizeof m.score);
         memset(m.split, 0, sizeof m.split);
         for (int s = 0; s < scenes; ++s) {
@@ -213,6 +217,7 @@ static void mean_of(row *mean, const row (*rows)[CHART_ROWS], int scenes, int co
             m.share += r->share / scenes;
             m.fetches += r->fetches / scenes;
             m.figure[FITTED] += r->figure[FITTED] / scenes;
+            for (int j = PLACE_ERROR; j < PLACE_ERROR + 4 * KIT_PLACES; ++j) m.figure[j] += r->figure[j] / scenes;
             m.score.rmse += r->score.rmse / scenes;
             m.score.bias += r->score.bias / scenes;
             m.score.p95 += r->score.p95 / scenes;
@@ -240,7 +245,7 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     const int count = chosen(entries, chart_entries, COUNT(chart_entries), o);
     int peers;
     stage s;
-    if (!count || (!o->scenes && !strcmp(v.path, BED) && access(BED, R_OK))) return 0;
+    if (!count || (!o->scenes && packages_of(v.path) && access(v.path, R_OK))) return 0;
     if (!rows) return 1;
     if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err)
         || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
@@ -281,9 +286,10 @@ static int ao_chart(FILE *html, const options *o, row *mean, int *count, int *me
         const int n = unit(each.file, o, "ao", k, ao_unit, r, err);
         if (n < 0) return -1;
         if (!n) {
-            static const char *const without =
-                "iron-bed: left out, " BED
-                " is not there; make chart takes it from Debian's package sweethome3d-furniture";
+            const view v = view_at(o, k);
+            char without[256];
+            snprintf(without, sizeof without, "%s: left out, %s is not there; make chart takes it from Debian's %s",
+                v.name, v.path, packages_of(v.path));
             fprintf(stderr, "report: note: %s\n", without);
             fprintf(each.file, "<p class=\"faint\">%s.</p>\n", without);
             continue;

@@ -10,7 +10,9 @@
 #define COUNT(table) ((int)(sizeof (table) / sizeof (table)[0]))
 #define BUNNY   "/usr/share/glmark2/models/bunny.obj"
 #define PACKAGE "glmark2-data"
-#define BED     "build/models/iron-bed.obj"    /* make chart puts it there */
+#define BED     "build/models/iron-bed.obj"    /* make chart puts these there: examples/kit/models.sh */
+#define MAPLE   "build/models/maple.obj"
+#define HOUSE   "build/models/fzk-house.obj"
 
 /* SLOW: so many times the reference's time */
 enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640,
@@ -19,7 +21,7 @@ enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 
    LEAST_RAYS */
 extern int thrift;
 enum { QUICK_THRIFT = 2, LEAST_RAYS = 16 };
-enum { MOST_ENTRIES = 44, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
+enum { MOST_ENTRIES = 48, MOST_ROWS = MOST_ENTRIES + 2, MOST_SCENES = 16 };
 
 /* quick: shown by chart --quick too */
 typedef struct entry { const char *label, *method, *settings; int quick; } entry;
@@ -46,6 +48,8 @@ typedef struct view {
 #define NO_CROPS { { 0 } }
 extern const view views[];
 extern const int views_count;
+/* The packages that make chart takes such a mesh from; NULL = it is none of these. */
+const char *packages_of(const char *path);
 
 /* ---- >>stage.c: a scene, its light, its G-buffer, its truth and what else is shown beside methods */
 
@@ -68,6 +72,7 @@ typedef struct stage {
     kit_run      lights;
     /* and what ambient visibility leaves as it is: that, unless suns are local, too */
     kit_image    direct;
+    kit_image    places;                       /* edges, border, interior */
     /* unit: what errors are shares of: AO: of no AO's, 1 everywhere; lit: of the mean, 0 everywhere */
     kit_image    frame, truth, unit;
     given        given[2];

@@ -12,6 +12,7 @@ const entry reference = { "ssao, no blur", "ssao", "samples=16,blur=0", 1 };   /
    than LEAST_RAYS */
 int thrift = 1;
 
+/* attic and maple are kept aside while settings are tuned. */
 const view views[] = {
     { "bunny",     BUNNY,       1, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, 0.6f, NULL },
     { "room",      "room",      0, { 0 }, { 0 }, 0, 0, NULL },
@@ -19,10 +20,22 @@ const view views[] = {
     { "colonnade", "colonnade", 0, { 0 }, { 0 }, 0, 0, NULL },
     { "plates",    "plates",    0, { 0 }, { 0 }, 0, 0, NULL },
     { "pebbles",   "pebbles",   0, { 0 }, { 0 }, 0, 0, NULL },
-    { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL }
+    { "iron-bed",  BED,         1, { -170, 125, 270 }, { 0, 40, 0 }, 32, 20, NULL },
+    { "slats",     "slats",     0, { 0 }, { 0 }, 0, 0, NULL },
+    { "stairs",    HOUSE,       0, { 10.9f, 1.65f, -0.9f }, { 7.4f, 1.5f, -3.4f }, 60, 0.5f, NULL },
+    { "attic",     HOUSE,       0, { 11.3f, 4.9f, -4.9f }, { 7.2f, 2.9f, -2.6f }, 60, 0.6f, NULL },
+    { "maple",     MAPLE,       1, { 150, 1350, 500 }, { -60, 840, -40 }, 25, 60, NULL }
 };
 enum { VIEWS = COUNT(views) };
 const int views_count = VIEWS;
+
+const char *packages_of(const char *path)
+{
+    static const char *const of[][2] = { { BED, "sweethome3d-furniture" }, { MAPLE, "sweethome3d-furniture" },
+        { HOUSE, "assimp-testmodels, by assimp-utils" } };
+    for (int i = 0; i < COUNT(of) && path; ++i) if (!strcmp(path, of[i][0])) return of[i][1];
+    return NULL;
+}
 
 /* Four coloured boxes around the bunny, just above the floor. Bounds, albedo. */
 static const float boxes[4][9] = {
@@ -237,9 +250,8 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
         s->rays = s->rays > LEAST_RAYS * thrift * thrift ? s->rays / (thrift * thrift) : LEAST_RAYS;
     s->radius = v->radius > 0 ? v->radius : s->scene.radius;
     return kit_gbuffer_from_scene(&s->gbuffer, &s->scene, &camera, NULL, err)
-                   || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
-               ? -1
-               : 0;
+        || kit_gbuffer_read(&s->frame, &s->gbuffer, err)
+        || kit_image_places(&s->places, &s->frame, &s->gbuffer.camera, s->radius, err) ? -1 : 0;
 }
 
 int stage_compare(stage *s, kit_error *err)
@@ -261,6 +273,7 @@ int stage_open(stage *s, const view *v, int width, int height, kit_error *err)
 void stage_close(stage *s)
 {
     for (int i = 0; i < s->givens; ++i) kit_image_free(&s->given[i].picture);
+    kit_image_free(&s->places);
     kit_image_free(&s->frame);
     kit_image_free(&s->truth);
     kit_image_free(&s->unit);
@@ -284,6 +297,22 @@ double median(double *v, int count)
 {
     qsort(v, (size_t)count, sizeof *v, by_value);
     return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
+}
+
+/* Edges, border and interior apart. */
+static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
+{
+    kit_score_place place[KIT_PLACES];
+    if (s->places.width != picture->width || s->places.height != picture->height) return 0;
+    if (kit_score_places(place, picture, &s->truth, channels, s->lit ? 3 : 1, &s->places, err)) return -1;
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const double none = place[k].score.pixels ? 0 : (double)NAN;
+        r->figure[PLACE_ERROR + k] = place[k].error;
+        r->figure[PLACE_AREA + k] = place[k].area;
+        r->figure[PLACE_RMSE + k] = place[k].score.rmse + none;
+        r->figure[PLACE_BIAS + k] = place[k].score.bias + none;
+    }
+    return 0;
 }
 
 /* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
@@ -310,6 +339,7 @@ int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
         if (s->lit) r->bias[g] = here.bias * known;
+        if (!failed && (g == 1 || (g == 3 && !s->between))) failed = score_places(r, s, picture, names[g], err);
     }
     free(mask);
     return failed ? -1 : 0;

@@ -424,6 +424,7 @@ static void command_line(void)
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
                   { "room --plan best:1 --out a.exr", "--plan best:1" },
                   { "room --plan light:x --env sky --out a.exr", "light:x" },
+                  { "--gbuffer f.exr --fovy 57 --radius 0.5 --set margin=0.5 --out a.exr", "margin=0.5" },
                   { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },
                   { "room --plan light:0.1 --out a.exr", "--env" },
                   { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" } };

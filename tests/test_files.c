@@ -1,4 +1,5 @@
-/* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, mesh.c, scene.c and light.c. */
+/* test_files.c - files in and out, scores, objects, threads: the kit's util.c, image.c, places.c, mesh.c, scene.c and
+   light.c. */
 #include "t.h"
 #include "../examples/kit/kit_gl.h"
 
@@ -322,6 +323,104 @@ static void png(void)
 }
 
 /* ---- scores ------------------------------------------------------------------------------------------------- */
+
+enum { PLACES_W = 64, PLACES_H = 48, PLACES = PLACES_W * PLACES_H };
+
+/* The view depth at which the pixel's ray meets the plane n.P = d, in front of a camera of 60 degrees, or an
+   orthographic one of 3 units; 0 = nowhere. */
+static double depth_of_plane(int i, int perspective, const double n[3], double d)
+{
+    const double scale = perspective ? tan(acos(-1) / 6) : 1.5;
+    const double x = (2 * (i % PLACES_W + 0.5) - PLACES_W) / PLACES_H * scale;
+    const double y = (PLACES_H - 2 * (i / PLACES_W + 0.5)) / PLACES_H * scale;
+    const double z = perspective ? d / (n[0] * x + n[1] * y - n[2]) : (n[0] * x + n[1] * y - d) / n[2];
+    return z > 0 && z < 1e6 ? z : 0;
+}
+
+/* How many pixels of each kind there are in a row: left of a column, and all along. */
+static void places_in_row(int count[2][KIT_PLACES], const kit_image *places, int y, int column)
+{
+    memset(count, 0, 2 * sizeof *count);
+    for (int x = 0; x < PLACES_W; ++x)
+        for (int k = 0; k < KIT_PLACES; ++k) {
+            const int is = places->data[k * PLACES + y * PLACES_W + x] > 0;
+            count[0][k] += is && x < column;
+            count[1][k] += is;
+        }
+}
+
+static void places(void)
+{
+    static const double facing[3] = { 0, 0, 1 }, floor_[3] = { 0, 1, 0 }, wall[3] = { 0.05, 0, 1 };
+    static const char *const channel = "Y";
+    kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 }, .ortho_height = 3, .width = PLACES_W,
+                          .height = PLACES_H };
+    kit_image frame, out, a, b;
+    kit_error err = {{0}};
+    kit_score_place place[KIT_PLACES];
+    int row[2][KIT_PLACES];
+    kit_image_new(&frame, PLACES_W, PLACES_H, "Z", NULL);
+    for (int perspective = 0; perspective < 2; ++perspective) {
+        camera.fovy = perspective ? 60 : 0;
+        for (int tilt = 0; tilt < 89; tilt += 11) {                      /* up to 88 degrees, a fold with each */
+            const double at = tilt * acos(-1) / 180, n[3] = { 0.3 * sin(at), sin(at), cos(at) };
+            int edges = 0;
+            for (int i = 0; i < PLACES; ++i) {
+                const double z = depth_of_plane(i, perspective, n, -4 * n[2]);
+                const double w = depth_of_plane(i, perspective, wall, -5);
+                frame.data[i] = (float)(!perspective ? fmax(z, w) : z > 0 && z < w ? z : w);
+            }
+            if (!CHECK(!kit_image_places(&out, &frame, &camera, 0.02f, &err), "%s", err.text)) return;
+            for (int i = 0; i < PLACES; ++i) edges += out.data[i] > 0;
+            CHECK(!edges, "a plane at %d degrees that meets a wall, perspective %d: %d pixels are edges", tilt,
+                  perspective, edges);
+            kit_image_free(&out);
+        }
+        for (int step = 0; step < 2; ++step) {                           /* jumps of 1.2 and 0.8 of what counts */
+            for (int i = 0; i < PLACES; ++i)
+                frame.data[i] = (float)depth_of_plane(i, perspective, facing, -4)
+                              + (i % PLACES_W < 40 ? 0 : step ? 0.08f : 0.12f);
+            kit_image_places(&out, &frame, &camera, 2, NULL);
+            places_in_row(row, &out, 24, 40);
+            CHECK(row[1][KIT_EDGE] == (step ? 0 : 6) && row[0][KIT_EDGE] == (step ? 0 : 3), "perspective %d: beside a "
+                  "jump %d pixels are edges, %d of them before it", perspective, row[1][KIT_EDGE], row[0][KIT_EDGE]);
+            kit_image_free(&out);
+        }
+    }
+    for (int i = 0; i < PLACES; ++i) frame.data[i] = (float)depth_of_plane(i, 1, floor_, -1);
+    for (int y = 0; y < PLACES_H; ++y) frame.data[y * PLACES_W + 30] = 1;      /* a rail, one pixel wide */
+    kit_image_places(&out, &frame, &camera, 0.2f, NULL);
+    places_in_row(row, &out, 44, 30);
+    CHECK(row[1][KIT_EDGE] == 7 && row[0][KIT_EDGE] == 3, "across a rail of a pixel %d are edges", row[1][KIT_EDGE]);
+    places_in_row(row, &out, 10, 30);
+    CHECK(row[1][KIT_EDGE] == 1 && row[1][KIT_BORDER] + row[1][KIT_INTERIOR] == 0, "above the horizon there is more");
+    places_in_row(row, &out, 24, 10);
+    CHECK(!row[0][KIT_EDGE], "a floor's horizon is an edge");
+    kit_image_free(&out);
+
+    /* the radius, 0.5 at depth 4, is 0.5 / 4 / tan(30 degrees) * 24 = 5.196 pixels long: centres 0.5 .. 4.5 are near */
+    for (int i = 0; i < PLACES; ++i) frame.data[i] = 4;
+    kit_image_places(&out, &frame, &camera, 0.5f, NULL);
+    places_in_row(row, &out, 24, 32);
+    CHECK(row[0][KIT_BORDER] == 5 && row[1][KIT_BORDER] == 10 && row[1][KIT_INTERIOR] == 54,
+          "%d pixels are near the left border", row[0][KIT_BORDER]);
+    kit_image_new(&a, PLACES_W, PLACES_H, channel, NULL);
+    kit_image_new(&b, PLACES_W, PLACES_H, channel, NULL);
+    for (int i = 0; i < PLACES; ++i) a.data[i] = out.data[KIT_BORDER * PLACES + i] > 0 ? -0.2f : 0.1f;
+    CHECK(!kit_score_places(place, &a, &b, &channel, 1, &out, &err), "%s", err.text);
+    const double border = PLACES - 54.0 * 38, inside = 54 * 38;
+    CHECK(fabs(place[KIT_BORDER].score.rmse - 0.2) < 1e-7 && fabs(place[KIT_BORDER].score.bias + 0.2) < 1e-7
+          && fabs(place[KIT_INTERIOR].score.bias - 0.1) < 1e-7, "border %g, %+g",
+          place[KIT_BORDER].score.rmse, place[KIT_BORDER].score.bias);
+    CHECK(fabs(place[KIT_BORDER].area - border / PLACES) < 1e-9
+          && fabs(place[KIT_BORDER].error - 4 * border / (4 * border + inside)) < 1e-6,
+          "the border has %g of the pixels, %g of the error", place[KIT_BORDER].area, place[KIT_BORDER].error);
+    CHECK(!place[KIT_EDGE].score.pixels && !(place[KIT_EDGE].error > 0), "no edge errs by %g", place[KIT_EDGE].error);
+    kit_image_free(&out);
+    kit_image_free(&a);
+    kit_image_free(&b);
+    kit_image_free(&frame);
+}
 
 static void score(void)
 {
@@ -931,6 +1030,7 @@ void test_files(void)
     RUN("a Radiance HDR gives the values of its format, a cut one an error", hdr);
     RUN("a PNG read back is what was written", png);
     RUN("scores and difference colours agree with figures worked out by hand", score);
+    RUN("edges, border and interior: tilted planes and folds are no edges, jumps and rails are", places);
     RUN("SSIM agrees with its definition", ssim);
     RUN("an OBJ with every quirk gives exactly its triangles", obj_quirks);
     RUN("an OBJ cut off anywhere is a smaller mesh or one clear error", obj_truncated);

@@ -761,6 +761,65 @@ static void point_light_in_a_box(void)
     kit_image_free(&truth); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
+/* With a margin the picture is what the middle of a larger picture is, bit by bit; what lies around it is not drawn. */
+static void margins(void)
+{
+    static const struct { const char *method, *set; int rim; } rows[] = {
+        { "ssao", "samples=5,normal=depth,blur=2", 6 }, { "hsao", "directions=1,steps=3,blur=2", 6 },
+        { "hsao-best", "directions=1,steps=3,blur=0", 0 },
+        { "hsao-march", "directions=2,steps=3,normal_rays=1,layers=2", 4 },
+        { "ssdo", "samples=4,steps=1,environment=none", -1 }, { "ssdo", "samples=4,steps=1,half=1,bounce=none", 4 },
+        { "ssdo", "samples=4,steps=1,reuse=1", -1 }, { "s3ho", "samples=4,steps=1,bands=2,half=1", -1 },
+        { "s3ho", "samples=4,steps=1,bands=2,filtered=vectors,indirect=apart,blur=2", -1 },
+        { "ssbn", "samples=4,steps=1,blur=0", 0 } };
+    const kit_camera camera = { { 4.55f, 1.75f, 4.25f }, { 1.35f, 0.85f, 0.85f }, { 0, 1, 0 }, 0, 3, 0.1f, 12, 67, 49,
+                                { 3, -2 }, KIT_DEPTH_NORMAL };
+    kit_lighting l;
+    kit_scene scene;
+    kit_gbuffer g;
+    if (!lighten(&l, "sky", "sun:1,2,1,3,3,3") || !see(&scene, &g, "room", NULL, 0, &camera, 67, 49)) return;
+    const kit_world world = { &scene, &l };
+    for (int r = 0; r < (int)(sizeof rows / sizeof *rows); ++r) {
+        kit_method m;
+        kit_run run;
+        kit_gbuffer wide;
+        kit_image inner, whole;
+        int off = 0, shown = 0;
+        /* orthographic: 0.45 units are 0.45 * 49 / 3 = 7.35 pixels, 1.5 radii 11.03: over the most, 49 / 16 * 4 */
+        const int expected = r % 2 ? 12 : 8;
+        if (!TRY(kit_method_find(&m, rows[r].method, &err)) || !TRY(kit_method_set(&m, rows[r].set, &err))) return;
+        if (!TRY(kit_gbuffer_widen(&wide, &g, &scene, expected, &err))) return;
+        if (!TRY(kit_run_open(&run, &wide, &m, 0.45f, &world, &err))) return;
+        kit_run_draw(&run, 0);
+        if (!TRY(kit_run_read(&whole, &run, &err))) return;
+        kit_run_close(&run);
+        kit_method_set(&m, r % 2 ? "margin=1.7" : "margin=1", NULL);
+        if (!TRY(kit_run_open(&run, &g, &m, 0.45f, &world, &err))) return;
+        kit_run_draw(&run, 0);
+        if (!TRY(kit_run_read(&inner, &run, &err))) return;
+        CHECK(run.margin == expected, "%s: a margin of %d pixels, not %d", m.name, run.margin, expected);
+        CHECK(inner.width == 67 && inner.height == 49, "%s: the picture is %d x %d", m.name, inner.width, inner.height);
+        for (int c = 0; c < inner.channels; ++c)
+            for (int y = 0; y < inner.height; ++y)
+                off += memcmp(inner.data + (c * 49 + y) * 67, kit_image_channel(&whole, inner.name[c])
+                              + (y + expected) * whole.width + expected, 67 * sizeof(float)) != 0;
+        CHECK(!off, "%s %s: %d rows are not those of a larger picture", m.name, rows[r].set, off);
+        const kit_pass *p = &run.pass[0];
+        const int half = p->desc.half ? 2 : 1, drawn_columns = half * p->box[2];
+        CHECK(rows[r].rim < 0 ? !p->box[2] : abs(drawn_columns - 67 - 2 * rows[r].rim) < half, "%s %s: its first pass "
+              "draws %d columns", m.name, rows[r].set, drawn_columns);
+        for (int i = 0; i < run.passes; ++i) shown += run.pass[i].box[2] == 67 && run.pass[i].box[3] == 49;
+        CHECK(shown, "%s %s: no pass draws the picture alone", m.name, rows[r].set);
+        kit_run_close(&run);
+        kit_gbuffer_free(&wide);
+        kit_image_free(&inner);
+        kit_image_free(&whole);
+    }
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+    kit_image_free(&l.env);
+}
+
 void test_light(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
@@ -773,6 +832,7 @@ void test_light(void)
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("a sender seen from behind is dark, unless both sides shine", backs_are_dark);
     RUN("units do not matter", units_do_not_matter);
+    RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);
     RUN("what the maps' bias loses is filled", fill_brings_contacts_back);
     RUN("a point light, and its virtual lights", point_light_in_a_box);

@@ -282,6 +282,17 @@ int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const k
     return 0;
 }
 
+int kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *g, const kit_scene *scene, int pixels, kit_error *err)
+{
+    const double pi = 3.14159265358979323846, more = 1 + 2.0 * pixels / g->viewport[3];
+    kit_camera c = g->camera;
+    c.width = g->viewport[2] + 2 * pixels;
+    c.height = g->viewport[3] + 2 * pixels;
+    c.fovy = (float)(360 / pi * atan(more * tan((double)c.fovy * pi / 360)));
+    c.ortho_height = (float)(more * (double)c.ortho_height);
+    return kit_gbuffer_from_scene(wide, scene, &c, NULL, err);
+}
+
 static void layers_free(kit_gbuffer *g)
 {
     glDeleteTextures(1, &g->layer_depth);

@@ -5,6 +5,7 @@
 
      util.c     errors, progress, threads, memory files
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
+     places.c   where a picture's error sits: edges, border, interior
      mesh.c     triangles: OBJ and MTL reader
      scene.c    scenes by name or path, objects and their places; shapes.c: what they are built of, scenes.c: the
      built-in ones
@@ -292,6 +293,24 @@ int kit_truth_gloss(kit_image *out, const kit_scene *scene, const kit_camera *ca
    pixel and lit sample, a core. */
 int kit_truth_scatter(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                       const ssgi_dipole *dipole, float unit, size_t samples, int stride, kit_error *err);
+
+/* Where a picture's error sits. Channels edge, border, interior: each pixel is of one kind, 1 there; all 0 where
+   nothing is seen. frame: channel Z, view depth as in the build/render contract, of that camera.
+     edge      within 3 pixels, along its row or column, of a jump in depth: between two neighbours u (1/z; z if
+               orthographic), which is straight on a plane however it is tilted, changes by more, or by less, than on
+               both sides of them; that makes over a 20th of the radius, and over 0.2 % of the depth, in which frames
+               stored as halves are rounded. A fold is no jump: the change lies between those of its two planes. Of
+               jumps in a row that grow, a pixel each, only the largest is one. What is seen against nothing is an edge,
+               but for a plane that ends at its horizon
+     border    else, nearer to the picture's border than the radius is long, facing the camera at the pixel's depth
+     interior  what is left */
+enum { KIT_EDGE, KIT_BORDER, KIT_INTERIOR, KIT_PLACES };
+int  kit_image_places(kit_image *out, const kit_image *frame, const kit_camera *camera, float radius, kit_error *err);
+/* Scores of each kind alone, of count channels together; area: its share of the pixels that are known, error: of their
+   squared error. All 0 where there is no such pixel. */
+typedef struct kit_score_place { kit_score score; double area, error; } kit_score_place;
+int  kit_score_places(kit_score_place place[KIT_PLACES], const kit_image *a, const kit_image *b,
+    const char *const *channels, int count, const kit_image *places, kit_error *err);
 
 /* The floor: the exact answer from what one depth layer holds. frame: channels Z, N.X, N.Y, N.Z as in the build/render
    contract (view depth, view-space normals). The visible surface is rebuilt as thin sheets (neighbouring pixel centres

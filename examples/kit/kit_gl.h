@@ -195,6 +195,10 @@ typedef struct kit_gbuffer {
 int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
                            kit_error *err);
 
+/* The same view of a scene, so many pixels wider on each side; planes and depth layout as they are. */
+int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_scene *scene, int pixels,
+    kit_error *err);
+
 /* Depth peeling [Everitt 2001]: makes the second and farther layers, up to layers [limit: 1..KIT_MAX_LAYERS] of them in
    all, of a G-buffer that came from this scene, in place of those that it has. A surface is the next layer's when it is
    more than 4e-6 of its view depth behind the last one's, so none is peeled against itself. Normals of odd layers (1st,
@@ -301,6 +305,7 @@ typedef struct kit_pass {
     int                patches[2], splits;
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                frame, width, height;
+    int                box[4];             /* x, y, width, height: what is drawn of its targets; 0 = all */
     uint64_t           key;                /* equal ones share their program */
     ssgi_gl_io        *io;                 /* what it reads and writes: so many rows */
     int                rows;
@@ -320,6 +325,8 @@ typedef struct kit_run {
     GLuint        noise, kernel, environment, irradiance, senders, view_senders, view_depth, atlas, grey;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
+    int           margin;                  /* pixels beyond each side of the picture that a gather sees; 0 = none */
+    kit_gbuffer   wide;                    /* with a margin: what is drawn on in place of the caller's */
     /* theirs, and with the rotation from their view space to the picture's */
     ssgi_gl_frame extra[2 * KIT_MAX_VIEWS];
     ssgi_gl_views cameras;
@@ -339,7 +346,11 @@ typedef struct kit_run {
     double        bytes;
 } kit_run;
 
-/* Peels the G-buffer as far as the method asks, when the world has a scene. */
+/* Peels the G-buffer as far as the method asks, when the world has a scene. Setting margin: the radius times it, as
+   projected at the median depth along the picture's border, rounded up to a multiple of 4 pixels (so that half size's
+   pixels and tiles of noise lie as without), at most a quarter of the picture's shorter side. A larger G-buffer is
+   drawn, and the frame's size is its; a scissor keeps passes to the picture and what filters reach, all but senders of
+   light and what these are lit by. */
 int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, float radius, const kit_world *world,
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */

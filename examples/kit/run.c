@@ -217,6 +217,18 @@ static double texel_of(double *texels, GLuint texture, GLenum target)
     return all / 8.0;
 }
 
+/* The pixels of its targets that a pass draws. */
+static double drawn_by(const kit_pass *p)
+{
+    return p->box[2] ? (double)p->box[2] * p->box[3] : (double)p->width * p->height;
+}
+
+/* Those of the picture. */
+static double shown_by(const kit_run *run)
+{
+    return (double)(run->frame.size[0] - 2 * run->margin) * (run->frame.size[1] - 2 * run->margin);
+}
+
 static double bytes_of(const kit_run *run)
 {
     double bytes = 0;
@@ -239,72 +251,169 @@ static double bytes_of(const kit_run *run)
                 || texture == g->layer_albedo;
             texel = texel_of(&texels, texture, in ? target_of(io) : p->target[0] ? GL_TEXTURE_2D : GL_TEXTURE_2D_ARRAY);
             if (slices) texels *= (double)slices / (g->layers - 1);
-            if (!in) texels = splats ? 2 * run->splat_pixels : (double)p->width * p->height;
+            if (!in) texels = splats ? 2 * run->splat_pixels : drawn_by(p);
             bytes += texel * texels;
         }
         if (splats || p->capture) bytes += (double)run->surfels * sizeof(ssgi_surfel);
     }
-    return bytes / ((double)run->frame.size[0] * run->frame.size[1]);
+    return bytes / shown_by(run);
 }
 
-int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
-                 kit_error *err)
+/* ---- >>margin: what is seen beyond the picture ------------------------------------------------------------------ */
+
+static int by_value(const void *a, const void *b)
 {
-    static const kit_world nothing;
-    kit_making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+/* How wide a margin is, in pixels: see kit_run_open. Where the border shows nothing, depth is what all of the picture
+   shows; 0 where that shows nothing either. */
+static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double margin, kit_error *err)
+{
+    const int width = g->viewport[2], height = g->viewport[3], most = (width < height ? width : height) / 16 * 4;
+    kit_image frame;
+    float *depth, *z;
+    size_t count = 0;
+    double wide = 0;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    z = kit_image_channel(&frame, "Z");
+    depth = malloc((size_t)width * (size_t)height * sizeof *depth);
+    for (int all = 0; all < 2 && depth && !count; ++all)
+        for (int i = 0; i < width * height; ++i) {
+            const int x = i % width, y = i / width, border = !x || !y || x == width - 1 || y == height - 1;
+            if (z[i] > 0 && (border || all)) depth[count++] = z[i];
+        }
+    if (count) {
+        qsort(depth, count, sizeof *depth, by_value);
+        wide = 0.5 * height * (double)g->projection[5] * radius * margin;
+        if (g->camera.fovy > 0) wide /= (double)depth[count / 2];
+    }
+    kit_image_free(&frame);
+    if (!depth) return kit_fail(err, "out of memory");
+    free(depth);
+    *pixels = wide < most ? 4 * (int)ceil(wide / 4) : most;
+    return 0;
+}
+
+/* The G-buffer that a method's margin asks for, in place of *g. */
+static int add_margin(kit_making *m, kit_gbuffer **g, float radius)
+{
+    kit_run *run = m->run;
+    const double margin = kit_method_value(m->method, "margin");
+    if (!(margin > 0)) return 0;
+    if (!m->world->scene)
+        return kit_fail(m->err, "--set margin=%g: a frame holds nothing beyond its border; it needs a scene", margin);
+    if (margin_of(&run->margin, *g, (double)radius, margin, m->err)) return -1;
+    if (!run->margin) return 0;
+    if (kit_gbuffer_widen(&run->wide, *g, m->world->scene, run->margin, m->err)) return -1;
+    *g = &run->wide;
+    return 0;
+}
+
+static int draws(const kit_pass *p, GLuint texture)
+{
+    for (int k = 0; texture && k < KIT_MAX_TARGETS; ++k) if (p->target[k] == texture) return 1;
+    return 0;
+}
+
+/* With a margin: what each pass draws. The result's: the picture; what a filter reads: as far as it reaches; senders,
+   and what they are lit by: all of what is seen. */
+static void limit_passes(kit_run *run)
+{
+    enum { ALL = 1 << 20 };
+    int rim[KIT_MAX_PASSES], changed = 1;
+    const double shown = shown_by(run);
+    if (!run->margin) return;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const int result = draws(p, run->light) || draws(p, run->bounce) || draws(p, run->joint);
+        rim[i] = !p->target[0] || p->gbuffer != run->gbuffer ? ALL : result ? 0 : -1;
+    }
+    while (changed) {
+        changed = 0;
+        for (int j = 0; j < run->passes; ++j) {
+            const kit_pass *p = &run->pass[j];
+            const int reach = rim[j] + (p->desc.pass == SSGI_GL_BLUR ? 2 * p->desc.filter_radius + 2 : 0);
+            const int wanted = reach < ALL ? reach : ALL;
+            for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
+                if ((i != p->vectors && !draws(&run->pass[i], p->source)) || rim[i] >= wanted) continue;
+                rim[i] = wanted;
+                changed = 1;
+            }
+        }
+    }
+    run->fetches = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i];
+        const int half = p->desc.half && p->desc.pass != SSGI_GL_BLUR, from = run->margin - rim[i];
+        for (int k = 0; k < 2 && rim[i] >= 0 && from > 0; ++k) {
+            const int to = run->frame.size[k] - from;
+            p->box[k] = half ? from / 2 : from;
+            p->box[2 + k] = (half ? (to + 1) / 2 : to) - p->box[k];
+        }
+        if (!p->aside) run->fetches += kit_fetches(&p->desc) * drawn_by(p) / shown;
+    }
+}
+
+/* ---- >>open ------------------------------------------------------------------------------------------------------ */
+
+/* What there is to draw on a G-buffer, the caller's or a wider one. */
+static int open_on(kit_making *m, kit_gbuffer *g, float radius)
+{
+    kit_run *run = m->run;
     ssgi_view view;
     const char *why = "";
     float picture[16], projection[16];
     int failed;
-    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
-    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
-    if (ssgi_gl_frame_init(&run->frame, &view, radius, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], m->err)) return -1;
+    if (ssgi_gl_frame_init(&run->frame, &view, radius, &why) != SSGI_OK) return kit_fail(m->err, "%s", why);
     run->gbuffer = g;
-    run->lit = method->lit;
+    run->lit = m->method->lit;
     run->frame.origin[0] = g->viewport[0];
     run->frame.origin[1] = g->viewport[1];
-    m.gather.dialect = kit_dialect();
-    m.gather.orthographic = view.orthographic;
-    m.gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
-    if (kit_settings_apply(&m, radius)) return -1;
-    if (m.gather.half && !m.blurred)
-        return kit_fail(err, "--set half=1: needs blur=1 or more, which brings it to full size");
-    if (m.gather.layers > g->layers && !m.world->scene)
-        return kit_fail(err, "--set layers=%d: the frame has %d", m.gather.layers, g->layers);
-    if (m.gather.views && !m.world->scene)
-        return kit_fail(err, "--set views=%d: a frame has one camera; extra ones need a scene", m.gather.views);
-    if (m.gather.layers > g->layers && kit_gbuffer_peel(g, m.world->scene, m.gather.layers, err)) return -1;
-    if (m.gather.behind >= SSGI_GL_BEHIND_BACK) {
-        const int slabs = m.gather.behind == SSGI_GL_BEHIND_BACK ? 1 : 2;
-        if (slabs > g->slabs && !m.world->scene)
-            return kit_fail(err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
+    m->gather.dialect = kit_dialect();
+    m->gather.orthographic = view.orthographic;
+    m->gather.depth = g->depth_is_linear ? SSGI_GL_DEPTH_LINEAR : SSGI_GL_DEPTH_WINDOW;
+    if (kit_settings_apply(m, radius)) return -1;
+    if (m->gather.half && !m->blurred)
+        return kit_fail(m->err, "--set half=1: needs blur=1 or more, which brings it to full size");
+    if (m->gather.layers > g->layers && !m->world->scene)
+        return kit_fail(m->err, "--set layers=%d: the frame has %d", m->gather.layers, g->layers);
+    if (m->gather.views && !m->world->scene)
+        return kit_fail(m->err, "--set views=%d: a frame has one camera; extra ones need a scene", m->gather.views);
+    if (m->gather.layers > g->layers && kit_gbuffer_peel(g, m->world->scene, m->gather.layers, m->err)) return -1;
+    if (m->gather.behind >= SSGI_GL_BEHIND_BACK) {
+        const int slabs = m->gather.behind == SSGI_GL_BEHIND_BACK ? 1 : 2;
+        if (slabs > g->slabs && !m->world->scene)
+            return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
                             g->slabs ? "front2.Z" : "back.Z");
-        if (slabs != g->slabs && m.world->scene && kit_gbuffer_slabs(g, m.world->scene, slabs, err)) return -1;
+        if (slabs != g->slabs && m->world->scene && kit_gbuffer_slabs(g, m->world->scene, slabs, m->err)) return -1;
     }
     kit_camera_matrices(&g->camera, picture, projection);
-    if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
-        failed = kit_open_lit(&m, picture);
-    } else if (m.gather.pass == SSGI_GL_FIELD) {
-        failed = kit_open_field(&m, picture);
-    } else if (m.gather.pass == SSGI_GL_SPLAT) {
-        failed = kit_open_deep(&m, &view, picture);
+    if (run->lit && m->gather.pass != SSGI_GL_SPLAT) {
+        failed = kit_open_lit(m, picture);
+    } else if (m->gather.pass == SSGI_GL_FIELD) {
+        failed = kit_open_field(m, picture);
+    } else if (m->gather.pass == SSGI_GL_SPLAT) {
+        failed = kit_open_deep(m, &view, picture);
     } else {
         kit_pass *p;
         kit_sphere all, middle;
-        failed = m.gather.views && (kit_seen(g, &all, &middle, err) || kit_add_views(&m, picture, &middle));
-        p = failed ? NULL : kit_add_pass(&m, &m.gather, g, 0, 0, 0, 0);
+        failed = m->gather.views && (kit_seen(g, &all, &middle, m->err) || kit_add_views(m, picture, &middle));
+        p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
         failed = !p;
         if (p) run->light = p->target[0];
-        failed = failed || kit_add_blur(&m, &run->light);
+        failed = failed || kit_add_blur(m, &run->light);
     }
-    if (m.gather.kernel) {
-        const int sets = (int)kit_method_value(method, "sets");
-        float *kernel = malloc(4 * (size_t)(sets * m.gather.samples) * sizeof *kernel);
-        if (kernel) ssgi_kernel(kernel, sets, m.gather.samples, NULL);
-        run->kernel = kit_keep(run, kernel ? kit_texture(m.gather.samples, sets, GL_RGBA32F, kernel) : 0);
+    if (m->gather.kernel) {
+        const int sets = (int)kit_method_value(m->method, "sets");
+        float *kernel = malloc(4 * (size_t)(sets * m->gather.samples) * sizeof *kernel);
+        if (kernel) ssgi_kernel(kernel, sets, m->gather.samples, NULL);
+        run->kernel = kit_keep(run, kernel ? kit_texture(m->gather.samples, sets, GL_RGBA32F, kernel) : 0);
         free(kernel);
     }
-    if (m.gather.noise == SSGI_GL_NOISE_TEXTURE) {
+    if (m->gather.noise == SSGI_GL_NOISE_TEXTURE) {
         float tile[4 * 16] = { 0 };        /* both strata once each over the 4 x 4 texels, far apart in neighbours */
         for (int i = 0; i < 16; ++i) {
             const int x = i % 4, y = i / 4, a = (2 * x + y) % 4, b = (x + 2 * y) % 4;
@@ -313,13 +422,25 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
         }
         run->noise = kit_keep(run, kit_texture(4, 4, GL_RGBA32F, tile));
     }
+    if (!failed) limit_passes(run);
     run->bytes = !failed && glGetTexLevelParameteriv ? bytes_of(run) : (double)NAN;
     glGenBuffers(KIT_FRAMES, run->block);
     if (!failed) kit_run_update(run);
-    /* a last frame to reuse */
-    if (!failed && kit_method_value(method, "reuse") > 0) for (int i = 0; i < 2; ++i) kit_run_draw(run, 0);
-    if (failed) { kit_run_close(run); return -1; }
-    return 0;
+    for (int i = 0; i < 2 && !failed && kit_method_value(m->method, "reuse") > 0; ++i)
+        kit_run_draw(run, 0);              /* a last frame to reuse */
+    return failed ? -1 : 0;
+}
+
+int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
+    kit_error *err)
+{
+    static const kit_world nothing;
+    kit_making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
+    int failed;
+    memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
+    failed = add_margin(&m, &g, radius) || open_on(&m, g, radius);
+    if (failed) kit_run_close(run);
+    return failed ? -1 : 0;
 }
 
 static void upload(GLuint buffer, const void *data, size_t size)
@@ -357,6 +478,10 @@ void kit_run_draw(kit_run *run, int timed)
         else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR)
             glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
         else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
+        if (p->box[2]) {
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);
+        }
         glUseProgram(p->program);
         if (timed && !p->aside) kit_timer_begin();
         if (p->desc.pass == SSGI_GL_FIELD) {
@@ -368,6 +493,7 @@ void kit_run_draw(kit_run *run, int timed)
         } else if (p->array) kit_draw_surfels(run, p);
         else glDrawArrays(GL_TRIANGLES, 0, 3);
         if (timed && !p->aside) p->ms = kit_timer_end();
+        if (p->box[2]) glDisable(GL_SCISSOR_TEST);
     }
     glActiveTexture(GL_TEXTURE0);
 }
@@ -377,6 +503,19 @@ double kit_run_ms(const kit_run *run)
     double ms = 0;
     for (int i = 0; i < run->passes; ++i) ms += run->pass[i].ms;
     return ms;
+}
+
+/* Takes so many pixels off each side. */
+static void cut(kit_image *image, int pixels)
+{
+    const int width = image->width - 2 * pixels, height = image->height - 2 * pixels;
+    for (int c = 0; c < image->channels; ++c)
+        for (int y = 0; y < height; ++y)
+            memmove(image->data + ((size_t)c * (size_t)height + (size_t)y) * (size_t)width,
+                    image->data + ((size_t)c * (size_t)image->height + (size_t)(y + pixels)) * (size_t)image->width
+                        + (size_t)pixels, (size_t)width * sizeof *image->data);
+    image->width = width;
+    image->height = height;
 }
 
 int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
@@ -424,6 +563,7 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
         kit_image_free(&frame);
     }
     if (failed) { kit_image_free(&image); return kit_fail(err, "the result cannot be read back"); }
+    cut(&image, run->margin);
     *out = image;
     return 0;
 }
@@ -438,6 +578,7 @@ void kit_run_close(kit_run *run)
         free(run->pass[i].io);
     }
     for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
+    kit_gbuffer_free(&run->wide);
     glDeleteTextures(run->textures, run->texture);
     glDeleteVertexArrays(3, run->arrays);
     glDeleteBuffers(3, run->buffers);

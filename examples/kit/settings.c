@@ -76,6 +76,8 @@ static const row view_size_row = { { "view_size", "pixels of an extra camera's s
                                    PLAN,
                                    0 };
 
+static const row margin_row    = { { "margin",
+    "how far beyond the picture the depth buffer reaches, in radii; needs a scene", NULL, 0, 0, 4, 0 }, PLAN, 0 };
 static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
 static const row march_row = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 },
                                GATHER,
@@ -277,7 +279,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define SLICES \
     { \
         &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
-            &phase_row, &blur_row, &filter_row, &compare_row \
+            &phase_row, &blur_row, &filter_row, &compare_row, &margin_row \
     }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define SSDO \
@@ -286,13 +288,13 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
             &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
             &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
             &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, \
-            &filter_row, &compare_row \
+            &filter_row, &compare_row, &margin_row \
     }
 #define VECTORS \
     &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
         &behind_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
         &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
-        &blur_row, &filter_row, &compare_row
+        &blur_row, &filter_row, &compare_row, &margin_row
 #define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS }
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
@@ -306,7 +308,7 @@ static const plan plans[] = {
       SSGI_GL_BALANCED,
       { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
         &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
-        &filter_row, &compare_row } },
+        &filter_row, &compare_row, &margin_row } },
     { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED,
       SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
@@ -317,7 +319,7 @@ static const plan plans[] = {
       SSGI_GL_MARCH,
       SSGI_GL_BALANCED,
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
-        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row } },
+        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED,
       SSDO },
     { "ssdo-fast", "the same, half size, fewer directions", SSGI_GL_SSDO, 0, SSGI_GL_FAST, SSDO },
