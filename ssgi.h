@@ -87,31 +87,31 @@ typedef enum ssgi_result {
 
 /* How a projection's clip z becomes window depth. */
 enum { SSGI_CLIP_GL = 0,    /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; reversed depth wants this */
+       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
 
-/* Everything that the passes know of a camera; made by ssgi_view_from_projection, read-only for you. */
+/* The camera parameters that the passes use; made by ssgi_view_from_projection, read-only for you. */
 typedef struct ssgi_view {
     float unproject[4];     /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
     float project[4];       /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
     float depth[2];         /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
-    float clear;            /* the window depth of nothing: 1, or 0 when the projection is reversed */
+    float clear;            /* the window depth of the background: 1, or 0 when the projection is reversed */
     int   orthographic;     /* 0 or 1 */
-    int   width, height;    /* pixels of the picture */
+    int   width, height;    /* pixels of the frame */
 } ssgi_view;
 
 /* Decodes a projection matrix: perspective or orthographic, any window depth (normal, reversed, infinite far plane),
    off-centre (sub-pixel jitter, stereo), y up or down.
      projection     [limit: w row (0,0,-1,0) or (0,0,0,1) up to a common factor; no skew] right-handed, camera along -z
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
-     width, height  [units: pixels] [limit: 1..65536] of the picture that the projection fills
+     width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
    Computed in double; exact to float rounding. */
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why);
 
-/* View depth [units: view] of a window depth. What is not a surface (the clear value, NaN, beyond [0,1], a view depth
-   of 0 or infinity) gives SSGI_FAR. GLSL twin: ssgi_decode. */
+/* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 0 or
+   infinity) gives SSGI_FAR. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
-#define SSGI_FAR 1e18f      /* the view depth of nothing: far beyond any scene, its square still a float */
+#define SSGI_FAR 1e18f      /* the view depth of the background: beyond any scene, its square a finite float */
 
 /* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
    view-space point, with its depth [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
@@ -260,7 +260,7 @@ typedef struct ssgi_sun {
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
    halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
    all of its light: irradiances sum to the integral of radiance over the sphere.
-     count          [limit: 1..1024] any, not only powers of two; those beyond the picture's texels are dark, at +y
+     count          [limit: 1..1024] any, not only powers of two; those beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the picture about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
@@ -584,16 +584,16 @@ typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
     float error;            /* [limit: >= 0] 0: the least that the budget buys */
     float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float screen_radius;            /* the radius over the picture's height: radius * project / (depth * height), mean over what
+    float screen_radius;            /* the radius over the frame's height: radius * project / (depth * height), mean over what
                                is seen [limit: >= 0] [default: 0.15] */
     ssgi_depth_statistics statistics;
     ssgi_calibration  calibration;      /* OBJECTS: only open is read */
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
     int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; both want closed solids */
+    int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; for closed solids only */
     double triangles;       /* that may become surfels; 0: none may */
-    float splat_overdraw;           /* texels that splats of size 0.015 cover over the picture's pixels (ssgi_surfels_predict)
+    float splat_overdraw;           /* texels that splats of size 0.015 cover over the frame's pixels (ssgi_surfels_predict)
                                [default: 170] */
     int   occluders;          /* OBJECTS: with fields */
     float coverage;            /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
@@ -845,7 +845,7 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
 }
 
 /* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
-   inside. The far plane does not count. */
+   inside. The far plane is ignored. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
@@ -1966,7 +1966,7 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014
 }
 
 /* The level, 1..64, at which so many discs of a radius have the triangle's area: at least 1, for level 0 culls. Beyond
-   3169 discs triangles want splits. */
+   3169 discs triangles need splits. */
 SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
@@ -2309,7 +2309,7 @@ SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, doubl
     if (shell[1] > most) shell[1] = most;
 }
 
-/* Pixels that a sphere, as far as it lies deeper than front, covers: bounds x0, y0, x1, y1, clipped to the picture,
+/* Pixels that the part of a sphere deeper than front covers: bounds x0, y0, x1, y1, clipped to the frame,
    exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin:
    ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
