@@ -23,7 +23,7 @@
       units        lengths in your view units, angles in radians, radiance linear
       visibility   V = 1 visible, 0 blocked; occlusion O in [0,1]; ambient visibility (what AO passes write) = 1 - O,
                    cosine-weighted
-      environments latitude-longitude pictures as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
+      environments latitude-longitude images as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
                    exact; values above 1e24 count as that
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
@@ -36,7 +36,7 @@
       >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
       >>kernel     low-discrepancy points, sample sets
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
-      >>environment  pictures as octahedral maps over lobes and cones, and as directional lights; virtual
+      >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
       >>surfels    triangles as discs about as large on the screen, what splatting them costs
@@ -239,7 +239,7 @@ SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
                     a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
                     solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
-   A constant environment is kept exactly. The picture is first averaged to 96 x 48 cells, which widens a lobe by up to
+   A constant environment is kept exactly. The image is first averaged to 96 x 48 cells, which widens a lobe by up to
    0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
    x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
@@ -262,7 +262,7 @@ typedef struct ssgi_sun {
    all of its light: irradiances sum to the integral of radiance over the sphere.
      count          [limit: 1..1024] any, not only powers of two; those beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
-   Reads the picture about log2(count) times. Takes 30 KB of stack. */
+   Reads the image about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
@@ -355,14 +355,14 @@ typedef struct ssgi_surfel {
 } ssgi_surfel;
 
 typedef struct ssgi_surfel_desc {
-    float size;     /* [units: picture heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
+    float size;     /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
     int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
-    float offscreen_growth;    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the
-                       frustum: off-screen surfels may be coarser, far from visible pixels; 1e-6: none, as published */
-    int   keep_small;    /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
-                       r^2), radius unchanged, so that cost does not grow with mesh detail; 1: keep all, as published */
-    float max_distance;     /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the radius
-                       of occlusion, for instance */
+    float offscreen_growth; /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance
+                       outside the frustum, where no visible pixel is close; 1e-6: none, as published */
+    int   keep_small;  /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
+                       r^2), radius unchanged: cost does not grow with mesh detail; 1: keep all, as published */
+    float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the
+                       radius of occlusion, for instance */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
@@ -382,8 +382,8 @@ SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *d
                                        const char **why);
 
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
-   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others stay
-   unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
+   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others
+   stay unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
    (normal 0 0 0 where source->normal is NULL): usable as source of ssgi_surfels and as patches. Writes at most capacity
    triangles, and to *count how many there are. */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
@@ -399,9 +399,9 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 /* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
-    float max_distance;         /* [units: view] [limit: >= 0] [default: unlimited] largest distance: the occlusion radius */
-    float max_radiance;    /* [limit: >= 0] [default: 1] for predictions: largest radiance that surfels send */
-    float near_depth;        /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
+    float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
+    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance that surfels send */
+    float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
 enum { SSGI_SPLAT_LEVELS = 7 };
@@ -429,15 +429,13 @@ typedef struct ssgi_dipole { double z_r[3], z_v[3], sigma_tr[3], albedo[3]; } ss
 /* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0], and over a whole plane; 0 for a channel outside
-   0..2. */
+/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0]; 0 for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
-SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *dipole, int channel);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder (an occluder) on its surroundings, baked once, evaluated
-   at any point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
+/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder on its surroundings, baked once, evaluated at any
+   point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
    the field stores the spherical cap that the occluder subtends, as a function of distance from its convex hull to the
    field's reach.
 
@@ -540,8 +538,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
       s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
-      ssgi_depth_statistics_of(&s.statistics, texels, width, height, 0, NULL);       of the pass "statistics" (ssgi_gl.h), read back once
-      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, visibility, 3000, 64, radius, NULL);    of hsao, preset BALANCED
+      ssgi_depth_statistics_of(&s.statistics, texels, width, height, 0, NULL);      of the pass "statistics", read back
+      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, 3000, 64, radius, NULL);    preset BALANCED
       ssgi_plan plan;
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
@@ -554,18 +552,18 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
        SSGI_PLAN_FIELD };
 
-/* Depth statistics from the pass "statistics": points around each surface against the depth buffer. blocked: shares of them
+/* Depth statistics from the pass "statistics": points around surfaces against the depth buffer. blocked: shares of them
    behind the visible surface by less than a quarter of the radius, by less than the radius, by more; the geometry in
-   between is unknown. off: share outside the frame. square: second moments of all four over the pixels, with the
-   sampling variance removed. seen: share of the frame with a surface; 0 = no statistics. */
+   between is unknown. offscreen: share outside the frame. square: second moments of all four over the pixels, with the
+   sampling variance removed. visible: share of the frame with a surface; 0 = no statistics. */
 typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, square[4]; } ssgi_depth_statistics;
 
 /* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
    pass [limit: 0, 2..64] [default: 32]. */
-SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
-                                    const char **why);
+SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width,
+                                              int height, int points, const char **why);
 
-/* Errors against ray-traced truth, in the measure of `wanted`. open: without any occlusion; picture: of hsao's slices
+/* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices
    at the preset BALANCED, multiplied with the light where light is wanted. known: 0 = no calibration. */
 typedef struct ssgi_calibration { int known; float unoccluded, hsao; } ssgi_calibration;
 
@@ -584,19 +582,19 @@ typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
     float error;            /* [limit: >= 0] 0: the least that the budget buys */
     float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float screen_radius;            /* the radius over the frame's height: radius * project / (depth * height), mean over what
-                               is seen [limit: >= 0] [default: 0.15] */
+    float screen_radius;    /* the radius over the frame's height: radius * project / (depth * height), mean over
+                               visible pixels [limit: >= 0] [default: 0.15] */
     ssgi_depth_statistics statistics;
-    ssgi_calibration  calibration;      /* OBJECTS: only open is read */
+    ssgi_calibration calibration;   /* OBJECTS: only unoccluded is read */
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is there as a picture, too, which ssdo looks up */
+    int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
     int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; for closed solids only */
     double triangles;       /* that may become surfels; 0: none may */
-    float splat_overdraw;           /* texels that splats of size 0.015 cover over the frame's pixels (ssgi_surfels_predict)
+    float splat_overdraw;   /* texels of splats of size 0.015 over the frame's pixels (ssgi_surfels_predict)
                                [default: 170] */
-    int   occluders;          /* OBJECTS: with fields */
-    float coverage;            /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
+    int   occluders;        /* OBJECTS: with fields */
+    float coverage;         /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
@@ -605,7 +603,7 @@ typedef struct ssgi_plan {
     int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;
     float size;             /* ssgi_surfel_desc.size */
     float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes
-                               layers, cameras' pictures and fields */
+                               layers, cameras' images and fields */
     float error;            /* predicted */
     int   meets;            /* 1: error <= 1.1 x that asked for (predictions' accuracy), and cost within the budget */
     char  why[160];         /* one sentence */
@@ -694,7 +692,7 @@ SSGI__FN int ssgi__within(float x, float least, float most)
     return ssgi__finite(x) && x >= least && x <= most;
 }
 
-/* A radiance or flux: 0 if not finite, clamped so that sums over any picture stay finite. */
+/* A radiance or flux: 0 if not finite, clamped so that sums over any image stay finite. */
 static double ssgi__light(float x, float least)
 {
     return ssgi__finite(x) ? (double)(x < least ? least : x > 1e24f ? 1e24f : x) : 0.0;
@@ -1287,7 +1285,7 @@ SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
     *end = a + la < b + lb ? a + la : b + lb;
 }
 
-/* Averages the picture, constant in each texel, over cells of exact solid angle; cells may be smaller than texels. */
+/* Averages the image, constant in each texel, over cells of exact solid angle; cells may be smaller than texels. */
 SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3], const float *rgb, int width,
                                       int height)
 {
@@ -1468,8 +1466,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
         for (int i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
             if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
-                && (most < 0 || r->energy > region[most].energy))
-                most = i;
+                && (most < 0 || r->energy > region[most].energy)) most = i;
         }
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
@@ -1507,7 +1504,6 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
     }
     return SSGI_OK;
 }
-
 
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why)
@@ -1974,7 +1970,7 @@ SSGI__FN int ssgi__tess_level(double area, double radius)
     return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* Radius of a surfel at a view depth, s/2 picture heights on the screen: r = scale * (|depth - near| + near), scale = s
+/* Radius of a surfel at a view depth, s/2 image heights on the screen: r = scale * (|depth - near| + near), scale = s
    tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
@@ -2053,7 +2049,8 @@ SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_mak
 }
 
 /* Centroid, largest distance of a corner from it; returns the centroid's distance outside the frustum. */
-SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3], double *extent)
+SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_maker *m, double middle[3],
+                                     double *extent)
 {
     *extent = 0.0;
     for (int i = 0; i < 3; ++i) middle[i] = (p->at[0][i] + p->at[1][i] + p->at[2][i]) / 3.0;
@@ -2074,8 +2071,7 @@ SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_ma
 
 SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const double weight[3])
 {
-    for (int i = 0; i < 3; ++i)
-        out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
+    for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
 /* Part i of n * n, its level and radius, inset from the edges. 0: too far outside the frustum, or thinned out.
@@ -2097,7 +2093,8 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     p->area = whole->area / ((double)n * n);
     aside = ssgi__surfel_outside(p, m, middle, &extent);
     if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
-    wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2]) + (double)m->desc.offscreen_growth * aside;
+    wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2])
+             + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
@@ -2134,8 +2131,7 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    if (!(ssgi__normalise(normal) > 0.0))
-        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    if (!(ssgi__normalise(normal) > 0.0)) for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
     ssgi__floats(out->position, at);
     ssgi__floats(out->normal, normal);
     ssgi__floats(out->colour, colour);
@@ -2154,7 +2150,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
                 "desc.size: must be 1e-4..1, or 0 for the default");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
-    SSGI__CHECK(desc->offscreen_growth >= 0.0f && desc->offscreen_growth <= 1.0f, "desc.offscreen_growth: must be 0..1");
+    SSGI__CHECK(ssgi__within(desc->offscreen_growth, 0.0f, 1.0f), "desc.offscreen_growth: must be 0..1");
     SSGI__CHECK(ssgi__positive(&desc->max_distance, 1), "desc.max_distance: must be 0 or more and finite");
     *out = *desc;
     if (!(out->offscreen_growth > 0.0f)) out->offscreen_growth = 0.1f;
@@ -2445,12 +2441,6 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
         sum += z * (d->sigma_tr[c] + 1.0 / length) * exp(-d->sigma_tr[c] * length) / (length * length);
     }
     return d->albedo[c] / (4.0 * SSGI__PI) * sum;
-}
-
-SSGI_DEF double ssgi_dipole_total(const ssgi_dipole *d, int c)
-{
-    if (c < 0 || c > 2) return 0.0;
-    return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
 }
 
 /* ==== >>field (implementation) ================================================================================= */
@@ -2868,8 +2858,8 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
         point[k] = (float)(at[k] + b->occluder.centre[k]);
     }
     cosine = ssgi__field_cone(axis, &b->occluder, at, portal->normal);
-    ssgi__field_sample(sum, occlusion, normal, &b->occluder.trace, b->desc->hit, b->desc->user, point, axis, cosine, rays,
-                       seed);
+    ssgi__field_sample(sum, occlusion, normal, &b->occluder.trace, b->desc->hit, b->desc->user, point, axis, cosine,
+                       rays, seed);
 }
 
 /* One texel of the fine map: samples along its direction, and what they fit. */
@@ -3303,8 +3293,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
     words = texels ? ssgi_field_size(f.resolution) / 4 : 0;
     SSGI__ENOUGH(size, 4 * words, "size: must be at least ssgi_field_size of the file's resolution");
-    for (size_t i = 0; i < words; ++i)
-        texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
+    for (size_t i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;
     *field = f;
     return SSGI_OK;
@@ -3312,8 +3301,8 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* ==== >>plan (implementation) ================================================================================== */
 
-SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width, int height, int points,
-                                    const char **why)
+SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width,
+                                              int height, int points, const char **why)
 {
     double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
     size_t seen = 0, count;
@@ -3344,7 +3333,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                                    const float *normal, const float *visibility, size_t count, int rays, float radius,
                                    const char **why)
 {
-    double open = 0.0, picture = 0.0, shown;
+    double unoccluded = 0.0, hsao = 0.0, shown;
     SSGI__THERE2(calibration, trace);
     SSGI__THERE3(position, normal, visibility);
     SSGI__CHECK(count, "count: must not be 0");
@@ -3368,19 +3357,19 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
                 occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
         shown = ssgi__finite(visibility[i]) ? 1.0 - (double)visibility[i] : 0.0;
-        open += occlusion[0] * occlusion[1];
-        picture += (occlusion[0] - shown) * (occlusion[1] - shown);
+        unoccluded += occlusion[0] * occlusion[1];
+        hsao += (occlusion[0] - shown) * (occlusion[1] - shown);
     }
     calibration->known = 1;
-    calibration->unoccluded = (float)sqrt(open > 0.0 ? open / (double)count : 0.0);
-    calibration->hsao = (float)sqrt(picture > 0.0 ? picture / (double)count : 0.0);
+    calibration->unoccluded = (float)sqrt(unoccluded > 0.0 ? unoccluded / (double)count : 0.0);
+    calibration->hsao = (float)sqrt(hsao > 0.0 ? hsao / (double)count : 0.0);
     return SSGI_OK;
 }
 
 /* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
-   (examples/fit.c): squares of the calibration's errors; of them open times a surfel's size over the radius, once and twice,
-   times the light's unevenness, times what bands leave out of it, times the albedo; and a constant. */
-enum { SSGI__PLAN_OPEN, SSGI__PLAN_PICTURE, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
+   (examples/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
+   and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
+enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
        SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
 enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_OCCLUDERS = 4 };
 
@@ -3391,10 +3380,10 @@ typedef struct ssgi__plan_row {
 } ssgi__plan_row;
 
 #define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, \
-                  size, cost, open, picture, coarse, coarser, uneven, left_out, bounced, constant) \
+                  size, cost, unoccluded, hsao, coarse, coarser, uneven, left_out, bounced, constant) \
     { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, \
       layers, cameras, filter, resolution, size, cost, \
-      { open, picture, coarse, coarser, uneven, left_out, bounced, constant } }
+      { unoccluded, hsao, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
@@ -3440,34 +3429,38 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
 
-SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s) { return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15; }
+SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
+{
+    return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15;
+}
 
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
-    const double size = (double)row->size / ssgi__plan_radius(s), albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
-    double open = 0.02, picture = 0.003, uneven = 0.0, left = 0.0;
-    if (s->statistics.visible > 0.0f) {                    /* a rough estimate: hidden geometry is not in the statistics */
+    const double size = (double)row->size / ssgi__plan_radius(s);
+    const double albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    double unoccluded = 0.02, hsao = 0.003, uneven = 0.0, left = 0.0;
+    if (s->statistics.visible > 0.0f) {         /* a rough estimate: hidden geometry is not in the statistics */
         const float *square = s->statistics.square;
-        open = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
-        picture = 1e-5 + 0.38 * (double)square[1];
+        unoccluded = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
+        hsao = 1e-5 + 0.38 * (double)square[1];
     }
     if (s->calibration.known) {
-        open = (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
-        picture = (double)s->calibration.hsao * (double)s->calibration.hsao;
+        unoccluded = (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
+        hsao = (double)s->calibration.hsao * (double)s->calibration.hsao;
     }
     for (int l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
         if (l >= row->bands) left += ratio;
     }
-    term[SSGI__PLAN_OPEN] = open;
-    term[SSGI__PLAN_PICTURE] = picture;
-    term[SSGI__PLAN_COARSE] = open * size;
-    term[SSGI__PLAN_COARSER] = open * size * size;
-    term[SSGI__PLAN_UNEVEN] = open * uneven;
-    term[SSGI__PLAN_LEFT_OUT] = open * left;
-    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? open * albedo * albedo : 0.0;
+    term[SSGI__PLAN_UNOCCLUDED] = unoccluded;
+    term[SSGI__PLAN_HSAO_ERROR] = hsao;
+    term[SSGI__PLAN_COARSE] = unoccluded * size;
+    term[SSGI__PLAN_COARSER] = unoccluded * size * size;
+    term[SSGI__PLAN_UNEVEN] = unoccluded * uneven;
+    term[SSGI__PLAN_LEFT_OUT] = unoccluded * left;
+    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? unoccluded * albedo * albedo : 0.0;
     term[SSGI__PLAN_CONSTANT] = 1e-4;
 }
 
@@ -3507,10 +3500,11 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     plan->error = (float)sqrt(square);
     energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     while (plan->bands > 1 /* bands whose energy is negligible */
-           && sqrt(0.02 * term[SSGI__PLAN_OPEN] * (double)energy[plan->bands - 1] / (double)energy[0])
+           && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
         --plan->bands;
-    if (row->method == SSGI_PLAN_FIELD) plan->cost += 0.9f * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
+    if (row->method == SSGI_PLAN_FIELD)
+        plan->cost += 0.9f * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     if (row->method == SSGI_PLAN_SURFELS) {
         plan->cost *= (s->splat_overdraw > 0.0f ? s->splat_overdraw : 170.0f) / 170.0f;
@@ -3522,8 +3516,7 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
-    static const char *const method[] = { "nothing",           "hsao",  "hsao by march", "ssdo", "s3ho",
-                                          "deep screen space", "fields" };
+    static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "dss", "fields" };
     ssgi_plan best, p;
     float goal = 0.0f;
     int tried = 0, found = 0;
@@ -3533,11 +3526,12 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
     if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->occluders < 0)
         return ssgi__bad(why, "scene.layers, .cameras, .occluders: must be 0..4, 0..4, 0 or more");
-    if (!ssgi__positive(&s->error, 1) || !ssgi__positive(&s->budget, 1) || !ssgi__positive(&s->screen_radius, 1)
-        || !ssgi__positive(&s->albedo, 1) || !ssgi__positive(&s->splat_overdraw, 1) || !ssgi__positive(&s->coverage, 1))
-        return ssgi__bad(why, "scene.error, .budget, .screen_radius, .albedo, .splat_overdraw, .coverage: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
+                && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->splat_overdraw, 1)
+                && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .splat_overdraw, "
+                "coverage: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
-    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded) && ssgi__finite(s->calibration.hsao), "scene.calibration: must be finite");
+    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao), "scene.calibration: must be finite");
     SSGI__CHECK(ssgi__positive(&s->statistics.visible, 1) && ssgi__positive(s->statistics.blocked, 3)
                 && ssgi__positive(&s->statistics.offscreen, 1) && ssgi__positive(s->statistics.square, 4),
                 "scene.statistics: must be finite and 0 or more");
@@ -3554,10 +3548,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         best = p;
         found = 1;
     }
-    if (best.meets && best.method == SSGI_PLAN_NOTHING)
-        snprintf(best.why, sizeof best.why, "nothing: leaving it out is predicted to err by %.3g, which meets %.3g",
-                 (double)best.error, (double)s->error);
-    else if (best.meets)
+    if (best.meets)
         snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g",
                  method[best.method], tried, (double)s->error, (double)best.error);
     else
@@ -3572,6 +3563,19 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 }
 #endif
 #endif /* SSGI_IMPLEMENTATION */
+
+/* CHANGES from 0.1 to 0.2, old -> new:
+   ssgi_sh_lacking -> ssgi_sh_residual; ssgi_survey_of -> ssgi_depth_statistics_of; ssgi_trial, ssgi_plan_try ->
+   ssgi_calibration, ssgi_plan_calibrate; surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small,
+   .max_distance; splat.most, .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most -> .max_error;
+   dipole.above, .below, .fading -> .z_r, .z_v, .sigma_tr; plan_scene.survey, .trial, .reach, .cover, .splats, .casters
+   -> .statistics, .calibration, .screen_radius, .coverage, .splat_overdraw, .occluders. ssgi_gl.h: SURVEY ->
+   STATISTICS, VECTORS -> COEFFICIENTS, TRANSFER_FREE -> TRANSFER_DIRECT, caster -> occluder, its .reach, .end, .fitted
+   -> .radius, .reach, .baked_reach; desc.exact, .lamps, .closely, .thin -> .residual, .lights, .near_samples, .behind;
+   frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth; light.least -> .min_distance. Removed:
+   SH product, deringing, sky; cap tables, 16-bit and cube-map fields, solid-angle measure; surfels' shrink, jitter,
+   enlarge, overlap; splat_predict, materials, dipole_total, jitter_tile, radius_guess, normal_offset, shadow_patch,
+   shadow_bias. */
 
 /* --------------------------------------------------------------------------------------------------------------
    This software is available under two licences; choose the one you like.

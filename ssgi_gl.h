@@ -21,9 +21,9 @@
 
    HOW A PASS IS DRAWN
       Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, depth test and blending off, the
-      viewport on the picture inside the target, glDrawArrays(GL_TRIANGLES, 0, 3). Textures are read by texelFetch at
+      viewport on the image inside the target, glDrawArrays(GL_TRIANGLES, 0, 3). Textures are read by texelFetch at
       level 0, so wrap modes do not matter, but a texture must be complete: one without mip levels reads 0 under GL's
-      default minifying filter, and the picture is black. GL_NEAREST is right for all; depth and 32-bit float textures
+      default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit float textures
       need it in GLES and WebGL. A texture has one unit, by its name, in every variant of a pass. The uniform block
       "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding) the rows' slots are in
       the text; in the others set them once by name (glUniform1i, glUniformBlockBinding). This header calls no GL and
@@ -35,14 +35,14 @@
                 s3ho     occlusion as spherical harmonics, to be dotted with light; what blockers reflect [S3HO12]
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
                 senders  packs what surfaces send, their normal and depth: one fetch a sample for the bounce
-                shade    the vectors of s3ho meet light: harmonics, lamps, bent normals, cones [S3HO12, SSBN11]
+                shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
                 field    ambient occlusion by rigid occluders whose fields were baked, blended over each other [AOF05]
                 surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
-                shuffle  positions and normals, pixels dealt out to the sub-buffers of every level
-                splat    what each surfel does to pixels around it, added up
-                unshuffle, smooth, sum   pixels back in place; within surfaces; ambient visibility, light or bounce
-                blur     smooths what the others wrote, within surfaces
-                statistics   what stands around one pixel of every 8x8: for ssgi_depth_statistics_of and the plan in ssgi.h
+                shuffle  interleaves positions and normals into the sub-buffers of every level
+                splat    each surfel's effect on the pixels around it, added up
+                unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
+                blur     edge-preserving filter of what the others wrote
+                statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
       ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it
@@ -51,36 +51,36 @@
                t_ssgi_senders; a draw a layer
       ssdo     with a bounce and no environment reads that and writes o_ssgi_bounce; blur.
                Outgoing radiance = albedo * (light + bounce)
-      When senders may shine with the last frame's light, draw senders first, then one ssdo with environment and bounce:
+      When senders may use the last frame's light, draw senders first, then one ssdo with environment and bounce:
       two targets, one visibility.
 
    OCCLUSION AS SPHERICAL HARMONICS, when light changes more often than geometry, or is spherical harmonics already
       senders  radiance ALBEDO, for a bounce only; a draw a layer
       s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds
                a bounce for whatever light comes
-      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote: far cheaper, the same but for
-               the clamp
-      shade    dots them with frame.harmonics (ssgi_gl_harmonics_set) and adds lamps: irradiance over pi, or radiance.
-               bands = 2 serves bent normals and cones
+      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote: far cheaper, and equal
+               but for the clamp at 0
+      shade    dots them with frame.harmonics (ssgi_gl_harmonics_set), adds t_ssgi_lights: irradiance over pi, or
+               radiance. bands = 2 serves bent normals and cones
       With shaded = 1 s3ho does that itself and keeps nothing.
 
    OCCLUSION BETWEEN MOVING OBJECTS
-      field    an ssgi_gl_occluder each, as rows of t_ssgi_occluders; clear the target to 1, blend by GL_DST_COLOR, GL_ZERO
-               (or GL_ZERO, GL_SRC_COLOR), and draw all at once: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders): a
-               rectangle each, around the sphere that it reaches; culling off. No noise, no filter
+      field    one ssgi_gl_occluder each, as rows of t_ssgi_occluders; clear the target to 1, blend by GL_DST_COLOR,
+               GL_ZERO (or GL_ZERO, GL_SRC_COLOR), and draw all at once, one rectangle each around its sphere of
+               influence: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders); culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
 
-   DEEP SCREEN SPACE, which sees what the picture does not; all levels lie below each other in textures of
+   DEEP SCREEN SPACE, which also counts what is hidden or off screen; all levels lie below each other in textures of
    frame.level[0] x (levels * frame.level[1])
       surfels    ssgi_surfels on the CPU, or this pass: rasteriser discarded, transform feedback of its CAPTURE rows,
-                 interleaved, is ssgi_surfel[] (some of radius 0 among them: at most two for each of ssgi_surfels').
+                 interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of ssgi_surfels).
                  With tessellate patches of 3 vertices, instanced splits * splits times; without it a point a surfel,
                  whose light it brings up to date
-      shuffle    over the texture of all levels, once a picture
+      shuffle    over the texture of all levels, once a frame
       splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's
                  three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
                  With tessellate patches as above: nothing is kept. Culling off
-      unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the picture
+      unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the image
 
    ROOMS        search for ">>"
       >>desc       what you choose               >>emit    text out
@@ -124,7 +124,7 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
        SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
        SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
        SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
-/* desc.noise: what decorrelates neighbouring pixels */
+/* desc.noise: the pattern that decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
        SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the
                                       directions; 1 more fetch */
@@ -139,7 +139,7 @@ enum { SSGI_GL_BEHIND_CONSTANT = 0,/* by frame.thickness */
                                       what has none, and sheets, by frame.thickness */
        SSGI_GL_BEHIND_SLABS };     /* likewise; and from the next front face behind that to the next back face (two more
                                       passes, each peeled by the one before) */
-/* desc.falloff: how a blocker's weight falls with its distance t, by how far along their directions samples stand */
+/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions */
 enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
        SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
                                       (ssgi_gl_light.min_distance = radius) */
@@ -152,41 +152,41 @@ enum { SSGI_GL_FADE_NONE = 0,
 enum { SSGI_GL_ENVIRONMENT_NONE = 0,
        SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
        SSGI_GL_ENVIRONMENT_MAP };  /* world space, a look-up a direction: ssgi_environment_map */
-/* desc.bounce: what a blocked direction brings */
+/* desc.bounce: estimator of what an occluded direction receives */
 enum { SSGI_GL_BOUNCE_NONE = 0,
        SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: no scale, never brighter than
                                       it */
-       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp radii [SSDO09 section
-                                      3] */
-/* desc.shadow: what stands between a light and a point */
+       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp radii
+                                      [SSDO09 section 3] */
+/* desc.shadow: how a light's visibility is tested */
 enum { SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
        SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
-       SSGI_GL_SHADOW_FILL,        /* MAP, and points over what the bias loses [SSDO09 section 5]; without a map,
-                                      SEGMENT */
+       SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the distance that the bias skips [SSDO09 section 5];
+                                      without a map, SEGMENT */
        SSGI_GL_SHADOW_NONE };
 /* desc.radiance: what senders send */
 enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
        SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
        SSGI_GL_RADIANCE_BOTH,      /* the sum */
        SSGI_GL_RADIANCE_ALBEDO };  /* albedo alone: what s3ho reads, whose light comes later */
-/* desc.transfer: what the vectors of s3ho hold */
-enum { SSGI_GL_TRANSFER_DIRECT = 0,  /* one vector: what free directions bring */
-       SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and what blockers reflect of unoccluded light [S3HO12 2.3] */
-       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what blockers reflect. Targets: 6 with 3 or 4 bands (GLES
+/* desc.transfer: what the coefficients of s3ho hold */
+enum { SSGI_GL_TRANSFER_DIRECT = 0,  /* one set: the transfer of unoccluded directions */
+       SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
+       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what occluders reflect. Targets: 6 with 3 or 4 bands (GLES
                                         has 4) */
-/* desc.shading: how vectors meet light */
+/* desc.shading: how the coefficients are shaded */
 enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12 2.2] */
-       SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean free direction */
-       SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as free directions are spread [SSBN11] */
+       SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
+       SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
        SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
 /* desc.objects: which object a pixel shows, so that no occluder shades itself */
-enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders shade whatever is there */
+enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders darken every pixel in reach */
        SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_occluder.object leaves its own pixels
                                       alone */
        SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.effect: what surfels do to pixels */
 enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-       SSGI_GL_EFFECT_LIGHT,       /* irradiance over pi of the open surface, less what surfels hide of the environment
+       SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels occlude of the environment
                                       */
        SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
        SSGI_GL_EFFECT_SPECULAR,    /* radiance of the lobe cos^frame.exponent about the mirrored view direction,
@@ -199,7 +199,7 @@ enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
                                       the environment, open, if desc.environment */
        SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view
                                       space */
-/* desc.colour: what blur filters: ambient visibility; light, three channels; what s3ho wrote */
+/* desc.colour: what blur filters: ambient visibility; light, three channels; coefficients of s3ho */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
@@ -223,8 +223,8 @@ typedef struct ssgi_gl_desc {
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points on
-                            a segment */
+    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points
+                            on a segment */
     int steps;           /* hsao   [limit: 0..64] [default: 6; others 1]  per direction: N_s; of points, the first
                             blocked one counts */
     int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
@@ -234,14 +234,14 @@ typedef struct ssgi_gl_desc {
     int fade;            /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
     int range;           /* ssao, ssdo, s3ho   1: surfaces beyond the radius, or below the receiver's plane, block
                             nothing [S3HO12 2.1] */
-    int layers;          /* all but hsao's slices   [limit: 0..8] [default: 1]  depth layers, peeled: solid from an odd
+    int layers;          /* all but hsao's slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
                             one to the next; an odd last one as behind says */
     int views;           /* all but hsao's slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
                             in front of its depth; occluded if none does and at least one finds it inside solid geometry
                             */
     int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
-    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the layer that is lit: hidden ones
-                            become senders */
+    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the layer that is lit, for hidden
+                            layers that send light */
 
     /* hsao */
     int search;          /* SSGI_GL_SLICES, SSGI_GL_MARCH */
@@ -259,20 +259,20 @@ typedef struct ssgi_gl_desc {
     int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
 
-    /* s3ho, shade, blur of vectors */
+    /* s3ho, shade, blur of coefficients */
     int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  1, 4, 9, 16 coefficients; bent
                             normals read 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two a
                             vector */
     int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three vectors must be packed */
-    int shaded;          /* s3ho   1: keeps no vectors, meets frame.harmonics at once and writes light; shade is not
+    int shaded;          /* s3ho   1: stores no coefficients, shades with frame.harmonics at once; shade is not
                             drawn */
-    int residual;          /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: what the bands
-                            lack on open surfaces is looked up (t_ssgi_irradiance: ssgi_sh_residual), dimmed by ambient
+    int residual;          /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds the
+                            residual of unoccluded irradiance (t_ssgi_irradiance: ssgi_sh_residual) times ambient
                             visibility */
     int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;          /* shade   1: rows of t_ssgi_lights light it too, as harmonics, unshadowed but for the vectors;
-                            a POINT is a sphere of radius `least` */
+    int lights;          /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone;
+                            a POINT is a sphere of radius min_distance */
     int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* field */
@@ -285,7 +285,7 @@ typedef struct ssgi_gl_desc {
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
                             320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int near_samples;         /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+    int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
 
@@ -379,9 +379,9 @@ typedef struct ssgi_gl_frame {
     float   project[4];  /* from ssgi_view */
     float   unproject[4];
     float   decode[4];   /* depth[0], depth[1], clear, 0 */
-    int32_t origin[2];   /* [units: texels]  first texel of the picture in the G-buffer's textures */
-    int32_t size[2];     /* [units: pixels]  of the picture */
-    int32_t target[2];   /* [units: texels]  first texel of the picture in the targets, and in textures that earlier
+    int32_t origin[2];   /* [units: texels]  first texel of the image in the G-buffer's textures */
+    int32_t size[2];     /* [units: pixels]  of the image */
+    int32_t target[2];   /* [units: texels]  first texel of the image in the targets, and in textures that earlier
                             passes wrote; half of it in those of half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
@@ -397,16 +397,16 @@ typedef struct ssgi_gl_frame {
                             shadow maps follows */
     int32_t lights;      /* rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.residual, bent
-                             normals); identity by default */
+    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.residual,
+                             bent normals); identity by default */
     float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
                               ssgi_gl_harmonics_set; black by default */
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
     float   keep_small;  /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float   near_depth;      /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
-                            nearest depth seen, of the last frame, say, saves most of what stands around the eye */
+    float   near_depth;  /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
+                            plane]: the last frame's minimum, for instance, culls most of what is around the eye */
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends (times the lobe's peak): a tenth of what counts as bright */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
@@ -415,7 +415,7 @@ typedef struct ssgi_gl_frame {
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
-/* Fills a frame: the view, the picture at the origin of textures and targets, defaults everywhere else. radius [units:
+/* Fills a frame: the view, the image at the origin of textures and targets, defaults everywhere else. radius [units:
    view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
@@ -445,7 +445,7 @@ typedef struct ssgi_gl_views {
                             the open, at depth 1 when perspective; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3. Both matrices are rigid, world to view: of the camera of the picture, and of the extra one
+/* Sets camera i of 0..3. Both matrices are rigid, world to view: of the main camera, and of the extra one
    whose projection `view` decodes. */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
@@ -457,8 +457,8 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 typedef struct ssgi_gl_light {
     float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
-    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
-                               its normal. least: the distance below which 1/d^2 grows no more */
+    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its
+                               normal. min_distance: clamp of the distance in 1/d^2 */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective: 2 tan(angle/2) / texels */
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
@@ -474,14 +474,15 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. ssgi_gl_occluder_set fills it. */
+/* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by
+   ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
     float at[3], radius; /* the sphere that it darkens, view space */
     float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
     float ramp, reach, inside, power;     /* ssgi_field_limits */
     float low[8], span[8];
-    float resolution, slice, baked_reach, object;   /* slice: of t_ssgi_fields. baked_reach: ssgi_field.reach. object: a whole
-                                                  number, what desc.objects compares; 0 = none */
+    float resolution, slice, baked_reach, object;   /* slice: of t_ssgi_fields. baked_reach: ssgi_field.reach. object: a
+                                                  whole number, compared by desc.objects; 0 = none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder where it stands now.
@@ -535,14 +536,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR;\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_depth", __LINE__, "// view depth at a pixel of the picture\n"
+{ "ssgi_depth", __LINE__, "// view depth at a pixel\n"
     "float ssgi_depth(ivec2 p) {\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
     "}\n" },
-{ "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel of the picture\n"
+{ "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel\n"
     "float ssgi_layer(ivec2 p, int j) {\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
@@ -583,15 +584,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
     "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_sphere", __LINE__, "// pixels that a sphere spans deeper than the front; empty behind it\n"
+{ "ssgi_sphere", __LINE__, "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
     "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
     "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#else\n"
-    "    // slopes of its tangents in the planes of x and of y, or where it meets the front\n"
-    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w, chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
+    "    // slopes of its tangents in the planes of x and of y, or where it meets the near depth\n"
+    "    float near = u_ssgi_near_depth, z = -at.z, r = at.w;\n"
+    "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
     "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0));\n"
     "    vec2 a = z * t + x * r, b = z * t - x * r;\n"
@@ -630,7 +632,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy); // #if normal == OCTAHEDRAL\n"
     "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n"
     "}\n" },
-{ "ssgi_tangent", __LINE__, "// the neighbour on either side whose depth is nearer, as a difference along +step\n"
+{ "ssgi_tangent", __LINE__, "// difference along +step to the neighbour on either side whose depth is closer\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
@@ -638,22 +640,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(A.z) < abs(B.z) ? A : B;\n"
     "}\n" },
 { "ssgi_normal", __LINE__, "#if normal == FROM_DEPTH\n"
-    "// unit view-space normal at a pixel of the picture whose point is P, facing the viewer\n"
+    "// unit view-space normal at a pixel whose point is P, facing the viewer\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
     "    vec3 n = ssgi_unit(cross(x * inversesqrt(dot(x, x) + 1e-30), y * inversesqrt(dot(y, y) + 1e-30)));\n"
     "    return dot(n, ssgi_toward(P)) < 0.0 ? -n : n;\n"
     "}\n"
     "#else\n"
-    "// unit view-space normal at a pixel of the picture whose point is P\n"
+    "// unit view-space normal at a pixel whose point is P\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
     "}\n"
     "#endif\n" },
 { "ssgi_noise", __LINE__, "#if noise == GRADIENT\n"
-    "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence along the\n"
-    "// picture\n"
+    "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence over\n"
+    "// the image\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
     "    vec2 q = vec2(p);\n"
     "    float gradient = 52.9829189 * fract(dot(q, vec2(0.06711056, 0.00583715)));\n"
@@ -679,14 +681,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
 { "ssgi_irradiance_texel", __LINE__, "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
-    "    // over an edge the square goes on mirrored\n"
+    "    // beyond an edge the octahedral square continues mirrored\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
     "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
     "}\n" },
 { "ssgi_irradiance_map", __LINE__ + 1,
-    "// irradiance over pi of an open surface with a world-space normal, or what a cone about it brings, between\n"
-    "// four texels\n"
+    "// unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it, bilinear\n"
+    "// over four texels\n"
     "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
@@ -750,7 +752,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
 { "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
-{ "ssgi_point", __LINE__, "// the point that camera v shows at a pixel and depth; -1 is the picture's\n"
+{ "ssgi_point", __LINE__, "// the point that camera v shows at a pixel and depth; -1 is the main one\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "#if views\n"
     "    if (v >= 0) {\n"
@@ -903,7 +905,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
     "}\n"
     "#endif\n" },
-/* ==== >>harmonics: vectors of coefficients, and how they are stored ============================================= */
+/* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
 
@@ -1113,14 +1115,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return v;\n"
     "}\n" },
-{ "ssgi_ambient", __LINE__, "// ambient visibility, as the vectors know it\n"
+{ "ssgi_ambient", __LINE__, "// ambient visibility from the coefficients\n"
     "vec3 ssgi_ambient(ssgi_coefficients v) {\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
     "}\n" },
 { "ssgi_residual", __LINE__ + 1,
-    "vec3 ssgi_residual = vec3(0.0); // what the harmonics lack of an open surface's irradiance over pi\n" },
-{ "ssgi_incoming", __LINE__, "// one channel of irradiance from a vector [S3HO12 eq. 3]\n"
+    "vec3 ssgi_residual = vec3(0.0); // unoccluded irradiance over pi less that of the coefficients\n" },
+{ "ssgi_incoming", __LINE__, "// one channel of irradiance from coefficients [S3HO12 eq. 3]\n"
     "float ssgi_incoming(int c, ssgi_sh s) {\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
@@ -1485,9 +1487,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_store(v); // #if !shaded\n"
     "#endif\n"
     "}\n" },
-/* ==== >>light: lights, senders, what vectors of s3ho meet ======================================================= */
+/* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
-{ "ssgi_light", __LINE__, "// l, d: way and distance to a light; g: falloff, but for the receiver's cosine\n"
+{ "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
     "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
 { "ssgi_light_at", __LINE__, "// row i of t_ssgi_lights, as it shines on P\n"
     "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
@@ -1503,7 +1505,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
     "    return s;\n"
     "}\n" },
-{ "ssgi_segment", __LINE__, "// 1 where any point of a segment from the lifted receiver is blocked\n"
+{ "ssgi_segment", __LINE__, "// 1 if any point of a segment from the lifted receiver is occluded\n"
     "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
     "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
@@ -1528,7 +1530,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float b = size * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
     "    bias = b * length_;\n"
-    "    // and what depths of the map and of P are rounded by\n"
+    "    // plus the rounding of the map's depth and of P\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
@@ -1553,7 +1555,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (bias < 0.0 && s.at.w > 1.5 && s.at.w < 2.5) continue;\n"
     "#endif\n"
     "#if shadow == FILL\n"
-    "        // a segment shorter than a pixel finds nothing\n"
+    "        // a segment shorter than a pixel cannot find an occluder\n"
     "        if (bias >= 0.0) reach = min(reach, max(bias, 1.5 * ssgi_footprint(-P.z)));\n"
     "#endif\n"
     "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
@@ -1596,17 +1598,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
     "}\n" },
 { "ssgi_bent", __LINE__ + 1,
-    "// The mean of the free directions, which is band 1, and the cosine of the half-angle of a cone about it that\n"
-    "// is spread as they are: of directions by the cosine in a cone of cosine c the mean has the length 2/3 (1 + c\n"
-    "// + c^2) / (1 + c) [SSBN11, for directions by the cosine].\n"
+    "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of a cone about it with\n"
+    "// the same spread: cosine-weighted directions in a cone of cosine c have a mean of length 2/3 (1 + c + c^2) /\n"
+    "// (1 + c) [SSBN11, for cosine weights].\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
     "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
     "}\n" },
 { "ssgi_light_harmonics", __LINE__ + 1,
-    "// Irradiance by a light that faces the vector, as harmonics: a cap of the sky as wide as the sphere,\n"
-    "// windowed, and such that it lights what faces it openly by what it sends [S3HO12 2.2, normalised]\n"
+    "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
+    "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) // #if residual\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v) // #if !residual\n"
     "{\n"
@@ -1647,7 +1649,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#elif shading == BENT_CONE\n"
     "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
     "    float slice = min(bent.w * float(last + 1), float(last));\n"
-    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), ssgi_irradiance_map(axis, min(int(slice) + 1, last)), fract(slice));\n"
+    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
+    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
     "#endif\n"
     "#if lights\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
@@ -1665,8 +1668,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
-    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // that it reaches\n"
-    "    for (int i = 0; i < 9; ++i) v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
+    "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // of influence\n"
+    "    for (int i = 0; i < 9; ++i)\n"
+    "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
     "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
@@ -1714,10 +1718,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
     "}\n" },
 { "ssgi_field_at", __LINE__ + 1,
-    "// where a point is about the occluder: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
+    "// a point in the occluder's space: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
     "// to_field on\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) {\n"
-    "    vec3 w = vec3(dot(occluder[0], vec4(P, 1.0)), dot(occluder[1], vec4(P, 1.0)), dot(occluder[2], vec4(P, 1.0)));\n"
+    "    vec4 p = vec4(P, 1.0);\n"
+    "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
     "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
@@ -1733,7 +1738,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float q = mix(mix(a.x, a.y, t), mix(a.y, a.z, t), t);\n"
     "    vec3 axis = b.xyz - r * at.xyz;\n"
     "    axis = dot(axis, axis) > 0.0 ? normalize(axis) : -at.xyz;\n"
-    "    float c = dot(axis, normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n))));\n"
+    "    n = normalize(vec3(dot(occluder[0].xyz, n), dot(occluder[1].xyz, n), dot(occluder[2].xyz, n)));\n"
+    "    float c = dot(axis, n);\n"
     "    // the cap of this vector irradiance, and the share of it that is covered\n"
     "    float S = 0.318309886 / max(q, 0.318309886), fill = max(b.w, S);\n"
     "    S /= fill;\n"
@@ -1742,7 +1748,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
     "}\n" },
 { "ssgi_field_visibility", __LINE__ + 1,
-    "// what occluders 0 .. occluders - 1 leave of the ambient light, but those of the object itself\n"
+    "// ambient visibility by occluders 0 .. occluders - 1, except those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
     "    for (int i = 0; i < occluders; ++i) {\n"
@@ -1767,11 +1773,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
     "#if objects\n"
     "    uint object = ssgi_object(p);\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // its own surface\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
     "}\n" },
-/* ==== >>splat: surfels, and what they do to pixels ============================================================== */
+/* ==== >>splat: surfels and their effect on pixels =============================================================== */
 
 /* Twins of >>surfels in ssgi.h. */
 
@@ -1800,7 +1806,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_surfel.x; // #if orthographic\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_outside", __LINE__, "// how far outside of the frustum\n"
+{ "ssgi_outside", __LINE__, "// distance outside the frustum\n"
     "float ssgi_outside(vec3 P) {\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
@@ -1841,15 +1847,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
     "    float discs = area / (3.14159265 * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
-    "    int alive = 0; // of a small triangle's three points: others stand for the rest\n"
+    "    int alive = 0; // small triangles are thinned stochastically\n"
     "    for (int i = 0; i < 3; ++i)\n"
     "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
     "    empty = empty || alive == 0;\n"
     "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
-    "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // together they have the area\n"
+    "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // their area sums to the triangle's\n"
     "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
     "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
-    "    // of the inscribed circle: discs end at the edges\n"
+    "    // scaled about the incentre: discs end at the edges\n"
     "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
     "    vec3 w = ssgi_part(part, n, gl_InvocationID);\n"
     "    v_ssgi_corner[gl_InvocationID] = centre + inset * (at[gl_InvocationID] - centre);\n"
@@ -1864,7 +1870,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n"
     "}\n" },
-{ "ssgi_surfel_light", __LINE__, "// irradiance over pi of a surfel, open to the environment\n"
+{ "ssgi_surfel_light", __LINE__, "// irradiance over pi of a surfel, unoccluded\n"
     "vec3 ssgi_surfel_light(vec3 P, vec3 n) {\n"
     "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
     "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
@@ -1890,7 +1896,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    colour = ssgi_custom_surfel(P, n, colour);\n"
     "#endif\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
-    "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 reaches nothing\n"
+    "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 affects nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
     "}\n" },
@@ -1908,14 +1914,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
     "void main() {\n"
     "}\n" },
-{ "ssgi_interleave", __LINE__, "// which pixel of a block is dealt where: an exclusive or is its own inverse\n"
+{ "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
     "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
     "    h ^= h >> 22;\n"
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
     "}\n" },
-/* Level l deals the pixels of each block of 2^l x 2^l out to as many sub-buffers, which lie side by side. */
+/* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
 
 { "main_shuffle", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
@@ -1941,10 +1947,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
     "}\n" },
-{ "ssgi_shell", __LINE__, "// what of a surfel is drawn at a level: a rectangle of one sub-buffer\n"
+{ "ssgi_shell", __LINE__, "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
-    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty where nothing is reached\n"
+    "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty if it covers none\n"
     "#if effect > LIGHT\n"
     "    float most = max(sent.x, max(sent.y, sent.z));\n"
     "#if effect == SPECULAR\n"
@@ -1959,11 +1965,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
     "    b = vec4(floor(b.xy / block), ceil(b.zw / block));\n"
     "    if (b.x >= b.z || b.y >= b.w) return vec4(0.0);\n"
-    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0); // hashed, not in turn\n"
+    "    // hashed: round-robin would correlate with the tessellation order\n"
+    "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
     "    vec2 from = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
-    "    v_ssgi_turned = vec4(turned.xyz, block * block); // a pixel meets one surfel of that many\n"
+    "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n"
@@ -1991,11 +1998,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "}\n" },
 { "ssgi_form", __LINE__ + 1,
-    "// form factor of a surfel's disc but for its area, weight and own cosine; v: way to its centre, m: its normal\n"
+    "// form factor of a disc without its area, weight and cosine; v: vector to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "    float dd = dot(v, v);\n"
     "#if near_samples > 1\n"
-    "    // close by, the disc as smaller ones, which may rise above the horizon where its centre does not\n"
+    "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
     "    if (dd < 16.0 * rr) {\n"
     "        vec3 a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
     "        vec2 turn = vec2(1.0, 0.0);\n"
@@ -2020,8 +2027,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
     "#if effect == SCATTER\n"
-    "    // a deeper source is the same one blurred, by as much: surfels wider than the source is deep would show\n"
-    "    // as dots\n"
+    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
     "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
     "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
@@ -2033,7 +2039,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if two_sided\n"
     "    away = abs(away);\n"
     "#else\n"
-    "    if (!(away > 0.0)) discard; // fronts alone: backs would count what is closed twice\n"
+    "    if (!(away > 0.0)) discard; // front faces only: with back faces closed meshes would count twice\n"
     "#endif\n"
     "    float form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * v_ssgi_turned.w * rr * away;\n"
     "    if (!(form > 0.0)) discard;\n"
@@ -2046,7 +2052,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0);\n"
     "#else\n"
     "    float d = inversesqrt(max(dd, 1e-30)), mirrored = max(dot(v, reflect(-ssgi_toward(P), n)), 1e-20) * d;\n"
-    "    // over 2 pi, times the disc's solid angle\n"
+    "    // normalised lobe over pi, times the disc's solid angle\n"
     "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent);\n"
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (lobe * v_ssgi_turned.w * rr * away * d / (dd + rr)), form);\n"
     "#endif\n"
@@ -2059,7 +2065,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
     "}\n" },
-{ "ssgi_off_plane", __LINE__, "// how far the point seen o pixels from P at depth z lies off the plane through P\n"
+{ "ssgi_off_plane", __LINE__, "// distance from the plane through P of the point at depth z, o pixels away\n"
     "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
     "    return abs(dot(k.xy, o) - k.z * (z + P.z)); // #if orthographic\n"
     "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
@@ -2074,7 +2080,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
     "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
     "    float all = 1.0;\n"
-    "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level deals out\n"
+    "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level interleaves\n"
     "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
     "        float d = ssgi_depth(p + o), off = ssgi_off_plane(plane, vec2(o), P, d) * near;\n"
@@ -2163,14 +2169,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            s.y = 1.0;\n"
     "#endif\n"
     "#if filter == GAUSSIAN\n"
-    "            // Gaussian over its depth difference, softened by a pixel's footprint [HSAO08 4.1.3]\n"
+    "            // Gaussian over the depth difference plus a pixel's footprint [HSAO08 4.1.3]\n"
     "            float sigma2 = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
     "            float w = exp(-0.5 * float(x * x + y * y) / sigma2) * footprint / (footprint + abs(d - z));\n"
     "#else\n"
     "            float off = ssgi_off_plane(plane, vec2(o), P, d) * near; // of the centre's tangent plane\n"
     "#if half\n"
     "            vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(o));\n"
-    "            // never 0: where nothing fits, the nearest\n"
+    "            // never 0: if no tap lies on the plane, the closest to it wins\n"
     "            float w = tent.x * tent.y * max(1.0 - off, 1e-3 / (1.0 + off));\n"
     "#else\n"
     "            float w = max(1.0 - off, 0.0); // a box that covers one tile of noise\n"
@@ -2198,11 +2204,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
     "}\n" },
-/* ==== >>statistics ================================================================================================== */
+/* ==== >>statistics: how depth is distributed around pixels ====================================================== */
 
 { "main_statistics", __LINE__ + 1,
-    "// one pixel of every 8x8: which share of points around it stands behind what is seen by less than a quarter\n"
-    "// of the radius, less than the radius, more; or off the picture\n"
+    "// One pixel of every 8x8: the shares of points around it that lie behind the depth buffer by less than a\n"
+    "// quarter of the radius, by less than the radius, by more; and that lie off screen.\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) * 8 + 4;\n"
     "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
@@ -2336,7 +2342,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
     SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
     SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
-    SSGI_GL__O("statistics", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the picture's width and height, rounded up: shares of "
+    SSGI_GL__O("statistics", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the image's width and height, rounded up: shares of "
                "points around a surface; -1 where nothing is seen"),
     SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
     SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
@@ -2606,7 +2612,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (reflected || !(ssdo ? d.environment == SSGI_GL_ENVIRONMENT_SH : s3ho ? d.shaded : shade && !d.shading))
         d.residual = 0;
     if (!shade || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
-    if (shade && d.shading && !d.lights && d.bands > 2) d.bands = 2;        /* a mean direction needs no more */
+    if (shade && d.shading && !d.lights && d.bands > 2) d.bands = 2;        /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
@@ -2865,7 +2871,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 
 /* ---- printing */
 
-/* Writes, measures and hashes in one. */
+/* A sink that writes, measures and hashes. */
 typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
 
 static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
@@ -3174,15 +3180,15 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
         }
 }
 
-/* Column-major: a point of the picture's view space to x, y (pixels, times depth when perspective), view depth, 1 of
-   another camera; and back. */
-static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float picture[16],
+/* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
+   of another camera; and back. */
+static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float main_view[16],
                                const float other[16])
 {
     double m[16], b[16];
     int c, r;
-    ssgi_gl__relative(m, other, picture);
-    ssgi_gl__relative(b, picture, other);
+    ssgi_gl__relative(m, other, main_view);
+    ssgi_gl__relative(b, main_view, other);
     for (c = 0; c < 4; ++c) {
         const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
         to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
@@ -3199,16 +3205,16 @@ static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *vi
     }
 }
 
-static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *picture, const float *other,
+static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *main_view, const float *other,
                                          const char *name, const char **why)
 {
     int i;
     if (!view || view->width < 1 || view->height < 1)
         return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!picture) return ssgi_gl__bad(why, "main_world_to_view: must not be NULL");
+    if (!main_view) return ssgi_gl__bad(why, "main_world_to_view: must not be NULL");
     if (!other) return ssgi_gl__bad(why, name);
     for (i = 0; i < 16; ++i)
-        if (!(picture[i] > -SSGI_FAR && picture[i] < SSGI_FAR && other[i] > -SSGI_FAR && other[i] < SSGI_FAR))
+        if (!(main_view[i] > -SSGI_FAR && main_view[i] < SSGI_FAR && other[i] > -SSGI_FAR && other[i] < SSGI_FAR))
             return ssgi_gl__bad(why, "main_world_to_view: both matrices must be finite");
     return SSGI_OK;
 }

@@ -711,6 +711,12 @@ static void divided(void)
     free(out);
 }
 
+/* Reflectance over a whole plane: the integral of 2 pi r R(r) [JMLH01]. */
+static double total_of(const ssgi_dipole *d, int c)
+{
+    return 0.5 * d->albedo[c] * (exp(-d->sigma_tr[c] * d->z_r[c]) + exp(-d->sigma_tr[c] * d->z_v[c]));
+}
+
 static void dipoles(void)
 {
     static const struct { const char *name; int channel; double total, at[5];
@@ -735,8 +741,8 @@ static void dipoles(void)
         if (!CHECK(m && ssgi_dipole_set(&d, m->sigma_s, m->sigma_a, m->eta, NULL) == SSGI_OK, "no %s", row[i].name))
             return;
         const int c = row[i].channel;
-        CHECK(fabs(ssgi_dipole_total(&d, c) / row[i].total - 1) < 1e-6, "%s: total %.9f", row[i].name,
-              ssgi_dipole_total(&d, c));
+        CHECK(fabs(total_of(&d, c) / row[i].total - 1) < 1e-6, "%s: total %.9f", row[i].name,
+              total_of(&d, c));
         for (int k = 0; k < 5; ++k)
             CHECK(fabs(ssgi_dipole_reflectance(&d, c, mm[k]) / row[i].at[k] - 1) < 1e-6, "%s at %g mm: %.9g",
                   row[i].name, mm[k], ssgi_dipole_reflectance(&d, c, mm[k]));
@@ -878,8 +884,7 @@ static void refusals(void)
     REFUSED(ssgi_dipole_set(&o.dipole, s, bad_a, 1.3f, &why), "sigma_a");
     REFUSED(ssgi_dipole_set(&o.dipole, s, a, 0.9f, &why), "eta");
     CHECK(ssgi_dipole_reflectance(&fine, 3, 1) == 0 && ssgi_dipole_reflectance(&fine, -1, 1) == 0
-              && ssgi_dipole_total(&fine, 3) == 0 && ssgi_dipole_total(&fine, -1) == 0
-              && ssgi_dipole_total(&fine, 2) > 0,
+              && ssgi_dipole_reflectance(&fine, 2, 1) > 0,
           "a channel that there is not");
     REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, 4, NULL, &why), "frame");
     REFUSED(ssgi_gl_surfels_set(&o.frame, &view, &d, 8, NULL, &why), "levels");
@@ -1418,7 +1423,7 @@ static void scattering(void)
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         for (int k = 0; k < 3; ++k) {
             static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
-            const double is = mean(&out, names[k]), total = ssgi_dipole_total(&dipole, k);
+            const double is = mean(&out, names[k]), total = total_of(&dipole, k);
             CHECK(fabs(is / total - 1) < 0.01, "%s %s: %.4f, %.4f expected", row[m].name, names[k], is, total);
             double uneven = 0;
             for (int i = 0; i < 48 * 48; ++i)
