@@ -57,7 +57,7 @@ int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, flo
     memset(run, 0, sizeof *run);
     return CHECK(!kit_method_find(&m, method, &err)
                      && !kit_method_set(&m, "blur=0,samples=33,steps=1,range=0,fade=none", &err)
-                     && (strncmp(method, "s3ho", 4) || !kit_method_set(&m, "residual=0", &err))
+                     && (strncmp(method, "s3ho-points", 4) || !kit_method_set(&m, "residual=0", &err))
                      && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
                  "%s %s: %s", method, set, err.text);
 }
@@ -128,24 +128,24 @@ static void furnace(void)
         KINDS
     };
     static const struct { const char *method, *scene, *set; int kind;
-    } row[] = { { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
-                { "ssdo", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
-                { "ssdo", "room", "two_sided=1", TWICE },
-                { "ssdo", "columns", "two_sided=1,layers=2,views=2", TWICE },
-                { "s3ho", "room", "two_sided=1,bands=1", EXACT },
-                { "s3ho", "room", "two_sided=1,bands=2", EXACT },
-                { "s3ho", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
-                { "s3ho", "columns", "two_sided=1,layers=2,views=2", EXACT },
-                { "s3ho", "room", "two_sided=0", ONE_SIDED },
-                { "s3ho", "room", "two_sided=1,indirect=apart", TWICE },
-                { "s3ho", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
-                { "s3ho", "room", "two_sided=1,filtered=vectors", HALVES },
-                { "s3ho", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES } };
+    } row[] = { { "ssdo-points", "room", "reuse=1,two_sided=1", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
+                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
+                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=0", ONE_SIDED },
+                { "ssdo-points", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
+                { "ssdo-points", "room", "two_sided=1", TWICE },
+                { "ssdo-points", "columns", "two_sided=1,layers=2,views=2", TWICE },
+                { "s3ho-points", "room", "two_sided=1,bands=1", EXACT },
+                { "s3ho-points", "room", "two_sided=1,bands=2", EXACT },
+                { "s3ho-points", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
+                { "s3ho-points", "columns", "two_sided=1,layers=2,views=2", EXACT },
+                { "s3ho-points", "room", "two_sided=0", ONE_SIDED },
+                { "s3ho-points", "room", "two_sided=1,indirect=apart", TWICE },
+                { "s3ho-points", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
+                { "s3ho-points", "room", "two_sided=1,filtered=vectors", HALVES },
+                { "s3ho-points", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES } };
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
     static const int allowed[KINDS] = { 0, SMALL_W * SMALL_H, 33 * SMALL_W * SMALL_H / 10000, 0 };
     double worst[KINDS] = { 0 };
@@ -237,7 +237,7 @@ static void open_planes(void)
         kit_run run;
         char set[96];
         snprintf(set, sizeof set, "bounce=none,%s", row[i].set);
-        if (!lighten(&l, row[i].env, NULL) || !begin(&run, &g[0], "ssdo", set, 0.5f, NULL, &l)) return;
+        if (!lighten(&l, row[i].env, NULL) || !begin(&run, &g[0], "ssdo-points", set, 0.5f, NULL, &l)) return;
         cosine_integrals(truth, &l.env, (const double (*)[3])world, PLANES);
         for (int k = 0; k < PLANES; ++k)
             for (int c = 0; c < 3; ++c) {
@@ -323,7 +323,7 @@ static void corner_darkens(void)
         kit_run run;
         char set[96];
         snprintf(set, sizeof set, "bounce=none,samples=64,behind=solid,%s", row[m].set);
-        if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &l)) return;
+        if (!begin(&run, &g[0], "ssdo-points", set, 1, NULL, &l)) return;
         for (int i = 0; i < 3; ++i) {
             const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8),
                          truth = row[m].truth ? row[m].truth(at[i]) : several_corner(at[i], row[m].steps);
@@ -356,7 +356,7 @@ static void corner_bounces(void)
         char set[96];
         double found[3];
         snprintf(set, sizeof set, "behind=solid,%s", row[m].set);
-        if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &dark)) return;
+        if (!begin(&run, &g[0], "ssdo-points", set, 1, NULL, &dark)) return;
         for (int i = 0; i < 3; ++i) {
             found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
             CHECK(fabs(found[i] - row[m].truth[i]) <= row[m].off * row[m].truth[i], "%s, c %g: %.4f, expected %.4f",
@@ -418,7 +418,8 @@ static void layers_count(void)
         char set[96];
         snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,behind=%s,thickness=%.6f", row[m].layers,
                  row[m].ends ? "constant" : "solid", reach * sqrt(2));
-        if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo", set, 1, NULL, &l)) return;
+        if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo-points", set, 1, NULL, &l))
+            return;
         const double o = 1 - row_of(&run, &g, row_at(c), 8), noise = 5 * sqrt(truth * (1 - truth) / (64 * 8 * COLUMNS));
         worst = fmax(worst, fabs(o - truth));
         CHECK(fabs(o - truth) <= fmin(noise, 0.003), "ends %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f",
@@ -453,8 +454,9 @@ static void cameras_know_more(void)
         double error[2] = { 0 }, bias[2] = { 0 };
         int n = 0;
         if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
-        if (!lit(&blind, &g, "ssdo", "bounce=none,behind=solid", row[m].radius, &scene, &l)
-            || !lit(&knowing, &g, "ssdo", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius, &scene, &l)
+        if (!lit(&blind, &g, "ssdo-points", "bounce=none,behind=solid", row[m].radius, &scene, &l)
+            || !lit(&knowing, &g, "ssdo-points", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius,
+                    &scene, &l)
             || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)))
             return;
         const float *a = kit_image_channel(&blind, "irradiance.G"), *b = kit_image_channel(&knowing, "irradiance.G");
@@ -503,7 +505,7 @@ static void segments_end_at_lights(void)
         double worst = 0;
         int n = 0, dark = 0;
         snprintf(set, sizeof set, "bounce=none,shadows=segment,points=32,%s", row[m].set);
-        if (!lighten(&l, NULL, row[m].light) || !lit(&out, &g, "ssdo", set, 2, NULL, &l)) return;
+        if (!lighten(&l, NULL, row[m].light) || !lit(&out, &g, "ssdo-points", set, 2, NULL, &l)) return;
         for (int i = 0; i < W * H; ++i) {
             float o[3], d[3];
             kit_camera_ray(&scene.camera, i % W, i / W, o, d);
@@ -541,8 +543,8 @@ static void backs_are_dark(void)
     for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
     for (int both = 0; both < 2; ++both) {
-        if (!lit(&out, &shining, "ssdo", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f, NULL,
-                 &dark))
+        if (!lit(&out, &shining, "ssdo-points", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f,
+                 NULL, &dark))
             return;
         sum[both] = mean(&out, "bounce.G");
         kit_image_free(&out);
@@ -564,13 +566,13 @@ static void units_do_not_matter(void)
     enum { SMALL_W = 96, SMALL_H = 54 };
     static const struct {
         const char *method, *set;
-    } row[] = { { "ssdo", "bounce=solid-angle,layers=2" },
-                { "ssdo", "bounce=patch,layers=2" },
-                { "ssdo", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
-                { "ssdo", "bounce=none,environment=none" },
-                { "s3ho", "layers=2,views=2,fade=lambda,range=1" },
-                { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" },
-                { "ssbn", "lights=shadowed,fade=lambda" } };
+    } row[] = { { "ssdo-points", "bounce=solid-angle,layers=2" },
+                { "ssdo-points", "bounce=patch,layers=2" },
+                { "ssdo-points", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
+                { "ssdo-points", "bounce=none,environment=none" },
+                { "s3ho-points", "layers=2,views=2,fade=lambda,range=1" },
+                { "s3ho-points", "filtered=vectors,indirect=apart,blur=1,half=1" },
+                { "ssbn-points", "lights=shadowed,fade=lambda" } };
     /* powers of two change no digit; the others round samples at edges to either side */
     static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };
     double worst[2] = { 0 };
@@ -646,7 +648,7 @@ static void planes_do_not_shadow_themselves(void)
         }
         scene.camera.width = W; scene.camera.height = H;
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
-            || !lit(&out, &g, "ssdo",
+            || !lit(&out, &g, "ssdo-points",
                     k < 3 ? "bounce=none,shadows=map,shadow_size=256" : "bounce=none,shadows=fill,shadow_size=256",
                     0.2f, &scene, &l))
             return;
@@ -703,7 +705,7 @@ static void fill_brings_contacts_back(void)
     if (!lighten(&l, NULL, "sun:1,0.35,0.3,3,3,3") || !see(&scene, &g, "pebbles", NULL, 0, NULL, WIDTH, HEIGHT)) return;
     float *distance = blockers_new(&scene, &l.light[0]);
     for (int m = 0; m < 2 && distance; ++m) {
-        if (!lit(&out, &g, "ssdo", sets[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", sets[m], scene.radius, &scene, &l)) return;
         for (int i = 0; i < WIDTH * HEIGHT; ++i)
             if (out.data[3 * WIDTH * HEIGHT + i] > 0) {            /* a texel is 0.006 wide */
                 lost[m] += distance[i] > 0 && distance[i] < 0.01f;
@@ -735,7 +737,7 @@ static void point_light_in_a_box(void)
     for (int m = 0; m < 2; ++m) {
         const float *b = kit_image_channel(&truth, "irradiance.G");
         int bright = 0, dark = 0;
-        if (!lit(&out, &g, "ssdo", direct[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", direct[m], scene.radius, &scene, &l)) return;
         const float *a = kit_image_channel(&out, "irradiance.G");
         for (int i = 0; i < W * H; ++i) {
             bright += a[i] - b[i] > 0.1f * a[i];
@@ -747,7 +749,7 @@ static void point_light_in_a_box(void)
         kit_image_free(&out);
     }
     for (int m = 0; m < 3; ++m) {
-        if (!lit(&out, &g, "ssdo", indirect[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", indirect[m], scene.radius, &scene, &l)) return;
         share[m] = mean(&out, "bounce.G") / mean(&truth, "bounce.G");
         if (!m)
             for (int i = 0; i < W * H; ++i)
