@@ -30,7 +30,7 @@
       glUniformBlockBinding). This header calls no GL and includes no GL header.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
-                hsao     ambient visibility: horizon search, slices or the paper's march [HSAO08]
+                hsao     ambient visibility: slices through the view direction, or the paper's march [HSAO08]
                 ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
                 s3ho     occlusion as spherical harmonics, to be dotted with light; what blockers reflect [S3HO12]
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
@@ -321,10 +321,10 @@ typedef struct ssgi_gl_desc {
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
    for accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
-     hsao slices   FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
+     slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
      hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
      ssao          8, 16, 32 points
-     ssdo, s3ho    half 4x4, 4x4, 8x6 (directions x points), range, fade
+     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points), range, fade
    desc.behind stays as it is: BACK or SLABS where the scene is of closed solids and the passes that draw them are
    affordable.
    Bad input leaves desc as it is. */
@@ -1304,6 +1304,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
     "    return cosg * (1.0 - q) + sing * e;\n"
     "}\n" },
+/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
+   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
+   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
+   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
+   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
+   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
+   texel's centre took off the slice. */
+
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // slope up to which taps are of one surface, if desc.behind is CONSTANT\n" },
@@ -1325,14 +1333,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec2(bitCount(m));\n"
     "}\n"
     "#endif\n" },
-/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
-   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
-   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
-   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
-   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
-   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
-   texel's centre took off the slice. */
-
 { "ssgi_slice", __LINE__ + 1,
     "// A slice: t in the tangent plane, up normal to that, both in the slice; n: the normal over the length of its\n"
     "// projection; what ssgi_arc takes; sectors per measure, what rounds them, each one's share of the hemisphere;\n"
@@ -1385,7 +1385,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
     "}\n" },
 { "ssgi_second", __LINE__ + 1,
-    "// the same of the second slabs of taps at x, y, depth z; moves x, y to where they begin\n"
+    "// the same of the second slabs behind taps at x, y, depth z; moves x, y to where they begin\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
     "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
@@ -1395,14 +1395,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
     "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
     "}\n" },
-{ "ssgi_got", __LINE__, "// What a walk collects: shares of the cosine-weighted hemisphere, attenuated.\n"
+{ "ssgi_got", __LINE__, "// what a walk collects: shares of the cosine-weighted hemisphere, attenuated\n"
     "struct ssgi_got {\n"
     "    float all; // #if pass == HSAO\n"
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
     "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
     "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
-    "    bool any; // #if !(pass == HSAO || environment || bounce)\n"
     "};\n" },
 { "ssgi_blocks", __LINE__, "// a share w of the hemisphere is blocked around a direction\n"
     "void ssgi_blocks(inout ssgi_got got, vec3 way, float w) {\n"
@@ -1412,7 +1411,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_parts", __LINE__ + 1,
     "// what is blocked of both sides, near the plane (.xy) and near the zenith (.zw), and at which elevation\n"
     "struct ssgi_parts { vec4 w, c, s; };\n" },
-{ "ssgi_part", __LINE__, "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
+{ "ssgi_part", __LINE__, "// a share w of both sides more, at elevations with cosines c and sines s, of any length\n"
+    "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
     "    s *= unit;\n"
     "    vec4 part = vec4(w - w * s, w * s);\n"
@@ -1420,7 +1420,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    parts.c += part * (c * unit).xyxy;\n"
     "    parts.s += part * s.xyxy;\n"
     "}\n" },
-{ "ssgi_blocked_by", __LINE__, "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
+{ "ssgi_blocked_by", __LINE__ + 1,
+    "// the environment or the harmonics are asked four times a slice, however many steps it has\n"
+    "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
     "    for (int k = 0; k < 4; ++k) {\n"
     "        vec3 way = s.t * ((k & 1) == 0 ? parts.c[k] : -parts.c[k]) + s.up * parts.s[k];\n"
     "        ssgi_blocks(got, way * inversesqrt(max(dot(way, way), 1e-24)), parts.w[k]);\n"
@@ -1495,7 +1497,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        got.all += w.x + w.y; // #if pass == HSAO\n"
     "#if environment\n"
     "#if behind != SOLID\n"
-    "        vec2 r = inversesqrt(bx * bx + by * by);\n"
+    "        vec2 r = inversesqrt(max(bx * bx + by * by, 1e-36));\n"
     "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined);\n"
     "        lows = mix(max(by, 0.0) * r, lows, joined);\n"
     "#endif\n"
@@ -1523,6 +1525,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = 3.14159265 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
+    "        // rounds the sectors, independently of the turn and the offset\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
@@ -1550,10 +1553,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = max(ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) - got.dark, 0.0);\n"
     "#elif environment == SH\n"
     "    ssgi_coefficients v;\n"
-    "    for (int c = 0; c < v.c.length(); ++c) {\n"
-    "        v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "        ssgi_sh_add(v.c[c], got.dark, -3.14159265);\n"
-    "    }\n"
+    "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
     "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n"
@@ -1567,11 +1568,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    got.bounce = v; // #if bounce\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
     "    v = got.bounce; // #if bounce\n"
-    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment == SH\n"
-    "    for (int c = 0; c < v.c.length(); ++c) { // #if environment == SH\n"
-    "        ssgi_sh_add(v.c[c], lobe, 1.0); // #if environment == SH\n"
-    "        ssgi_sh_add(v.c[c], got.dark, -3.14159265); // #if environment == SH\n"
-    "    } // #if environment == SH\n"
+    "#if environment == SH\n"
+    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
+    "#endif\n"
     "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "}\n"
     "#endif\n" },
@@ -2731,9 +2732,11 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     switch (desc->pass) {
     case SSGI_GL_SSAO: row = 0; break;
-    case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: row = desc->search == SSGI_GL_POINTS ? 3 : 1; break;
     case SSGI_GL_LIGHTS: row = 4; break;
-    case SSGI_GL_HSAO: case SSGI_GL_SENDERS: case SSGI_GL_BLUR: row = desc->search == SSGI_GL_SLICES ? 1 : 2; break;
+    case SSGI_GL_HSAO: case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: case SSGI_GL_SENDERS:
+    case SSGI_GL_BLUR:
+        row = desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
+        break;
     default: return SSGI_OK;            /* these have no quality settings in the shader */
     }
     c = &table[row][preset];

@@ -420,8 +420,7 @@ static void slices_know_directions(void)
         const char *method, *set;
     } row[] = { { "ssdo", "bounce=none,environment=sh,bands=2" },
                 { "s3ho", "indirect=none,bands=2" },
-                { "s3ho", "indirect=none,bands=4,behind=solid" },
-                { "s3ho", "indirect=none,bands=3,filtered=vectors,store=float" } };
+                { "s3ho", "indirect=none,bands=4,behind=solid" } };
     const double r = sqrt(0.5), c = 0.25;
     double worst = 0;
     kit_lighting l;
@@ -440,7 +439,7 @@ static void slices_know_directions(void)
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
         kit_run run;
         char set[128];
-        snprintf(set, sizeof set, "directions=8,%s", row[m].set);
+        snprintf(set, sizeof set, "directions=2,%s", row[m].set);
         if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &l)) return;
         for (int k = 0; k < 4; ++k) {
             enum { N = 400 };
@@ -461,7 +460,7 @@ static void slices_know_directions(void)
                 want += (1 + b[0] * d[0] + b[1] * d[1] + b[2] * d[2]) * fmin(t, 1) / (N * N);
             }
             ssgi_gl_harmonics_set(&run.frame, coefficients, 2, NULL, NULL);
-            const double got = row_of(&run, &g[down], down ? HIGH - 1 - row_at(c) : row_at(c), 4);
+            const double got = row_of(&run, &g[down], down ? HIGH - 1 - row_at(c) : row_at(c), 16);
             worst = fmax(worst, fabs(got - want));
             CHECK(fabs(got - want) < 0.006, "%s %s, light %s the wall, %s: %.4f, truth %.4f", row[m].method, set,
                   toward > 0 ? "toward" : "off", down ? "down" : "up", got, want);

@@ -282,7 +282,7 @@ int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float r
         if (slabs > g->slabs && !m.world->scene)
             return kit_fail(err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
                             g->slabs ? "front2.Z" : "back.Z");
-        if (slabs != g->slabs && m.world->scene && kit_gbuffer_slabs(g, m.world->scene, slabs, err)) return -1;
+        if (slabs > g->slabs && kit_gbuffer_slabs(g, m.world->scene, slabs, err)) return -1;
     }
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit && m.gather.pass != SSGI_GL_SPLAT) {
