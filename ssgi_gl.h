@@ -30,7 +30,7 @@
       includes no GL header.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
-                hsao     ambient visibility: horizon search, slices or the paper's march [HSAO08]
+                hsao     ambient visibility: slices through the view direction, or the paper's march [HSAO08]
                 ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
                 s3ho     occlusion as spherical harmonics, to be dotted with light; what blockers reflect [S3HO12]
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
@@ -131,7 +131,8 @@ enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
                                       fast way */
-       SSGI_GL_MARCH };            /* the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+       SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
+       SSGI_GL_MARCH };            /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 /* desc.behind: how far what is seen reaches away from the viewer */
 enum { SSGI_GL_BEHIND_CONSTANT = 0,/* by frame.thickness */
        SSGI_GL_BEHIND_SOLID,       /* without end */
@@ -223,20 +224,22 @@ typedef struct ssgi_gl_desc {
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
-    int samples;         /* ssao, ssdo, s3ho   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points
-                            on a segment */
-    int steps;           /* hsao   [limit: 0..64] [default: 6; others 1]  per direction: N_s; of points, the first
-                            blocked one counts */
+    int search;          /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
+    int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
+    int samples;         /* points   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points on
+                            a segment */
+    int steps;           /* [limit: 0..64] [default: 6; points 1]  per direction: N_s; of points, the first blocked one
+                            counts */
     int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
-    int falloff;         /* ssao, ssdo, s3ho   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;          /* ssao, ssdo, s3ho   0: one set in the text, turned by the noise; 1: M sets in a texture, the
+    int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
+    int kernel;          /* points   0: one set in the text, turned by the noise; 1: M sets in a texture, the
                             noise picks */
-    int fade;            /* ssao, ssdo, s3ho   SSGI_GL_FADE_NONE .. */
-    int range;           /* ssao, ssdo, s3ho   1: surfaces beyond the radius, or below the receiver's plane, block
+    int fade;            /* points   SSGI_GL_FADE_NONE .. */
+    int range;           /* points   1: surfaces beyond the radius, or below the receiver's plane, block
                             nothing [S3HO12 2.1] */
-    int layers;          /* all but hsao's slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
+    int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
                             one to the next; an odd last one as behind says */
-    int views;           /* all but hsao's slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
+    int views;           /* all but slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
                             in front of its depth; occluded if none does and at least one finds it inside solid geometry
                             */
     int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
@@ -244,8 +247,6 @@ typedef struct ssgi_gl_desc {
                             layers that send light */
 
     /* hsao */
-    int search;          /* SSGI_GL_SLICES, SSGI_GL_MARCH */
-    int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
     int normal_rays;     /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;            /* hsao, splat   1: no attenuation, all within the radius occludes fully */
 
@@ -303,10 +304,10 @@ typedef struct ssgi_gl_desc {
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
    for accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
-     hsao slices   FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
+     slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
      hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
      ssao          8, 16, 32 points
-     ssdo, s3ho    half 4x4, 4x4, 8x6 (directions x points), range, fade
+     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points), range, fade
    desc.behind stays as it is: BACK or SLABS where the scene is of closed solids and the passes that draw them are
    affordable.
    Bad input leaves desc as it is. */
@@ -1159,16 +1160,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// that desc.falloff names\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    float sum = 0.0;\n"
-    "#elif pass == SSDO\n"
+    "#elif pass == SSDO && search == POINTS\n"
     "// what directions by the cosine bring: an environment where they are free, a sender's light where they are\n"
     "// blocked [SSDO09 section 3]\n"
-    "void ssgi_gather(vec3 P, vec3 n, vec2 xi) {\n"
-    "#elif pass == S3HO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "#elif pass == S3HO && search == POINTS\n"
     "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less what is blocked of it,\n"
     "// in directions by the cosine [S3HO12 eq. 2]; it is exact where nothing is blocked\n"
-    "void ssgi_gather(vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
     "#endif\n"
-    "#if pass == SSAO || pass == SSDO || pass == S3HO\n"
+    "#if search == POINTS\n"
     "    ssgi_P = P; // #if fade || range || bounce && (!two_sided || bounce == PATCH || layers > 1 || views)\n"
     "    ssgi_n = n; // #if range || bounce == PATCH\n"
     "    vec3 bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
@@ -1232,7 +1233,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
     "float ssgi_attenuation(float d) {\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
-    "    return max(1.0 - d / u_ssgi_radius, 0.0); // #if !hard\n"
+    "    d /= u_ssgi_radius; // #if !hard\n"
+    "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
+    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
     "}\n" },
 { "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first blocked step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
@@ -1286,6 +1289,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
     "    return cosg * (1.0 - q) + sing * e;\n"
     "}\n" },
+/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
+   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
+   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
+   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
+   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
+   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
+   texel's centre took off the slice. */
+
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // slope up to which taps are of one surface, if desc.behind is CONSTANT\n" },
@@ -1307,35 +1318,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec2(bitCount(m));\n"
     "}\n"
     "#endif\n" },
-/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
-   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
-   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
-   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
-   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
-   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
-   texel's centre took off the slice. */
-
 { "ssgi_slice", __LINE__ + 1,
-    "// A slice: t in the tangent plane, n normal to it, both in the slice; what ssgi_arc takes; the measure of each\n"
-    "// side up to the view direction, sectors per measure, what rounds them; the rays through points at x, y, per\n"
-    "// depth, less x, y over depth when perspective. On the side of -t x counts backward.\n"
-    "struct ssgi_slice { vec3 t, n; float cosg; vec2 sing, whole, sectors, noise, x, y; };\n" },
-{ "ssgi_slice_of", __LINE__, "// the slice of V and along, whose parts of the unit normal in it are b and a\n"
-    "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, float a, float b, vec3 n, vec2 noise) {\n"
+    "// A slice: t in the tangent plane, up normal to that, both in the slice; n: the normal over the length of its\n"
+    "// projection; what ssgi_arc takes; sectors per measure, what rounds them, each one's share of the hemisphere;\n"
+    "// x, y: the rays through points at x, y, per depth, less x, y over depth when perspective. On the side of -t\n"
+    "// x counts backward.\n"
+    "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
+{ "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
     "    ssgi_slice s;\n"
+    "    float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
+    "    a /= l;\n"
+    "    b /= l;\n"
     "    s.t = along * b - V * a;\n"
-    "    s.n = n;\n"
+    "    s.up = along * a + V * b;\n"
+    "    s.n = normal / l;\n"
     "    s.cosg = 0.5 * b;\n"
     "    s.sing = vec2(0.5, -0.5) * a;\n"
-    "    s.whole = max(ssgi_arc(vec2(-a, a), s.cosg, s.sing), 1e-5);\n"
-    "    s.sectors = 32.0 / s.whole;\n"
+    "    vec2 whole = max(ssgi_arc(vec2(-a, a), s.cosg, s.sing), 1e-5);\n"
+    "    s.sectors = 32.0 / whole;\n"
     "    s.noise = noise;\n"
+    "    s.share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
     "#if orthographic\n"
     "    s.x = vec2(-s.t.z, s.t.z);\n"
-    "    s.y = vec2(-n.z);\n"
+    "    s.y = vec2(-s.n.z);\n"
     "#else\n"
     "    s.x = vec2(dot(P, s.t), -dot(P, s.t));\n"
-    "    s.y = vec2(dot(P, n));\n"
+    "    s.y = vec2(dot(P, s.n));\n"
     "#endif\n"
     "    return s;\n"
     "}\n" },
@@ -1355,83 +1363,202 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
     "}\n" },
 { "ssgi_fresh", __LINE__ + 1,
-    "// Occlusion of each side's whole measure, in 32nds, by what an arc of sectors covers of those that are free, at\n"
-    "// a distance; they are free no more.\n"
+    "// what an arc of sectors covers of those that are free, attenuated by a distance; they are free no more\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
     "}\n" },
-{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
-    "// occlusion by SSGI_DIRECTIONS slices, both sides (.x, .y) of each walked from near to far\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 normal, vec2 xi) {\n"
-    "    vec2 pixel = vec2(p) + 0.5;\n"
+{ "ssgi_second", __LINE__ + 1,
+    "// the same of the second slabs behind taps at x, y, depth z; moves x, y to where they begin\n"
+    "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
+    "                 inout uvec2 mask) {\n"
+    "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
+    "    vec2 from = min(ssgi_behind(s, bx, by, front, ssgi_deep(front, vec2(slab0.y, slab1.y), 2.0 * gap)), to);\n"
+    "    vec2 far = sqrt(x * x + y * y);\n"
+    "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
+    "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
+    "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
+    "}\n" },
+{ "ssgi_got", __LINE__, "// what a walk collects: shares of the cosine-weighted hemisphere, attenuated\n"
+    "struct ssgi_got {\n"
+    "    float all; // #if pass == HSAO\n"
+    "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
+    "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
+    "    vec3 bounce; // #if pass == SSDO && bounce\n"
+    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
+    "};\n" },
+{ "ssgi_blocks", __LINE__, "// a share w of the hemisphere is blocked around a direction\n"
+    "void ssgi_blocks(inout ssgi_got got, vec3 way, float w) {\n"
+    "    got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w; // #if environment == MAP\n"
+    "    ssgi_sh_add(got.dark, ssgi_sh_basis(way), w); // #if environment == SH\n"
+    "}\n" },
+{ "ssgi_parts", __LINE__ + 1,
+    "// what is blocked of both sides, near the plane (.xy) and near the zenith (.zw), and at which elevation\n"
+    "struct ssgi_parts { vec4 w, c, s; };\n" },
+{ "ssgi_part", __LINE__, "// a share w of both sides more, at elevations with cosines c and sines s, of any length\n"
+    "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
+    "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
+    "    s *= unit;\n"
+    "    vec4 part = vec4(w - w * s, w * s);\n"
+    "    parts.w += part;\n"
+    "    parts.c += part * (c * unit).xyxy;\n"
+    "    parts.s += part * s.xyxy;\n"
+    "}\n" },
+{ "ssgi_blocked_by", __LINE__ + 1,
+    "// the environment or the harmonics are asked four times a slice, however many steps it has\n"
+    "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        vec3 way = s.t * ((k & 1) == 0 ? parts.c[k] : -parts.c[k]) + s.up * parts.s[k];\n"
+    "        ssgi_blocks(got, way * inversesqrt(max(dot(way, way), 1e-24)), parts.w[k]);\n"
+    "    }\n"
+    "}\n" },
+{ "ssgi_sends", __LINE__, "// and what is seen d away, at a pixel, sends along it\n"
+    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) {\n"
+    "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
+    "    vec3 o = ssgi_unpack_normal(s.y);\n"
+    "    if (dot(o, d) >= 0.0) w = 0.0; // #if !two_sided\n"
+    "#if pass == SSDO\n"
+    "    got.bounce += ssgi_unpack_radiance(s.x) * w;\n"
+    "#else\n"
+    "    o = normalize(dot(o, d) > 0.0 ? -o : o);\n"
+    "    // the lobe of the sender, unoccluded, times its albedo [S3HO12 eq. 5]\n"
+    "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
+    "    vec3 albedo = ssgi_unpack_radiance(s.x) * w;\n"
+    "    for (int c = 0; c < got.bounce.c.length(); ++c) ssgi_sh_add(got.bounce.c[c], y, albedo[c]);\n"
+    "#endif\n"
+    "}\n" },
+{ "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
+    "// both sides (.x, .y) of a slice from near to far; a radius along it is so many pixels\n"
+    "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
+    "    vec2 last = vec2(0.0);\n"
+    "#if behind != SOLID\n"
+    "    vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
+    "    vec2 ended = was; // #if behind != CONSTANT\n"
+    "#endif\n"
+    "#if environment\n"
+    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // elevation from which the tap covers\n"
+    "    ssgi_parts parts = ssgi_parts(vec4(0.0), vec4(0.0), vec4(0.0));\n"
+    "#endif\n"
+    "    uvec2 mask = uvec2(0u);\n"
+    "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
+    "        vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
+    "        u *= u;\n"
+    "        ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
+    "        vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
+    "        vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
+    "        vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
+    "        vec2 far = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18), h = clamp(y / far, 0.0, 1.0);\n"
+    "        vec2 c = sqrt(1.0 - h * h), least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
+    "        bvec2 in_ = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
+    "        bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
+    "        bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
+    "        c = mix(c, -c, lessThan(x, vec2(0.0)));\n"
+    "        vec2 to = ssgi_sector(s, c, up), w;\n"
+    "#if behind == SOLID\n"
+    "        w = ssgi_fresh(mask, ssgi_between(vec2(0.0), to), 0.5 * (far + last)) * s.share;\n"
+    "#else\n"
+    "        vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: from tap to tap\n"
+    "        before = u;\n"
+    "#if behind == CONSTANT\n"
+    "        vec2 from = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), to);\n"
+    "        bvec2 joined = lessThan(abs(z - was), SSGI_JOINED * gap);\n"
+    "#else\n"
+    "        vec3 back0 = ssgi_slabs(q0), back1 = ssgi_slabs(q1);\n"
+    "        vec2 deep = ssgi_deep(z, vec2(back0.x, back1.x), gap), end_ = z + deep;\n"
+    "        vec2 from = min(ssgi_behind(s, bx, by, z, deep), to);\n"
+    "        bvec2 joined = lessThan(max(z - ended, was - end_), gap); // their depths overlap\n"
+    "        ended = mix(vec2(-SSGI_FAR), end_, seen);\n"
+    "        far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
+    "#endif\n"
+    "        joined = bvec2(joined.x && seen.x, joined.y && seen.y);\n"
+    "        uvec2 arc = ssgi_between(mix(from, min(from, bottom), joined), mix(to, max(to, top), joined));\n"
+    "        w = ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined))) * s.share;\n"
+    "        was = mix(vec2(-SSGI_FAR), z, seen);\n"
+    "        bottom = from;\n"
+    "        top = to;\n"
+    "#endif\n"
+    "        last = min(far, u_ssgi_radius);\n"
+    "        got.all += w.x + w.y; // #if pass == HSAO\n"
+    "#if environment\n"
+    "#if behind != SOLID\n"
+    "        vec2 r = inversesqrt(max(bx * bx + by * by, 1e-36));\n"
+    "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined);\n"
+    "        lows = mix(max(by, 0.0) * r, lows, joined);\n"
+    "#endif\n"
+    "        ssgi_part(parts, c + lowc, h + lows, w);\n"
+    "        lowc = c;\n"
+    "        lows = h;\n"
+    "#endif\n"
+    "        ssgi_sends(got, q0, d0, w.x); // #if bounce\n"
+    "        ssgi_sends(got, q1, d1, w.y); // #if bounce\n"
+    "#if behind == SLABS\n"
+    "        w = ssgi_second(s, x, y, z, back0.yz, back1.yz, gap, in_, mask) * s.share;\n"
+    "        got.all += w.x + w.y; // #if pass == HSAO\n"
+    "        ssgi_part(parts, x, max(y, 0.0), w); // #if environment\n"
+    "#endif\n"
+    "    }\n"
+    "#if environment\n"
+    "    ssgi_blocked_by(got, s, parts);\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n" },
+{ "ssgi_walk", __LINE__, "#if search == SLICES\n"
+    "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
-    "    float total = 0.0;\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
     "        float phi = 3.14159265 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
     "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
-    "        float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
-    "        vec2 pixels = ssgi_screen(P, along) * u_ssgi_radius;\n"
+    "        // rounds the sectors, independently of the turn and the offset\n"
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
-    "        ssgi_slice s = ssgi_slice_of(P, V, along, a / l, b / l, normal / l, noise);\n"
-    "        vec2 sum = vec2(0.0), last = vec2(0.0);\n"
-    "#if behind != SOLID\n"
-    "        vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
-    "        vec2 ended = was; // #if behind != CONSTANT\n"
-    "#endif\n"
-    "        uvec2 mask = uvec2(0u);\n"
-    "        for (int k = 0; k < SSGI_STEPS; ++k) {\n"
-    "            vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
-    "            u *= u;\n"
-    "            ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
-    "            vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
-    "            vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
-    "            vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
-    "            vec2 far = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18), h = min(y / far, 1.0);\n"
-    "            vec2 c = sqrt(1.0 - h * h), least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
-    "            bvec2 inside = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
-    "            bvec2 seen = bvec2(inside.x && far.x < u_ssgi_radius, inside.y && far.y < u_ssgi_radius);\n"
-    "            bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
-    "            vec2 to = ssgi_sector(s, mix(c, -c, lessThan(x, vec2(0.0))), up);\n"
-    "#if behind == SOLID\n"
-    "            sum += ssgi_fresh(mask, ssgi_between(vec2(0.0), to), 0.5 * (far + last));\n"
-    "#else\n"
-    "            vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: between this tap and the last\n"
-    "            before = u;\n"
-    "#if behind == CONSTANT\n"
-    "            vec2 from = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), to);\n"
-    "            bvec2 joined = lessThan(abs(z - was), SSGI_JOINED * gap);\n"
-    "#else\n"
-    "            vec3 back0 = ssgi_slabs(q0), back1 = ssgi_slabs(q1);\n"
-    "            vec2 deep = ssgi_deep(z, vec2(back0.x, back1.x), gap), end_ = z + deep;\n"
-    "            vec2 from = min(ssgi_behind(s, bx, by, z, deep), to);\n"
-    "            bvec2 joined = lessThan(max(z - ended, was - end_), gap); // their depths overlap\n"
-    "            ended = mix(vec2(-SSGI_FAR), end_, seen);\n"
-    "            far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "#endif\n"
-    "            joined = bvec2(joined.x && seen.x, joined.y && seen.y);\n"
-    "            uvec2 arc = ssgi_between(mix(from, min(from, bottom), joined), mix(to, max(to, top), joined));\n"
-    "            sum += ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined)));\n"
-    "            was = mix(vec2(-SSGI_FAR), z, seen);\n"
-    "            bottom = from;\n"
-    "            top = to;\n"
-    "#endif\n"
-    "            last = min(far, u_ssgi_radius);\n"
-    "#if behind == SLABS\n"
-    "            vec2 next = vec2(back0.y, back1.y); // the second slab\n"
-    "            to = ssgi_behind(s, x, y, z, next - z);\n"
-    "            far = sqrt(x * x + y * y);\n"
-    "            seen = bvec2(inside.x && far.x < u_ssgi_radius, inside.y && far.y < u_ssgi_radius);\n"
-    "            from = min(ssgi_behind(s, x, y, next, ssgi_deep(next, vec2(back0.z, back1.z), 2.0 * gap)), to);\n"
-    "            far = 0.5 * (far + min(far, sqrt(x * x + y * y)));\n"
-    "            sum += ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
-    "#endif\n"
-    "        }\n"
-    "        total += l * dot(sum, s.whole);\n"
+    "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
+    "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
     "    }\n"
-    "    return total / (32.0 * float(SSGI_DIRECTIONS));\n"
+    "}\n"
+    "#endif\n" },
+{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
+    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    ssgi_got got;\n"
+    "    got.all = 0.0;\n"
+    "    ssgi_walk(p, P, n, xi, got);\n"
+    "    return got.all;\n"
+    "}\n"
+    "#endif\n" },
+{ "ssgi_gather", __LINE__, "#if pass == SSDO && search == SLICES\n"
+    "// what is blocked, taken from what the open pixel gets; what senders bring where it is\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    ssgi_got got;\n"
+    "    got.dark = vec3(0.0); // #if environment == MAP\n"
+    "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
+    "    got.bounce = vec3(0.0); // #if bounce\n"
+    "    ssgi_walk(p, P, n, xi, got);\n"
+    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
+    "#if environment == MAP\n"
+    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) - got.dark, 0.0);\n"
+    "#elif environment == SH\n"
+    "    ssgi_coefficients v;\n"
+    "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
+    "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
+    "#endif\n"
+    "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n"
+    "}\n"
+    "#endif\n" },
+{ "ssgi_gather", __LINE__, "#if pass == S3HO && search == SLICES\n"
+    "// the cosine lobe less what is blocked of it, and the lobes of what blocks\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
+    "    ssgi_got got;\n"
+    "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
+    "    got.bounce = v; // #if bounce\n"
+    "    ssgi_walk(p, P, n, xi, got);\n"
+    "    v = got.bounce; // #if bounce\n"
+    "#if environment == SH\n"
+    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
+    "#endif\n"
+    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "}\n"
     "#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
@@ -1475,13 +1602,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if bounce\n"
     "    if (z < SSGI_FAR) {\n"
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        ssgi_gather(P, ssgi_normal(p, P), xi);\n"
+    "        ssgi_gather(p, P, ssgi_normal(p, P), xi);\n"
     "    }\n"
     "#else\n"
     "    ssgi_coefficients v = ssgi_coefficients_none();\n"
     "    if (z < SSGI_FAR) {\n"
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        ssgi_gather(P, ssgi_normal(p, P), xi, v);\n"
+    "        ssgi_gather(p, P, ssgi_normal(p, P), xi, v);\n"
     "    }\n"
     "    o_ssgi_light = vec4(max(ssgi_irradiance(v), 0.0), z); // #if shaded\n"
     "    ssgi_store(v); // #if !shaded\n"
@@ -2434,7 +2561,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(fade, SSGI_GL_FADE_LAMBDA, "SSGI_GL_FADE", "NONE SMOOTH LAMBDA"), SSGI_GL__B(range),
     SSGI_GL__I(layers, 8, "0..8"), SSGI_GL__I(views, 4, "0..4"), SSGI_GL__I(view_layers, 8, "0..8"),
     SSGI_GL__I(receiver, 7, "0..7"),
-    SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES MARCH"), SSGI_GL__I(directions, 32, "0..32"),
+    SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32, "0..32"),
     SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
     SSGI_GL__E(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT", "NONE SH MAP"),
     SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"), SSGI_GL__B(two_sided),
@@ -2478,13 +2605,21 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
         if (value < 0 || value > ssgi_gl__fields[i].most) return ssgi_gl__bad(why, ssgi_gl__fields[i].sentence);
     }
-    if (desc->pass == SSGI_GL_HSAO && desc->search == SSGI_GL_SLICES) {
-        if (desc->normal_rays)
+    if (desc->pass == SSGI_GL_HSAO && desc->search == SSGI_GL_POINTS)
+        return ssgi_gl__bad(why, "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's");
+    if ((desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO) && desc->search == SSGI_GL_MARCH)
+        return ssgi_gl__bad(why, "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS");
+    if (desc->pass >= SSGI_GL_HSAO && desc->pass <= SSGI_GL_S3HO && desc->search == SSGI_GL_SLICES) {
+        if (desc->normal_rays && desc->pass == SSGI_GL_HSAO)
             return ssgi_gl__bad(why, "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon");
         if (desc->layers > 1)
-            return ssgi_gl__bad(why, "desc.layers: slices read what is seen alone; hidden layers need SSGI_GL_MARCH");
+            return ssgi_gl__bad(why, "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
+                                     "need SSGI_GL_POINTS or _MARCH");
         if (desc->views)
-            return ssgi_gl__bad(why, "desc.views: slices read what is seen alone; extra cameras need SSGI_GL_MARCH");
+            return ssgi_gl__bad(why, "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras "
+                                     "need SSGI_GL_POINTS or _MARCH");
+        if (desc->bounce == SSGI_GL_BOUNCE_PATCH && desc->pass == SSGI_GL_SSDO)
+            return ssgi_gl__bad(why, "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE");
     }
     if (desc->behind >= SSGI_GL_BEHIND_BACK && desc->pass <= SSGI_GL_LIGHTS && (desc->layers > 1 || desc->views))
         return ssgi_gl__bad(why, "desc.behind: back faces are those of one layer and camera; layers and views want "
@@ -2533,9 +2668,11 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     switch (desc->pass) {
     case SSGI_GL_SSAO: row = 0; break;
-    case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: row = 3; break;
     case SSGI_GL_LIGHTS: row = 4; break;
-    case SSGI_GL_HSAO: case SSGI_GL_SENDERS: case SSGI_GL_BLUR: row = desc->search == SSGI_GL_SLICES ? 1 : 2; break;
+    case SSGI_GL_HSAO: case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: case SSGI_GL_SENDERS:
+    case SSGI_GL_BLUR:
+        row = desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
+        break;
     default: return SSGI_OK;            /* these have no quality settings in the shader */
     }
     c = &table[row][preset];
@@ -2566,7 +2703,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
         return ssgi_gl__bad(why, "plan: must not be NULL, and of something");
     d = *desc;
     d.pass = passes[plan->method];
-    d.search = plan->method == SSGI_PLAN_MARCH ? SSGI_GL_MARCH : SSGI_GL_SLICES;
+    d.search = plan->method == SSGI_PLAN_MARCH ? SSGI_GL_MARCH : plan->method == SSGI_PLAN_HSAO ? SSGI_GL_SLICES
+             : SSGI_GL_POINTS;
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     r = ssgi_gl_preset(&d, SSGI_GL_BALANCED, why);
     if (r != SSGI_OK) return r;
@@ -2593,10 +2731,13 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
+    const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_STATISTICS ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
-    if (!d.steps) d.steps = pass == SSGI_GL_HSAO ? 6 : 1;
+    if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
+    if (pass == SSGI_GL_SSAO) d.search = SSGI_GL_POINTS;
+    if (pass == SSGI_GL_HSAO && !slices) d.falloff = SSGI_GL_FALLOFF_LINEAR;
     if (!d.filter_radius) d.filter_radius = d.filter == SSGI_GL_GAUSSIAN ? 2 : 1;
     if (!d.bands) d.bands = ssdo ? 3 : 4;
     if (!d.levels) d.levels = 5;
@@ -2604,7 +2745,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.view_layers) d.view_layers = 1;
     if (!points && pass != SSGI_GL_HSAO && !shade && !blur) d.half = 0;
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
-    if (!points) d.fade = d.range = 0;
+    if (!points || slices) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
     if (!ssdo) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;

@@ -119,8 +119,8 @@ static const entry deep_lights[] = { { "dss-lit", "dss-lit", COARSE, 1 },
                                      { "dss-lit, no sky on surfels", "dss-lit", COARSE ",sky=0", 0 } };
 static const entry deep_ssdos[] = { { "ssdo", "ssdo-fast", "", 0 },
                                     { "ssdo", "ssdo", "", 1 },
-                                    { "ssdo", "ssdo", "samples=16", 0 },
-                                    { "ssdo, 4 cameras", "ssdo", "views=4", 0 } };
+                                    { "ssdo", "ssdo-best", "", 0 },
+                                    { "ssdo, 4 cameras", "ssdo-points", "views=4", 0 } };
 static const entry deep_mirrors[] = { { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
                                       { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 1 },
                                       { "dss-gloss", "dss-gloss", "exponent=8", 0 },

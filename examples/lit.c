@@ -38,7 +38,7 @@ static const entry sun_entries[] = {
     { "SSAO",             "ssao", "",            1 },
     { "SSDO",             "ssdo", "bounce=none", 1 },
     { "SSDO with bounce", "ssdo", "",            1 },
-    { "SSDO with bounce, 4 cameras", "ssdo", "views=4", 1 }
+    { "SSDO with bounce, 4 cameras", "ssdo-points", "views=4", 1 }
 };
 static const entry lamp_entries[] = {
     { "no bounce", "ssdo", "bounce=none", 1 },
@@ -49,41 +49,56 @@ static const entry lamp_entries[] = {
 #define PLAIN "fade=none,range=0"
 
 static const entry deep_entries[] = {       /* rows of one label make one curve; directions of 4 points */
-    { "1 layer",             "ssdo", "samples=2",                                   0 },
-    { "1 layer",             "ssdo", "",                                            1 },
-    { "1 layer",             "ssdo", "samples=8",                                   0 },
-    { "1 layer",             "ssdo", "samples=16",                                  1 },
-    { "1 layer, 1 point a direction", "ssdo", "samples=8,steps=1," PLAIN,           0 },
-    { "1 layer, 1 point a direction", "ssdo", "samples=16,steps=1," PLAIN,          1 },
-    { "1 layer, 1 point a direction", "ssdo", "samples=64,steps=1," PLAIN,          0 },
-    { "2 layers",            "ssdo", "layers=2",                                    1 },
-    { "2 layers",            "ssdo", "samples=16,layers=2",                         0 },
-    { "4 cameras",           "ssdo", "views=4",                                     1 },
-    { "4 cameras",           "ssdo", "samples=16,views=4",                          1 },
-    { "2 layers, 4 cameras", "ssdo", "layers=2,views=4,view_layers=2",              0 },
-    { "harmonics, 1 layer",  "s3ho", "samples=2",                                   0 },
-    { "harmonics, 1 layer",  "s3ho", "",                                            1 },
-    { "harmonics, 1 layer",  "s3ho", "samples=8",                                   0 },
-    { "harmonics, 1 layer",  "s3ho", "samples=16",                                  1 },
-    { "harmonics, half size", "s3ho-fast", "",                                      1 },
-    { "harmonics, 4 cameras", "s3ho", "views=4",                                    0 }
+    { "1 layer",             "ssdo-points", "samples=2",                                   0 },
+    { "slices",              "ssdo-fast", "",                                       0 },
+    { "slices",              "ssdo", "",                                            1 },
+    { "slices",              "ssdo-best", "",                                       1 },
+    { "slices, solid",       "ssdo", "behind=solid",                                0 },
+    { "slices, back faces",  "ssdo", "behind=back",                                 1 },
+    { "slices, two slabs",   "ssdo-fast", "behind=slabs",                           0 },
+    { "slices, two slabs",   "ssdo", "behind=slabs",                                1 },
+    { "slices, two slabs",   "ssdo-best", "behind=slabs",                           0 },
+    { "1 layer",             "ssdo-points", "",                                     1 },
+    { "1 layer",             "ssdo-points", "samples=8",                                   0 },
+    { "1 layer",             "ssdo-points", "samples=16",                                  1 },
+    { "1 layer, 1 point a direction", "ssdo-points", "samples=8,steps=1," PLAIN,           0 },
+    { "1 layer, 1 point a direction", "ssdo-points", "samples=16,steps=1," PLAIN,          1 },
+    { "1 layer, 1 point a direction", "ssdo-points", "samples=64,steps=1," PLAIN,          0 },
+    { "2 layers",            "ssdo-points", "layers=2",                                    1 },
+    { "2 layers",            "ssdo-points", "samples=16,layers=2",                         0 },
+    { "4 cameras",           "ssdo-points", "views=4",                                     1 },
+    { "4 cameras",           "ssdo-points", "samples=16,views=4",                          1 },
+    { "2 layers, 4 cameras", "ssdo-points", "layers=2,views=4,view_layers=2",              0 },
+    { "harmonics, 1 layer",  "s3ho-points", "samples=2",                                   0 },
+    { "harmonics, 1 layer",  "s3ho-points", "",                                     1 },
+    { "harmonics, slices",   "s3ho-fast", "",                                       1 },
+    { "harmonics, slices",   "s3ho", "",                                            1 },
+    { "harmonics, slices",   "s3ho-best", "",                                       0 },
+    { "harmonics, 1 layer",  "s3ho-points", "samples=8",                                   0 },
+    { "harmonics, 1 layer",  "s3ho-points", "samples=16",                                  1 },
+    { "harmonics, 4 cameras", "s3ho-points", "views=4",                                    0 }
 };
 static const entry extension_entries[] = {
-    { "1 layer",                             "ssdo", "",                               1 },
-    { "1 layer, 16 directions of 1 point",   "ssdo", "samples=16,steps=1," PLAIN,      1 },
-    { "2 layers",                            "ssdo", "layers=2",                       1 },
-    { "4 layers",                            "ssdo", "layers=4",                       1 },
-    { "4 cameras",                           "ssdo", "views=4",                        1 },
-    { "2 layers, 4 cameras of 2 layers",     "ssdo", "layers=2,views=4,view_layers=2", 1 },
-    { "harmonics, 1 layer",                  "s3ho", "",                               1 },
-    { "1 layer, a margin",                   "ssdo", "margin=0.25",                    1 }
+    { "slices",                              "ssdo", "",                               1 },
+    { "slices, back faces",                  "ssdo", "behind=back",                    1 },
+    { "slices, two slabs",                   "ssdo", "behind=slabs",                   1 },
+    { "1 layer",                             "ssdo-points", "",                        1 },
+    { "1 layer, 16 directions of 1 point",   "ssdo-points", "samples=16,steps=1," PLAIN,      1 },
+    { "2 layers",                            "ssdo-points", "layers=2",                       1 },
+    { "4 layers",                            "ssdo-points", "layers=4",                       1 },
+    { "4 cameras",                           "ssdo-points", "views=4",                        1 },
+    { "2 layers, 4 cameras of 2 layers",     "ssdo-points", "layers=2,views=4,view_layers=2", 1 },
+    { "harmonics, slices",                   "s3ho", "",                               1 },
+    { "harmonics, two slabs",                "s3ho", "behind=slabs",                   1 },
+    { "slices, a margin",                    "ssdo", "margin=0.25",                    1 }
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },
-    { "harmonics", "ssdo", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN, 1 },
-    { "map", "ssdo", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
-    { "map, bounce, of the last frame", "ssdo", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
-    { "harmonics, bounce, of the last frame", "ssdo", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN, 1 }
+    { "harmonics", "ssdo-points", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN, 1 },
+    { "map", "ssdo-points", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
+    { "map, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
+    { "harmonics, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN,
+      1 }
 };
 
 static const entry harmonics_entries[] = {
@@ -92,51 +107,52 @@ static const entry harmonics_entries[] = {
     { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
 };
 static const entry probe_entries[] = {      /* the paper's two steps along a direction */
-    { "S3HO",           "s3ho", "samples=8,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO",           "s3ho", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO",           "s3ho", "samples=32,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho", "samples=8,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho", "samples=32,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo", "samples=8,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo", "samples=32,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn", "samples=8,steps=2,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn", "samples=32,steps=2,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho-points", "samples=8,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho-points", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO",           "s3ho-points", "samples=32,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho-points", "samples=8,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "S3HO, exact",    "s3ho-points", "samples=32,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo-points", "samples=8,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo-points", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo-points", "samples=32,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn-points", "samples=8,steps=2,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn-points", "samples=32,steps=2,blur=0," PLAIN, 1 },
     { "SSAO",           "ssao", "samples=8,steps=2,blur=0," PLAIN, 1 },
     { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
     { "SSAO",           "ssao", "samples=32,steps=2,blur=0," PLAIN, 1 }
 };
 static const entry band_entries[] = {
-    { "1 band, as published",  "s3ho", "bands=1,indirect=none,residual=0", 1 },
-    { "2 bands, as published",  "s3ho", "bands=2,indirect=none,residual=0", 1 },
-    { "3 bands, as published",  "s3ho", "bands=3,indirect=none,residual=0", 1 },
-    { "4 bands, as published",  "s3ho", "bands=4,indirect=none,residual=0", 1 },
-    { "1 band",  "s3ho", "bands=1,indirect=none", 1 },
-    { "2 bands",  "s3ho", "bands=2,indirect=none", 1 },
-    { "3 bands",  "s3ho", "bands=3,indirect=none", 1 },
-    { "4 bands",  "s3ho", "bands=4,indirect=none", 1 }
+    { "1 band, as published",  "s3ho-points", "bands=1,indirect=none,residual=0", 1 },
+    { "2 bands, as published",  "s3ho-points", "bands=2,indirect=none,residual=0", 1 },
+    { "3 bands, as published",  "s3ho-points", "bands=3,indirect=none,residual=0", 1 },
+    { "4 bands, as published",  "s3ho-points", "bands=4,indirect=none,residual=0", 1 },
+    { "1 band",  "s3ho-points", "bands=1,indirect=none", 1 },
+    { "2 bands",  "s3ho-points", "bands=2,indirect=none", 1 },
+    { "3 bands",  "s3ho-points", "bands=3,indirect=none", 1 },
+    { "4 bands",  "s3ho-points", "bands=4,indirect=none", 1 }
 };
 static const entry vector_entries[] = {
     { "ambient visibility", "ssao", "samples=16,blur=0," PLAIN, 1 },
     { "ambient visibility", "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "cone", "ssbn", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "1 band", "s3ho", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "1 band", "s3ho", "bands=1,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
-    { "2 bands", "s3ho", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "2 bands", "s3ho", "bands=2,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
-    { "3 bands", "s3ho", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "3 bands", "s3ho", "bands=3,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
-    { "4 bands", "s3ho", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
-    { "4 bands", "s3ho", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "4 bands, stored, then met", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN, 1 },
-    { "4 bands, stored packed", "s3ho", "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN,
+    { "cone", "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "1 band", "s3ho-points", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "1 band", "s3ho-points", "bands=1,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "2 bands", "s3ho-points", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "2 bands", "s3ho-points", "bands=2,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "3 bands", "s3ho-points", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "3 bands", "s3ho-points", "bands=3,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
+    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands, stored, then met", "s3ho-points", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN,
       1 },
-    { "4 bands, bounce in one", "s3ho", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
-    { "4 bands, bounce apart", "s3ho", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
-    { "4 bands, light filtered 8x8", "s3ho", "samples=16,steps=2,indirect=none,noise=tile,blur=4," PLAIN, 1 },
-    { "4 bands, vectors filtered 8x8", "s3ho",
+    { "4 bands, stored packed", "s3ho-points",
+      "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
+    { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
+    { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
+    { "4 bands, light filtered 8x8", "s3ho-points", "samples=16,steps=2,indirect=none,noise=tile,blur=4," PLAIN, 1 },
+    { "4 bands, vectors filtered 8x8", "s3ho-points",
       "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
 };
 

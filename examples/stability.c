@@ -171,7 +171,7 @@ static int shot_open(shot *s, const look *l, const int truths[2], kit_error *err
         return -1;
     if (lit && kit_env_add_sun(&s->lighting.env, &light, SUN_DEGREES, err)) return -1;
     /* so small a radius is open: light's own change */
-    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo", "bounce=none,blur=0", 1e-4f * s->radius, err);
+    if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
     if (truths[0]
         && kit_truth_ao(&s->truth[0], &s->scene, &s->gbuffer.camera, s->radius, KIT_ATTENUATION_LINEAR, l->rays,
                         l->stride, err))

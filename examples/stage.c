@@ -158,7 +158,7 @@ static int give_open(stage *s, kit_error *err)
 {
     kit_run run;
     kit_image picture;
-    if (run_open(&run, s, "ssdo", s->lit->local ? "bounce=none,blur=0,shadows=none" : "bounce=none,blur=0",
+    if (run_open(&run, s, "ssdo-points", s->lit->local ? "bounce=none,blur=0,shadows=none" : "bounce=none,blur=0",
                  1e-4f * s->radius, err))
         return -1;
     kit_run_draw(&run, 0);

@@ -55,8 +55,9 @@ int begin(kit_run *run, kit_gbuffer *g, const char *method, const char *set, flo
     const kit_world world = { scene, lighting };
     kit_method m;
     memset(run, 0, sizeof *run);
-    return CHECK(!kit_method_find(&m, method, &err)
-                     && !kit_method_set(&m, "blur=0,samples=33,steps=1,range=0,fade=none", &err)
+    const char *plain =
+        strstr(method, "-points") ? "blur=0,samples=33,steps=1,range=0,fade=none" : "blur=0,half=0,steps=33";
+    return CHECK(!kit_method_find(&m, method, &err) && !kit_method_set(&m, plain, &err)
                      && (strncmp(method, "s3ho", 4) || !kit_method_set(&m, "residual=0", &err))
                      && !kit_method_set(&m, set, &err) && !kit_run_open(run, g, &m, radius, &world, &err),
                  "%s %s: %s", method, set, err.text);
@@ -95,7 +96,7 @@ static int shine(kit_run *run)
     for (int i = 0; i < run->passes; ++i)
         if (run->pass[i].desc.pass == SSGI_GL_SSDO || run->pass[i].desc.pass == SSGI_GL_S3HO) d = &run->pass[i].desc;
     const struct { GLuint *array; int width, height, slices;
-    } held[2] = { { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers },
+    } held[2] = { { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers ? d->layers : 1 },
                   { &run->view_senders, run->view[0].width, run->view[0].height, d->views * d->view_layers } };
     const uint32_t one = 256u | 256u << 9 | 256u << 18 | 16u << 27;            /* 256 * 2^-8, three times */
     kit_run_update(run);
@@ -128,24 +129,36 @@ static void furnace(void)
         KINDS
     };
     static const struct { const char *method, *scene, *set; int kind;
-    } row[] = { { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
-                { "ssdo", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
-                { "ssdo", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
+    } row[] = { { "ssdo-points", "room", "reuse=1,two_sided=1", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,environment=sh", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=1,fade=smooth,steps=2", EXACT },
+                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=2,views=2", EXACT },
+                { "ssdo-points", "columns", "reuse=1,two_sided=1,layers=3,views=2,view_layers=2,behind=solid", EXACT },
+                { "ssdo-points", "room", "reuse=1,two_sided=0", ONE_SIDED },
+                { "ssdo-points", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
+                { "ssdo-points", "room", "two_sided=1", TWICE },
+                { "ssdo-points", "columns", "two_sided=1,layers=2,views=2", TWICE },
+                { "s3ho-points", "room", "two_sided=1,bands=1", EXACT },
+                { "s3ho-points", "room", "two_sided=1,bands=2", EXACT },
+                { "s3ho-points", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
+                { "s3ho-points", "columns", "two_sided=1,layers=2,views=2", EXACT },
+                { "s3ho-points", "room", "two_sided=0", ONE_SIDED },
+                { "s3ho-points", "room", "two_sided=1,indirect=apart", TWICE },
+                { "s3ho-points", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
+                { "s3ho-points", "room", "two_sided=1,filtered=vectors", HALVES },
+                { "s3ho-points", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES },
+                { "ssdo", "room", "reuse=1,two_sided=1", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,environment=sh,directions=3,falloff=square", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,behind=back", EXACT },
+                { "ssdo", "columns", "reuse=1,two_sided=1,behind=slabs", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
-                { "ssdo", "columns", "reuse=1,two_sided=0,layers=2,views=2", ONE_SIDED },
-                { "ssdo", "room", "two_sided=1", TWICE },
-                { "ssdo", "columns", "two_sided=1,layers=2,views=2", TWICE },
+                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=1", EXACT },
-                { "s3ho", "room", "two_sided=1,bands=2", EXACT },
-                { "s3ho", "columns", "two_sided=1,bands=3,fade=lambda,lambda=1,range=1,steps=2", EXACT },
-                { "s3ho", "columns", "two_sided=1,layers=2,views=2", EXACT },
-                { "s3ho", "room", "two_sided=0", ONE_SIDED },
-                { "s3ho", "room", "two_sided=1,indirect=apart", TWICE },
-                { "s3ho", "columns", "two_sided=1,indirect=apart,layers=2,views=2", TWICE },
-                { "s3ho", "room", "two_sided=1,filtered=vectors", HALVES },
-                { "s3ho", "columns", "two_sided=1,filtered=vectors,bands=3,blur=1", HALVES } };
+                { "s3ho", "columns", "two_sided=1,bands=2,behind=solid", EXACT },
+                { "s3ho", "room", "two_sided=1,bands=3,behind=back", EXACT },
+                { "s3ho", "room", "two_sided=1", EXACT },
+                { "s3ho", "columns", "two_sided=0", ONE_SIDED },
+                { "s3ho", "room", "two_sided=1,filtered=vectors,bands=3,half=1,blur=1", HALVES } };
     static const float uniform[3] = { 3.5449077f, 3.5449077f, 3.5449077f };
     static const int allowed[KINDS] = { 0, SMALL_W * SMALL_H, 33 * SMALL_W * SMALL_H / 10000, 0 };
     double worst[KINDS] = { 0 };
@@ -237,7 +250,7 @@ static void open_planes(void)
         kit_run run;
         char set[96];
         snprintf(set, sizeof set, "bounce=none,%s", row[i].set);
-        if (!lighten(&l, row[i].env, NULL) || !begin(&run, &g[0], "ssdo", set, 0.5f, NULL, &l)) return;
+        if (!lighten(&l, row[i].env, NULL) || !begin(&run, &g[0], "ssdo-points", set, 0.5f, NULL, &l)) return;
         cosine_integrals(truth, &l.env, (const double (*)[3])world, PLANES);
         for (int k = 0; k < PLANES; ++k)
             for (int c = 0; c < 3; ++c) {
@@ -323,7 +336,7 @@ static void corner_darkens(void)
         kit_run run;
         char set[96];
         snprintf(set, sizeof set, "bounce=none,samples=64,behind=solid,%s", row[m].set);
-        if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &l)) return;
+        if (!begin(&run, &g[0], "ssdo-points", set, 1, NULL, &l)) return;
         for (int i = 0; i < 3; ++i) {
             const double o = 1 - row_of(&run, &g[i], row_at(at[i]), 8),
                          truth = row[m].truth ? row[m].truth(at[i]) : several_corner(at[i], row[m].steps);
@@ -337,6 +350,128 @@ static void corner_darkens(void)
     kit_image_free(&l.env);
 }
 
+/* Slices over bare planes: every pixel gets what it gets where nothing is near, whatever collects it. */
+static void slices_leave_planes_open(void)
+{
+    static const struct { const char *method, *set; double off;
+    } row[] = { { "ssdo", "bounce=none", 1e-5 },
+                { "ssdo", "bounce=none,behind=slabs,half=1,blur=1", 1e-5 },
+                { "ssdo", "bounce=none,environment=sh,behind=back", 1e-5 },
+                { "ssdo", "bounce=none,behind=solid,directions=3", 1e-5 },
+                { "s3ho", "indirect=none", 1e-5 },
+                { "s3ho", "indirect=none,residual=1,bands=2,behind=back", 1e-5 },
+                { "s3ho", "indirect=none,bands=1,store=float,filtered=vectors", 1e-5 },
+                { "s3ho", "indirect=none,bands=3,store=packed,filtered=vectors,behind=slabs", 2e-3 },
+                { "ssbn", "store=float,behind=solid", 1e-5 },
+                { "ssbn", "store=float,cone=normal,half=1,blur=1", 1e-5 } };
+    static const double tilts[3] = { 0, 60, 85 };
+    kit_lighting l;
+    if (!lighten(&l, "sky", NULL)) return;
+    for (int t = 0; t < 6; ++t) {
+        const double a = tilts[t % 3] * 0.017453292519943,
+                     n[1][4] = { { sin(a) * 0.8, sin(a) * 0.6, cos(a), -cos(a) } };
+        kit_camera c = looking_along_z(81, 45, t > 2);
+        kit_image frame, out, open;
+        kit_gbuffer g;
+        if (!planes_seen(&frame, &c, n, 1, ",back.Z,front2.Z,back2.Z")
+            || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)))
+            return;
+        for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+            double worst = 0;
+            char points[16];
+            snprintf(points, sizeof points, "%s-points", row[m].method);
+            const char *bands = strstr(row[m].set, "bands="), *exact = strstr(row[m].set, "residual=1"),
+                       *cone = strstr(row[m].set, "cone=normal"), *sh = strstr(row[m].set, "environment=sh");
+            char set[96];
+            snprintf(set, sizeof set, "%s%s%.7s%s%s",
+                     row[m].method[1] == '3'   ? "indirect=none,"
+                     : row[m].method[2] == 'd' ? "bounce=none,"
+                                               : "",
+                     sh ? "environment=sh," : "", bands ? bands : "bands=4", exact ? ",residual=1" : "",
+                     cone ? ",cone=normal" : "");
+            if (row[m].method[1] == 's')
+                snprintf(set, sizeof set, "%s%s", row[m].method[2] == 'd' ? "bounce=none" : "store=float",
+                         sh     ? ",environment=sh"
+                         : cone ? ",cone=normal"
+                                : "");
+            if (!lit(&out, &g, row[m].method, row[m].set, 0.3f, NULL, &l)
+                || !lit(&open, &g, points, set, 1e-6f, NULL, &l))
+                return;
+            for (int i = 0; i < out.width * out.height; ++i)
+                for (int k = 3; k < 6 && flat(&frame, i % out.width, i / out.width); ++k)
+                    worst = fmax(worst, fabs((double)out.data[k * out.width * out.height + i]
+                                             - (double)open.data[k * out.width * out.height + i]));
+            CHECK(worst <= row[m].off, "%s %s: off by %.1e on a plane tilted by %g, %s", row[m].method, row[m].set,
+                  worst, tilts[t % 3], t > 2 ? "orthographic" : "perspective");
+            kit_image_free(&out);
+            kit_image_free(&open);
+        }
+        kit_image_free(&frame);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&l.env);
+}
+
+/* Light that grows toward the wall of the corner, or away from it, and across: what slices block of it is what
+   directions there bring. The corner upside down has the wall on the slices' other side. */
+static void slices_know_directions(void)
+{
+    static const struct {
+        const char *method, *set;
+    } row[] = { { "ssdo", "bounce=none,environment=sh,bands=2" },
+                { "s3ho", "indirect=none,bands=2" },
+                { "s3ho", "indirect=none,bands=4,behind=solid" } };
+    const double r = sqrt(0.5), c = 0.25;
+    double worst = 0;
+    kit_lighting l;
+    kit_gbuffer g[2];
+    if (!lighten(&l, "white", NULL)) return;
+    for (int down = 0; down < 2; ++down) {
+        double plane[2][4];
+        const kit_camera camera = corner_planes(plane, c, 0);
+        kit_image frame;
+        for (int i = 0; i < 2 && down; ++i) plane[i][1] = -plane[i][1];
+        if (!planes_seen(&frame, &camera, (const double(*)[4])plane, 2, "")
+            || !TRY(kit_gbuffer_from_frame(&g[down], &frame, &camera, &err)))
+            return;
+        kit_image_free(&frame);
+    }
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        kit_run run;
+        char set[128];
+        snprintf(set, sizeof set, "directions=2,%s", row[m].set);
+        if (!begin(&run, &g[0], row[m].method, set, 1, NULL, &l)) return;
+        for (int k = 0; k < 4; ++k) {
+            enum { N = 400 };
+            const int down = k & 1, toward = k & 2 ? 1 : -1;
+            /* in view space; the wall is at (0, r, -r) */
+            const double sign = down ? -1 : 1, b[3] = { 0.3, toward * 0.6 * sign * r, -toward * 0.6 * r };
+            float coefficients[48] = { 0 };
+            double want = 0;
+            for (int i = 0; i < 3; ++i) {
+                coefficients[i] = 3.5449077f;
+                for (int j = 0; j < 3; ++j) coefficients[3 * (1 + j) + i] = (float)(b[(j + 1) % 3] / 0.48860251);
+            }
+            for (int i = 0; i < N * N; ++i) {            /* directions by the cosine about the floor's normal */
+                const double up = sqrt((i / N + 0.5) / N), a = 6.283185307179586 * (i % N + 0.5) / N,
+                             side = sqrt(1 - up * up) * cos(a), wall = sqrt(1 - up * up) * sin(a);
+                const double d[3] = { side, sign * (up * r + wall * r), up * r - wall * r },
+                             t = wall > 0 ? c / wall : 2;
+                want += (1 + b[0] * d[0] + b[1] * d[1] + b[2] * d[2]) * fmin(t, 1) / (N * N);
+            }
+            ssgi_gl_harmonics_set(&run.frame, coefficients, 2, NULL, NULL);
+            const double got = row_of(&run, &g[down], down ? HIGH - 1 - row_at(c) : row_at(c), 16);
+            worst = fmax(worst, fabs(got - want));
+            CHECK(fabs(got - want) < 0.006, "%s %s, light %s the wall, %s: %.4f, truth %.4f", row[m].method, set,
+                  toward > 0 ? "toward" : "off", down ? "down" : "up", got, want);
+        }
+        kit_run_close(&run);
+    }
+    for (int i = 0; i < 2; ++i) kit_gbuffer_free(&g[i]);
+    t_note("%.4f off at most", worst);
+    kit_image_free(&l.env);
+}
+
 static void corner_bounces(void)
 {
     static const struct { const char *set; double truth[3], off;
@@ -346,7 +481,8 @@ static void corner_bounces(void)
            third. */
         { "bounce=solid-angle,samples=16", { 0.309233, 0.168214, 0.051965 }, 0.01 },
         { "bounce=patch,distance_clamp=0,samples=64", { 0.5523, 0.19207, 0.050944 }, 0.05 },
-        { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 }
+        { "bounce=patch,distance_clamp=0,samples=16", { 0.5523, 0.19207, 0.050944 }, 0.1 },
+        { "directions=8", { 0.309233, 0.168214, 0.051965 }, 0.02 }
     };
     kit_gbuffer g[3];
     const kit_lighting dark = { .lights = 0 };
@@ -356,7 +492,7 @@ static void corner_bounces(void)
         char set[96];
         double found[3];
         snprintf(set, sizeof set, "behind=solid,%s", row[m].set);
-        if (!begin(&run, &g[0], "ssdo", set, 1, NULL, &dark)) return;
+        if (!begin(&run, &g[0], strstr(row[m].set, "samples") ? "ssdo-points" : "ssdo", set, 1, NULL, &dark)) return;
         for (int i = 0; i < 3; ++i) {
             found[i] = row_of(&run, &g[i], row_at(at[i]), 64);
             CHECK(fabs(found[i] - row[m].truth[i]) <= row[m].off * row[m].truth[i], "%s, c %g: %.4f, expected %.4f",
@@ -418,7 +554,8 @@ static void layers_count(void)
         char set[96];
         snprintf(set, sizeof set, "bounce=none,samples=64,layers=%d,behind=%s,thickness=%.6f", row[m].layers,
                  row[m].ends ? "constant" : "solid", reach * sqrt(2));
-        if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo", set, 1, NULL, &l)) return;
+        if (!slab(&g, c, row[m].thickness, gap, row[m].layers) || !begin(&run, &g, "ssdo-points", set, 1, NULL, &l))
+            return;
         const double o = 1 - row_of(&run, &g, row_at(c), 8), noise = 5 * sqrt(truth * (1 - truth) / (64 * 8 * COLUMNS));
         worst = fmax(worst, fabs(o - truth));
         CHECK(fabs(o - truth) <= fmin(noise, 0.003), "ends %d, %d layers, %g thick at %g: %.4f is dark, truth %.4f",
@@ -453,8 +590,9 @@ static void cameras_know_more(void)
         double error[2] = { 0 }, bias[2] = { 0 };
         int n = 0;
         if (!see(&scene, &g, "plane", row[m].added, 1, &above, W, H)) return;
-        if (!lit(&blind, &g, "ssdo", "bounce=none,behind=solid", row[m].radius, &scene, &l)
-            || !lit(&knowing, &g, "ssdo", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius, &scene, &l)
+        if (!lit(&blind, &g, "ssdo-points", "bounce=none,behind=solid", row[m].radius, &scene, &l)
+            || !lit(&knowing, &g, "ssdo-points", "bounce=none,behind=solid,views=3,view_layers=2", row[m].radius,
+                    &scene, &l)
             || !TRY(kit_truth_ao(&truth, &scene, &scene.camera, row[m].radius, KIT_ATTENUATION_LINEAR, 64, 1, &err)))
             return;
         const float *a = kit_image_channel(&blind, "irradiance.G"), *b = kit_image_channel(&knowing, "irradiance.G");
@@ -503,7 +641,7 @@ static void segments_end_at_lights(void)
         double worst = 0;
         int n = 0, dark = 0;
         snprintf(set, sizeof set, "bounce=none,shadows=segment,points=32,%s", row[m].set);
-        if (!lighten(&l, NULL, row[m].light) || !lit(&out, &g, "ssdo", set, 2, NULL, &l)) return;
+        if (!lighten(&l, NULL, row[m].light) || !lit(&out, &g, "ssdo-points", set, 2, NULL, &l)) return;
         for (int i = 0; i < W * H; ++i) {
             float o[3], d[3];
             kit_camera_ray(&scene.camera, i % W, i / W, o, d);
@@ -541,8 +679,8 @@ static void backs_are_dark(void)
     for (int i = 0; i < 3 * W * H; ++i) full.data[7 * W * H + i] = 1;
     if (!TRY(kit_gbuffer_from_frame(&shining, &full, &above, &err))) return;
     for (int both = 0; both < 2; ++both) {
-        if (!lit(&out, &shining, "ssdo", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f, NULL,
-                 &dark))
+        if (!lit(&out, &shining, "ssdo-points", both ? "behind=solid,two_sided=1" : "behind=solid,two_sided=0", 0.4f,
+                 NULL, &dark))
             return;
         sum[both] = mean(&out, "bounce.G");
         kit_image_free(&out);
@@ -564,13 +702,13 @@ static void units_do_not_matter(void)
     enum { SMALL_W = 96, SMALL_H = 54 };
     static const struct {
         const char *method, *set;
-    } row[] = { { "ssdo", "bounce=solid-angle,layers=2" },
-                { "ssdo", "bounce=patch,layers=2" },
-                { "ssdo", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
-                { "ssdo", "bounce=none,environment=none" },
-                { "s3ho", "layers=2,views=2,fade=lambda,range=1" },
-                { "s3ho", "filtered=vectors,indirect=apart,blur=1,half=1" },
-                { "ssbn", "lights=shadowed,fade=lambda" } };
+    } row[] = { { "ssdo-points", "bounce=solid-angle,layers=2" },
+                { "ssdo-points", "bounce=patch,layers=2" },
+                { "ssdo-points", "bounce=solid-angle,shadows=segment,views=2,layers=2,fade=smooth" },
+                { "ssdo-points", "bounce=none,environment=none" },
+                { "s3ho-points", "layers=2,views=2,fade=lambda,range=1" },
+                { "s3ho-points", "filtered=vectors,indirect=apart,blur=1,half=1" },
+                { "ssbn-points", "lights=shadowed,fade=lambda" } };
     /* powers of two change no digit; the others round samples at edges to either side */
     static const float scales[5] = { 1, 0.125f, 8, 0.1f, 10 };
     double worst[2] = { 0 };
@@ -646,7 +784,7 @@ static void planes_do_not_shadow_themselves(void)
         }
         scene.camera.width = W; scene.camera.height = H;
         if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err))
-            || !lit(&out, &g, "ssdo",
+            || !lit(&out, &g, "ssdo-points",
                     k < 3 ? "bounce=none,shadows=map,shadow_size=256" : "bounce=none,shadows=fill,shadow_size=256",
                     0.2f, &scene, &l))
             return;
@@ -699,7 +837,7 @@ static void fill_brings_contacts_back(void)
     if (!lighten(&l, NULL, "sun:1,0.35,0.3,3,3,3") || !see(&scene, &g, "pebbles", NULL, 0, NULL, WIDTH, HEIGHT)) return;
     float *distance = blockers_new(&scene, &l.light[0]);
     for (int m = 0; m < 2 && distance; ++m) {
-        if (!lit(&out, &g, "ssdo", sets[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", sets[m], scene.radius, &scene, &l)) return;
         for (int i = 0; i < WIDTH * HEIGHT; ++i)
             if (out.data[3 * WIDTH * HEIGHT + i] > 0) {            /* a texel is 0.006 wide */
                 lost[m] += distance[i] > 0 && distance[i] < 0.01f;
@@ -731,7 +869,7 @@ static void point_light_in_a_box(void)
     for (int m = 0; m < 2; ++m) {
         const float *b = kit_image_channel(&truth, "irradiance.G");
         int bright = 0, dark = 0;
-        if (!lit(&out, &g, "ssdo", direct[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", direct[m], scene.radius, &scene, &l)) return;
         const float *a = kit_image_channel(&out, "irradiance.G");
         for (int i = 0; i < W * H; ++i) {
             bright += a[i] - b[i] > 0.1f * a[i];
@@ -743,7 +881,7 @@ static void point_light_in_a_box(void)
         kit_image_free(&out);
     }
     for (int m = 0; m < 3; ++m) {
-        if (!lit(&out, &g, "ssdo", indirect[m], scene.radius, &scene, &l)) return;
+        if (!lit(&out, &g, "ssdo-points", indirect[m], scene.radius, &scene, &l)) return;
         share[m] = mean(&out, "bounce.G") / mean(&truth, "bounce.G");
         if (!m)
             for (int i = 0; i < W * H; ++i)
@@ -768,10 +906,12 @@ static void margins(void)
         { "ssao", "samples=5,normal=depth,blur=2", 6 }, { "hsao", "directions=1,steps=3,blur=2", 6 },
         { "hsao-best", "directions=1,steps=3,blur=0", 0 },
         { "hsao-march", "directions=2,steps=3,normal_rays=1,layers=2", 4 },
-        { "ssdo", "samples=4,steps=1,environment=none", -1 }, { "ssdo", "samples=4,steps=1,half=1,bounce=none", 4 },
-        { "ssdo", "samples=4,steps=1,reuse=1", -1 }, { "s3ho", "samples=4,steps=1,bands=2,half=1", -1 },
-        { "s3ho", "samples=4,steps=1,bands=2,filtered=vectors,indirect=apart,blur=2", -1 },
-        { "ssbn", "samples=4,steps=1,blur=0", 0 } };
+        { "ssdo-points", "samples=4,steps=1,environment=none", -1 },
+        { "ssdo", "directions=1,steps=3,half=1,bounce=none", 4 },
+        { "ssdo", "directions=1,steps=3,half=0,reuse=1", -1 },
+        { "s3ho", "directions=1,steps=3,bands=2,half=1", -1 },
+        { "s3ho-points", "samples=4,steps=1,bands=2,filtered=vectors,indirect=apart,blur=2", -1 },
+        { "ssbn", "directions=1,steps=3,half=0,blur=0", 0 } };
     const kit_camera camera = { { 4.55f, 1.75f, 4.25f }, { 1.35f, 0.85f, 0.85f }, { 0, 1, 0 }, 0, 3, 0.1f, 12, 67, 49,
                                 { 3, -2 }, KIT_DEPTH_NORMAL };
     kit_lighting l;
@@ -826,6 +966,8 @@ void test_light(void)
     RUN("furnace: in uniform light every pixel gets exactly what comes in", furnace);
     RUN("open planes get the environment's cosine integral, without noise", open_planes);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
+    RUN("slices leave bare planes open, exactly, whatever they collect", slices_leave_planes_open);
+    RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);
     RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
     RUN("two layers see through behind a slab, an odd last one is solid or ends", layers_count);
     RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);

@@ -73,7 +73,9 @@ static const char *describe(const ssgi_gl_desc *d)
 {
     static _Thread_local char text[1000];
     size_t n = (size_t)snprintf(text, sizeof text, "%s%s%s %s", ssgi_gl_pass_name(d->pass),
-                                d->pass == SSGI_GL_HSAO && d->search ? " march" : "",
+                                d->search == SSGI_GL_MARCH                                        ? " march"
+                                : d->search && d->pass >= SSGI_GL_SSDO && d->pass <= SSGI_GL_S3HO ? " points"
+                                                                                                  : "",
                                 d->tessellate ? " tessellated" : "", ssgi_gl_dialect_name(d->dialect));
     for (int k = 0; k < CHOICES; ++k)
         if (get(d, choices[k].offset) != choices[k].first)
@@ -127,7 +129,7 @@ static int place_of(set_of *s, uint64_t hash)
 static ssgi_gl_desc drawn(int t)
 {
     ssgi_gl_desc d = shape[t];
-    for (int tries = 0; tries < 200; ++tries) {
+    for (int tries = 0; tries < 4000; ++tries) {
         for (int k = 0; k < CHOICES; ++k)
             set(&d, choices[k].offset,
                 choices[k].first + choices[k].step * (int)uniform(0, (float)choices[k].count - 0.001f));
@@ -207,7 +209,7 @@ static void make_variants(void)
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int way = 0; way < 3; ++way) {               /* searches, tessellators: where they change the plain text */
             ssgi_gl_desc d = { .pass = pass,
-                               .search = way == 1,
+                               .search = way == 1 ? (pass == SSGI_GL_HSAO ? SSGI_GL_MARCH : SSGI_GL_POINTS) : 0,
                                .tessellate = way == 2,
                                .dialect = way == 2 ? SSGI_GL_410 : SSGI_GL_330,
                                .samples = 4,
@@ -457,6 +459,7 @@ static size_t any_text(int k, char *out, size_t capacity)
     static const ssgi_gl_desc descs[] = {
         { .samples = 3 },
         { .pass = SSGI_GL_SSDO,
+          .search = SSGI_GL_POINTS,
           .dialect = SSGI_GL_320ES,
           .samples = 2,
           .environment = SSGI_GL_ENVIRONMENT_SH,
@@ -965,7 +968,7 @@ static void lint(void)
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
              INT(pass, 15),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
-             INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 1),  INT(directions, 32),
+             INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
              INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(behind, 3),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
              INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
@@ -983,6 +986,12 @@ static void sentences(void)
     } rules[] = {
         { "desc.normal_rays:", { .pass = SSGI_GL_HSAO, .normal_rays = 1 } },
         { "desc.world_normals:", { .normal = SSGI_GL_NORMAL_FROM_DEPTH, .world_normals = 1 } },
+        { "desc.search:", { .pass = SSGI_GL_HSAO, .search = SSGI_GL_POINTS } },
+        { "desc.search:", { .pass = SSGI_GL_S3HO, .search = SSGI_GL_MARCH } },
+        { "desc.layers:", { .pass = SSGI_GL_S3HO, .layers = 2 } },
+        { "desc.views:", { .pass = SSGI_GL_SSDO, .environment = 1, .views = 1 } },
+        { "desc.bounce:", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH } },
+        { NULL, { .pass = SSGI_GL_SSAO, .search = SSGI_GL_MARCH, .views = 1 } },
         { "desc.behind:", { .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
         { "desc.behind:", { .pass = SSGI_GL_LIGHTS, .views = 1, .behind = SSGI_GL_BEHIND_SLABS } },
         { NULL, { .pass = SSGI_GL_SENDERS, .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
@@ -1018,7 +1027,7 @@ static void sentences(void)
     for (size_t i = 0; i < INTS; ++i)
         for (int k = 0; k < 4; ++k) {
             const int value[4] = { -1, ints[i].most + 1, INT32_MIN, INT32_MAX };
-            ssgi_gl_desc d = { .search = SSGI_GL_MARCH,
+            ssgi_gl_desc d = { .search = SSGI_GL_POINTS,
                                .layers = 8,
                                .environment = SSGI_GL_ENVIRONMENT_SH,
                                .fetch = FETCH },
@@ -1100,11 +1109,11 @@ static void defaults(void)
         ROW(2 + 16 * 2, (.pass = SSGI_GL_SSAO, .behind = SSGI_GL_BEHIND_BACK), (.samples = 16)),
         ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
             (.directions = 6, .steps = 6, .view_layers = 1)),
-        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP),
+        ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_MAP),
             (.samples = 16, .steps = 1, .layers = 1)),
         ROW(3 + 16 * (2 * (2 + 2 * 3) + 1),
-            (.pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH, .kernel = 1, .layers = 2, .views = 2,
-             .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
+            (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = SSGI_GL_BOUNCE_PATCH, .kernel = 1, .layers = 2,
+             .views = 2, .view_layers = 3, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
             (.samples = 16)),
         ROW(2 + 3 + 8, (.pass = SSGI_GL_LIGHTS), (.samples = 8, .layers = 1)),
         ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1),
@@ -1112,13 +1121,15 @@ static void defaults(void)
         ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE),
             (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .behind = SSGI_GL_BEHIND_SOLID)),
         ROW(2 + 2 + 1, (.pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH), (.layers = 1)),
-        ROW(2 + 16, (.pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH), (.bands = 3)),
-        ROW(2 + 16, (.pass = SSGI_GL_S3HO), (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
+        ROW(2 + 16, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_SH),
+            (.bands = 3)),
+        ROW(2 + 16, (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS),
+            (.samples = 16, .steps = 1, .layers = 1, .bands = 4)),
         ROW(3 + 16 * (2 * (3 + 2) + 1),
-            (.pass = SSGI_GL_S3HO, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3, .views = 1, .view_layers = 2,
-             .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
+            (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS, .transfer = 1, .packed = 1, .kernel = 1, .layers = 3,
+             .views = 1, .view_layers = 2, .steps = 2, .noise = SSGI_GL_NOISE_TEXTURE),
             (.samples = 16)),
-        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .shaded = 1, .residual = 1), (.bands = 4)),
+        ROW(2 + 16 + 4, (.pass = SSGI_GL_S3HO, .search = SSGI_GL_POINTS, .shaded = 1, .residual = 1), (.bands = 4)),
         ROW(1 + 4, (.pass = SSGI_GL_SHADE), (.bands = 4)),
         ROW(2 + 4 + 4 + 3, (.pass = SSGI_GL_SHADE, .residual = 1, .lights = 1), (.bands = 4)),
         ROW(1 + 1 + 3, (.pass = SSGI_GL_SHADE, .bands = 2, .lights = 1), (.samples = 1)),
@@ -1233,6 +1244,7 @@ static void speed(void)
                                           { .pass = SSGI_GL_HSAO },
                                           { .pass = SSGI_GL_BLUR },
                                           { .pass = SSGI_GL_SSDO,
+                                            .search = SSGI_GL_POINTS,
                                             .environment = SSGI_GL_ENVIRONMENT_MAP,
                                             .bounce = SSGI_GL_BOUNCE_PATCH,
                                             .layers = 2,
@@ -1240,6 +1252,7 @@ static void speed(void)
                                             .fade = 1,
                                             .samples = 64 },
                                           { .pass = SSGI_GL_S3HO,
+                                            .search = SSGI_GL_POINTS,
                                             .transfer = SSGI_GL_TRANSFER_BOTH,
                                             .packed = 1,
                                             .layers = 2,

@@ -455,8 +455,9 @@ static void unpack(const float halves[4], float rgb[3], float *z)
 static void twin_senders(void)
 {
     static float rgbz[MANY][4], way[MANY][3];
-    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 },
-                       read = { .pass = SSGI_GL_SSDO, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH };
+    const ssgi_gl_desc pack = { .pass = SSGI_GL_SENDERS, .dialect = SSGI_GL_450 }, read = {
+        .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .dialect = SSGI_GL_450, .bounce = SSGI_GL_BOUNCE_PATCH
+    };
     ssgi_gl_frame frame;
     double worst = 0;
     memset(&frame, 0, sizeof frame);

@@ -131,7 +131,7 @@ static void open_planes(void)
             snprintf(set, sizeof set, "indirect=none,store=float,bands=%d,%s", row[m].bands, row[m].set);
             if (!planes_seen(&frame, &c, plane, 1, ",layer1.Z,layer1.N.X,layer1.N.Y,layer1.N.Z")
                 || !TRY(kit_gbuffer_from_frame(&g[k], &frame, &c, &err))
-                || (!k && !begin(&run, &g[0], "s3ho", set, 0.5f, NULL, &dark)))
+                || (!k && !begin(&run, &g[0], "s3ho-points", set, 0.5f, NULL, &dark)))
                 return;
             turn(&run, &g[k]);
             run.frame.radius = run.frame.thickness = k & 1 ? 0.5f : 0.1f;
@@ -268,7 +268,8 @@ static void walls_block(void)
         corner_planes(plane, w->c, 0);
         for (int i = 0; i < 3; ++i) along[i] = -plane[1][i];
         wall_vector(v, w, plane[0], along);
-        if (!slab(&g, w->c, w->end - w->c, 0, w->end < 1 ? 2 : 1) || !begin(&run, &g, "s3ho", set, 1, NULL, &dark)
+        if (!slab(&g, w->c, w->end - w->c, 0, w->end < 1 ? 2 : 1)
+            || !begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)
             || !strip_mean(found, &run, &g, row_at(w->c), 8, 0, 4))
             return;
         for (int i = 0; i < 16; ++i) off = fmax(off, fabs(found[i] - v[i]));
@@ -309,7 +310,7 @@ static void walls_reflect(void)
         kit_run run;
         char set[96];
         snprintf(set, sizeof set, "behind=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
-        if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark)) return;
+        if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
         if (!strip_mean(found, &run, &g, row_at(w.c), 8, run.passes - 1, 1)) return;
         for (int j = 0; j < 3; ++j) {
@@ -355,7 +356,7 @@ static void range_is_checked(void)
             for (int i = 0; i < WIDTH * HEIGHT; ++i)
                 if (i % WIDTH >= EDGE) frame.data[i] = (float)(4 - row[k].high * radius);
             if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) ||
-                (!k && !begin(&run, &g, "s3ho", set, (float)radius, NULL, &dark))) return;
+                (!k && !begin(&run, &g, "s3ho-points", set, (float)radius, NULL, &dark))) return;
             turn(&run, &g);
             glEnable(GL_SCISSOR_TEST);
             glScissor(EDGE - 32, (HEIGHT - ROWS) / 2, 1, ROWS);
@@ -394,9 +395,9 @@ static int look(kit_gbuffer *g, kit_scene *scene, kit_lighting *l, const char *l
 static void ssdo_agrees(void)
 {
     static const struct { const char *method, *set;
-    } row[3] = { { "ssdo", "bounce=none,environment=sh" },
-                 { "s3ho", "indirect=none,store=float,filtered=vectors" },
-                 { "s3ho", "indirect=none,filtered=light" } };
+    } row[3] = { { "ssdo-points", "bounce=none,environment=sh" },
+                 { "s3ho-points", "indirect=none,store=float,filtered=vectors" },
+                 { "s3ho-points", "indirect=none,filtered=light" } };
     static const float at[3] = { 0.5f, 0.7f, 0.4f }, colour[3] = { 3, 2, 1 };
     float light[27] = { 0 }, view[16], projection[16];
     kit_scene scene;
@@ -466,7 +467,7 @@ static void lamps_light_what_faces_them(void)
         kit_run run;
         char set[64];
         snprintf(set, sizeof set, "indirect=none,store=float,bands=%d", bands);
-        if (!begin(&run, &g, "s3ho", set, 0.5f, NULL, &l)) return;
+        if (!begin(&run, &g, "s3ho-points", set, 0.5f, NULL, &l)) return;
         for (int k = 0; k < 3 * 4 * 5; ++k) {
             const int window = k / 20, m = k / 5 % 4;
             const double angle = angles[k % 5] * pi / 180, sun = row[m].kind > 0 ? 0 : 1, d = row[m].distance,
@@ -522,7 +523,8 @@ static void suns_are_lamps(void)
         ssgi_gl_light lamp = { .kind = m ? SSGI_GL_POINT : SSGI_GL_SUN, .min_distance = FAR * sines[m] };
         kit_image out, other, sent;
         kit_run run;
-        if (!begin(&run, &g, "s3ho", "indirect=none,window=none,filtered=light", scene.radius, &scene, &sun)) return;
+        if (!begin(&run, &g, "s3ho-points", "indirect=none,window=none,filtered=light", scene.radius, &scene, &sun))
+            return;
         if (m) ssgi_gl_harmonics_set(&run.frame, light, 4, view, NULL);
         if (!drawn(&out, &run)) return;
         kit_run_close(&run);
@@ -530,8 +532,8 @@ static void suns_are_lamps(void)
             lamp.colour[i] = (m ? (float)FAR * FAR : 1) * w->colour[i];
             for (int j = 0; j < 3; ++j) lamp.at[i] += (m ? FAR : 1) * view[4 * j + i] * w->at[j];
         }
-        if (!begin(&run, &g, "s3ho", "indirect=none,window=none,filtered=vectors,store=float", scene.radius, &scene,
-                   &point))
+        if (!begin(&run, &g, "s3ho-points", "indirect=none,window=none,filtered=vectors,store=float", scene.radius,
+                   &scene, &point))
             return;
         run.pass[1].lights = kit_texture(8, 1, GL_RGBA32F, lamp.at);
         if (!drawn(&other, &run)) return;
@@ -566,7 +568,7 @@ static void open_is_exact(void)
         snprintf(set, sizeof set, "indirect=none,residual=1,bands=%d,window=%s,store=float,filtered=%s", bands,
                  k % 3 ? "hann" : "none", k % 2 ? "light" : "vectors");
         if (!lighten(&l, NULL, lights[k % 4]) || !see(&scene, &g, "plane", NULL, 0, NULL, W, H)
-            || !lit(&out, &g, "s3ho", set, scene.radius, &scene, &l))
+            || !lit(&out, &g, "s3ho-points", set, scene.radius, &scene, &l))
             return;
         for (int y = 5; y < H; y += 9)
             for (int x = 3; x < W; x += 13)
@@ -625,7 +627,7 @@ static void storage_rounds(void)
             char set[96];
             snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=%s,bands=%d,blur=%d", stores[s],
                      k < 1 ? 4 : 5 - k, k == 1 ? 2 : 0);
-            if (!begin(&run, &g, "s3ho", set, scene.radius, &scene, &l)) return;
+            if (!begin(&run, &g, "s3ho-points", set, scene.radius, &scene, &l)) return;
             for (int i = 0; i < run.passes && s == ITSELF && !kit_gl_is_es(); ++i) {
                 run.pass[i].desc.dialect = SSGI_GL_450;
                 if (!remade(&run, i)) return;
@@ -684,7 +686,7 @@ static void order_does_not_matter(void)
         for (int k = 0; k < 2; ++k) {
             char set[96];
             snprintf(set, sizeof set, "%s,filtered=%s", row[m].set, k ? "vectors" : "light");
-            if (!lit(&out[k], &g, "s3ho", set, scene.radius, &scene, &l)) return;
+            if (!lit(&out[k], &g, "s3ho-points", set, scene.radius, &scene, &l)) return;
         }
         const double off = fmax(apart(&out[0], "irradiance.R", &out[1], "irradiance.R"),
                                 apart(&out[0], "bounce.R", &out[1], "bounce.R"));
@@ -710,7 +712,7 @@ static void filter_averages_tiles(void)
         char set[96];
         snprintf(set, sizeof set, "samples=16,indirect=none,filtered=vectors,store=float,behind=solid,noise=texture,%s",
                  sets[m]);
-        if (!begin(&run, &g, "s3ho", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
+        if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark) || !strip(v, &run, row_at(0.25), m > 0, 4)) return;
         for (int i = 16; i < 16 * COLUMNS; ++i) spread[m] = fmax(spread[m], fabs((double)v[i] - (double)v[i % 16]));
         kit_run_close(&run);
     }
@@ -739,7 +741,8 @@ static void filter_keeps_edges(void)
         float *v;
         char set[96];
         snprintf(set, sizeof set, "indirect=none,filtered=vectors,store=float,behind=constant,%s", sets[m]);
-        if (!begin(&run, &g, "s3ho", set, 0.1f, NULL, &dark) || !drawn(&out, &run) || !(v = vectors_new(&run, 1)))
+        if (!begin(&run, &g, "s3ho-points", set, 0.1f, NULL, &dark) || !drawn(&out, &run)
+            || !(v = vectors_new(&run, 1)))
             return;
         for (int i = 0; i < 16 * W * H; ++i)
             worst = fmax(worst, fabs((double)v[i] - open[i / 16 % W >= W / 2][i % 16]));
@@ -776,7 +779,7 @@ static void cones_are_found(void)
     kit_run run;
     if (!vector || !map || !bent || !lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "")
         || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
-        || !begin(&run, &g, "ssbn", "store=float", 0.5f, NULL, &l))
+        || !begin(&run, &g, "ssbn-points", "store=float", 0.5f, NULL, &l))
         return;
     glBindFramebuffer(GL_FRAMEBUFFER, run.pass[0].framebuffer);
     glDrawBuffers(1, &(GLenum){ GL_NONE });
@@ -850,12 +853,13 @@ static void bent_normals_bend(void)
     c.target[0] = 0.3f; c.target[1] = -0.8f; c.target[2] = -0.5f;
     if (!lighten(&l, "sky", NULL) || !planes_seen(&frame, &c, plane, 1, "")
         || !TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))
-        || !lit(&truth, &g, "ssdo", "bounce=none,environment=map", 0.2f, NULL, &l))
+        || !lit(&truth, &g, "ssdo-points", "bounce=none,environment=map", 0.2f, NULL, &l))
         return;
     for (int m = 0; m < 4; ++m) {
         kit_run run;
         double off[3] = { 0 };
-        if (!begin(&run, &g, "ssbn", row[m].set, 0.2f, NULL, &l) || !drawn(&out, &run) || !show_bent(&run)) return;
+        if (!begin(&run, &g, "ssbn-points", row[m].set, 0.2f, NULL, &l) || !drawn(&out, &run) || !show_bent(&run))
+            return;
         kit_run_draw(&run, 0);
         if (!CHECK(!kit_texture_read(run.pass[1].target[0], W, H, 4, bent), "a target cannot be read")) return;
         for (int p = 0; p < W * H; ++p) {
@@ -886,8 +890,8 @@ static void bent_normals_bend(void)
         for (int i = 0; i < 3; ++i) along[i] = -both[1][i];
         wall_vector(v, &w, both[0], along);
         if (!slab(&g, w.c, 9, 0, 1)
-            || !begin(&run, &g, "ssbn", "filtered=vectors,store=float,behind=solid,noise=texture,blur=4,samples=64", 1,
-                      NULL, &l)
+            || !begin(&run, &g, "ssbn-points",
+                      "filtered=vectors,store=float,behind=solid,noise=texture,blur=4,samples=64", 1, NULL, &l)
             || !strip_mean(light, &run, &g, row_at(w.c), 4, 2, 1) || !show_bent(&run)
             || !strip(texel, &run, row_at(w.c), 2, 1))
             return;
@@ -927,9 +931,9 @@ static void same_picture(void)
         ALIKE = 3
     };
     static const struct { const char *method, *set;
-    } alike[ALIKE] = { { "s3ho", "noise=texture,behind=solid" },
-                       { "s3ho", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
-                       { "ssbn", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
+    } alike[ALIKE] = { { "s3ho-points", "noise=texture,behind=solid" },
+                       { "s3ho-points", "noise=texture,indirect=none,filtered=vectors,half=1,blur=2,store=packed" },
+                       { "ssbn-points", "noise=texture,lights=shadowed,blur=1,filtered=vectors" } };
     static const char *const names[WAYS] = { "",           "normal depth",           "infinite far plane",
                                              "view depth", "inside larger textures", "shifted" };
     static const int margin[4] = { 8, 4, 12, 16 };
@@ -994,7 +998,7 @@ static void targets_have_room(void)
         kit_image out;
         float texel[4 * (W + BEYOND) * (H + BEYOND)];
         int wrong = 0;
-        if (!begin(&run, &g, "s3ho", sets[m], scene.radius, &scene, &l) || !drawn(&out, &run)) return;
+        if (!begin(&run, &g, "s3ho-points", sets[m], scene.radius, &scene, &l) || !drawn(&out, &run)) return;
         run.frame.target[0] = 8; run.frame.target[1] = 6;
         for (int i = 0; i < 4 * (W + BEYOND) * (H + BEYOND); ++i) texel[i] = 7;
         for (int i = 0; i < run.passes; ++i) {
@@ -1042,9 +1046,10 @@ static void near_the_truth(void)
     static const char *const names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" };
     static const struct {
         const char *method, *set;
-    } row[] = {
-        { "ssdo", "bounce=none" }, { "s3ho", "indirect=none" }, { "ssbn", "cone=cone" }, { "ssbn", "cone=normal" }
-    };
+    } row[] = { { "ssdo-points", "bounce=none" },
+                { "s3ho-points", "indirect=none" },
+                { "ssbn-points", "cone=cone" },
+                { "ssbn-points", "cone=normal" } };
     kit_scene scene;
     kit_gbuffer g;
     kit_lighting l;
@@ -1052,7 +1057,7 @@ static void near_the_truth(void)
     kit_score none, score;
     if (!look(&g, &scene, &l, NULL)
         || !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &l, scene.radius, KIT_ATTENUATION_LINEAR, 0, 64, 1, &err))
-        || !lit(&open, &g, "ssdo", "bounce=none,samples=1", 1e-6f, &scene, &l)
+        || !lit(&open, &g, "ssdo-points", "bounce=none,samples=1", 1e-6f, &scene, &l)
         || !TRY(kit_score_channels(&none, &open, &truth, names, 3, NULL, &err)))
         return;
     for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {

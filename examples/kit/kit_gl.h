@@ -208,8 +208,8 @@ int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
 /* Back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene: slabs 1 or 2, as
-   kit_gbuffer.slab has them, in place of those that it has. One draw of the scene, or three. Leaves GL as
-   kit_gbuffer_from_scene does. */
+   kit_gbuffer.slab has them, in place of those that it has (two serve where one is asked for). One draw of the scene,
+   or three. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero

@@ -400,8 +400,9 @@ int kit_add_environment(kit_making *m)
                  != SSGI_OK;
     if (!failed && mapped)
         failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
-                                      m->gather.samples
-                                          ? (float)(2 * PI / m->gather.samples)
+                                      m->gather.samples ? (float)(2 * PI / m->gather.samples)
+                                      : m->gather.directions
+                                          ? (float)(PI / (4 * m->gather.directions))
                                           : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */,
                                       &why)
                      != SSGI_OK
@@ -506,7 +507,8 @@ static void add_grey(kit_making *m)
 /* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
 static int add_hidden(kit_making *m)
 {
-    const int albedo = m->gather.pass == SSGI_GL_S3HO, layers = m->gather.layers, view_layers = m->gather.view_layers;
+    const int albedo = m->gather.pass == SSGI_GL_S3HO, layers = m->gather.layers ? m->gather.layers : 1,
+              view_layers = m->gather.view_layers;
     kit_run *run = m->run;
     GLuint light = 0;
     run->senders = kit_keep(run, kit_texture_array(run->gbuffer->viewport[2], run->gbuffer->viewport[3], layers,
@@ -564,8 +566,10 @@ static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
     if (vpls) {                             /* just that falloff, of single points */
         d.falloff = SSGI_GL_FALLOFF_SQUARE;
         d.fade = d.range = 0;
-        d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
-        d.steps = 1;
+        if (d.search == SSGI_GL_POINTS) {
+            d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
+            d.steps = 1;
+        }
     }
     if (add_senders(m, g, -1, 0, *light)) return -1;
     p = kit_add_pass(m, &d, g, 0, 0, 0, 0);

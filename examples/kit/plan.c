@@ -208,7 +208,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
 
 const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
 {
-    static const char *const names[] = { NULL, "hsao", "hsao-march", "ssdo", "s3ho", "dss", "aof" };
+    static const char *const names[] = { NULL, "hsao", "hsao-march", "ssdo-points", "s3ho-points", "dss", "aof" };
     /* methods that have a setting */
     enum { ALL = 1 << SSGI_PLAN_HSAO | 1 << SSGI_PLAN_MARCH | 1 << SSGI_PLAN_SSDO | 1 << SSGI_PLAN_S3HO };
     const struct { const char *key; int value, least, of;
@@ -247,7 +247,7 @@ static int lit_of(kit_image *out, kit_gbuffer *g, const kit_world *world, const 
     kit_method method;
     kit_run run;
     int failed;
-    if (kit_method_find(&method, "ssdo", err) || kit_method_set(&method, set, err)
+    if (kit_method_find(&method, "ssdo-points", err) || kit_method_set(&method, set, err)
         || kit_run_open(&run, g, &method, radius, world, err))
         return -1;
     kit_run_draw(&run, 0);

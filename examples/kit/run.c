@@ -388,7 +388,7 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
         if (slabs > g->slabs && !m->world->scene)
             return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
                             g->slabs ? "front2.Z" : "back.Z");
-        if (slabs != g->slabs && m->world->scene && kit_gbuffer_slabs(g, m->world->scene, slabs, m->err)) return -1;
+        if (slabs > g->slabs && kit_gbuffer_slabs(g, m->world->scene, slabs, m->err)) return -1;
     }
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit && m->gather.pass != SSGI_GL_SPLAT) {

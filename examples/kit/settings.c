@@ -282,20 +282,21 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
             &phase_row, &blur_row, &filter_row, &compare_row, &margin_row \
     }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
-#define SSDO \
-    { \
-        &few_bands_row, &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, \
-            &range_row, &half_row, &behind_row, &most_thick_row, &offset_row, DEEP, &environment_row, &bounce_row, \
-            &reuse_row, &two_sided_row, &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, \
-            &max_slope_row, &shadow_row, &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, \
-            &filter_row, &compare_row, &margin_row \
-    }
-#define VECTORS \
+#define POINTS \
     &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
-        &behind_row, &most_thick_row, &offset_row, DEEP, &store_row, &filtered_row, &window_row, &lights_row, \
-        &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, \
-        &blur_row, &filter_row, &compare_row, &margin_row
-#define S3HO { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS }
+        &behind_row, &most_thick_row, &offset_row, DEEP
+#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &slice_thick_row, &offset_row
+#define SSDO(...) \
+    { \
+        __VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, &distance_clamp_row, \
+            &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, \
+            &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row \
+    }
+#define VECTORS(...) \
+    __VA_ARGS__, &store_row, &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, \
+        &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, \
+        &margin_row
+#define S3HO(...) { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(__VA_ARGS__) }
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
         &both_row, &smooth_row, &likeness_row, &normal_row
@@ -320,20 +321,30 @@ static const plan plans[] = {
       SSGI_GL_BALANCED,
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
         &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row } },
-    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, 0, SSGI_GL_BALANCED,
-      SSDO },
-    { "ssdo-fast", "the same, half size, fewer directions", SSGI_GL_SSDO, 0, SSGI_GL_FAST, SSDO },
-    { "ssdo-best", "the same, more directions", SSGI_GL_SSDO, 0, SSGI_GL_BEST, SSDO },
-    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO, 0,
-      SSGI_GL_BALANCED, S3HO },
-    { "s3ho-fast", "the same, half size, fewer directions", SSGI_GL_S3HO, 0, SSGI_GL_FAST, S3HO },
-    { "s3ho-best", "the same, more directions", SSGI_GL_S3HO, 0, SSGI_GL_BEST, S3HO },
+    { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
+      SSGI_GL_BALANCED, SSDO(WALK) },
+    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
+    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST, SSDO(WALK) },
+    { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
+      SSDO(POINTS) },
+    { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
+      SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
+    { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
+    { "s3ho-best", "the same, full size, more taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_BEST, S3HO(WALK) },
+    { "s3ho-points", "the same by the paper's points along directions", SSGI_GL_S3HO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
+      S3HO(POINTS) },
     { "ssbn",
       "bent normals and cones, looked up in --env filtered beforehand",
       SSGI_GL_S3HO,
-      0,
+      SSGI_GL_SLICES,
       SSGI_GL_BALANCED,
-      { &cone_row, VECTORS } },
+      { &cone_row, VECTORS(WALK) } },
+    { "ssbn-points",
+      "the same by points along directions",
+      SSGI_GL_S3HO,
+      SSGI_GL_POINTS,
+      SSGI_GL_BALANCED,
+      { &cone_row, VECTORS(POINTS) } },
     { "dss",
       "deep screen space: surfels of all triangles, seen or not, splatted: occlusion",
       SSGI_GL_SPLAT,
