@@ -729,7 +729,7 @@ static const kit_builtin builtins[] = {
       0.1f,
       1.5f },
     { "columns",
-      "white columns, coloured ones hidden behind them, a box beside the picture",
+      "white columns, coloured ones hidden behind them, a box off screen",
       build_columns,
       { 0, 1.7f, 6.2f },
       { 0, 0.95f, 0 },

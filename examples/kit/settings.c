@@ -20,29 +20,30 @@ typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
 
-static const row noise_row     = { { "noise", "what decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 },
-    PLAN, 0 };
+static const row noise_row = {
+    { "noise", "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 }, PLAN, 0
+};
 static const row normal_row = {
     { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0
 };
 static const row thickness_row = {
-    { "thickness", "how far behind what is seen things reach, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness)
+    { "thickness", "constant thickness of visible surfaces, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness)
 };
-static const row slice_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.6, 0,
+static const row slice_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.6, 0,
                                        100, 0 },
                                      SCALED,
                                      FRAMED(thickness) };
-static const row half_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.5, 0,
+static const row half_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.5, 0,
                                       100, 0 },
                                     SCALED,
                                     FRAMED(thickness) };
-static const row most_thick_row = { { "thickness", "how far behind what is seen things reach, in radii", NULL, 0.7, 0,
+static const row most_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.7, 0,
                                       100, 0 },
                                     SCALED,
                                     FRAMED(thickness) };
 static const row behind_row = {
     { "behind",
-      "how far what is seen reaches away from the viewer: by thickness; without end; to its back face; two such slabs",
+      "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
       "constant solid back slabs", 0, 0, 3, 1 },
     GATHER,
     DESC(behind)
@@ -60,12 +61,12 @@ static const row filter_row = { { "filter", "kind of filter", "bilateral gaussia
 static const row compare_row = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 },
                                  BLUR,
                                  DESC(filter_normals) };
-static const row phase_row     = { { "phase", "turns the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
-static const row layers_row = { { "layers", "depth layers, peeled; the scene must be of closed solids", NULL, 1, 1,
+static const row phase_row     = { { "phase", "offset of the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
+static const row layers_row = { { "layers", "peeled depth layers; closed solids only", NULL, 1, 1,
                                   KIT_MAX_LAYERS, 1 },
                                 GATHER | LIGHTS,
                                 DESC(layers) };
-static const row views_row = { { "views", "extra cameras; the scene must be of closed solids", NULL, 0, 0, 4, 1 },
+static const row views_row = { { "views", "extra cameras; closed solids only", NULL, 0, 0, 4, 1 },
                                GATHER | LIGHTS,
                                DESC(views) };
 static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS,
@@ -77,21 +78,21 @@ static const row view_size_row = { { "view_size", "pixels of an extra camera's s
                                    0 };
 
 static const row margin_row    = { { "margin",
-    "how far beyond the picture the depth buffer reaches, in radii; needs a scene", NULL, 0, 0, 4, 0 }, PLAN, 0 };
+    "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0 }, PLAN, 0 };
 static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
-static const row march_row = { { "steps", "points along a direction, the first blocked one counts", NULL, 1, 1, 64, 1 },
-                               GATHER,
-                               DESC(steps) };
+static const row march_row = {
+    { "steps", "points along a direction; the first occluded one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps)
+};
 static const row falloff_row   = { { "falloff",
-    "weight of a blocker at distance t: 1 - t/radius, or the square of that ratio", "linear square", 0, 0, 1, 1 },
+    "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2", "linear square", 0, 0, 1, 1 },
     GATHER, DESC(falloff) };
-static const row fade_row      = { { "fade", "how blockers fade with the distance at which they are seen",
+static const row fade_row      = { { "fade", "weight of an occluder by the distance of the surface in the depth buffer",
     "none smooth lambda", 0, 0, 2, 1 }, GATHER, DESC(fade) };
-static const row lambda_row = { { "lambda", "of that fading, per radius: more is weaker", NULL, 4, 0, 1000, 0 },
+static const row lambda_row = { { "lambda", "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, 0 },
                                 FRAME,
                                 FRAMED(lambda) };
 static const row range_row = {
-    { "range", "1: what is seen beyond the radius or below the receiver's plane blocks nothing", NULL, 0, 0, 1, 1 },
+    { "range", "1: ignore surfaces beyond the radius or below the receiver's plane", NULL, 0, 0, 1, 1 },
     GATHER,
     DESC(range)
 };
@@ -99,7 +100,7 @@ static const row fade_from_row = { { "fade_from", "where smooth fading begins, i
                                    SCALED,
                                    FRAMED(fade) };
 static const row sets_row = {
-    { "sets", "sets of directions in a texture, one a pixel; 0 = one set, turned", NULL, 0, 0, 256, 1 }, PLAN, 0
+    { "sets", "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, 1 }, PLAN, 0
 };
 static const row slices_row = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 },
                                 GATHER,
@@ -116,9 +117,9 @@ static const row environment_row = { { "environment", "how --env is used", "map 
 static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch", 1, 0,
     2, 1 }, GATHER, DESC(bounce) };
 static const row reuse_row = {
-    { "reuse", "1: senders shine with the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0
+    { "reuse", "1: senders use the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0
 };
-static const row two_sided_row = { { "two_sided", "1: senders shine from both sides", NULL, 0, 0, 1, 1 },
+static const row two_sided_row = { { "two_sided", "1: senders are two-sided", NULL, 0, 0, 1, 1 },
                                    GATHER,
                                    DESC(two_sided) };
 static const row distance_clamp_row = { { "distance_clamp", "clamp of the distance to a patch, in radii", NULL, 0.25, 0,
@@ -128,7 +129,7 @@ static const row distance_clamp_row = { { "distance_clamp", "clamp of the distan
 static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME,
     FRAMED(gain) };
 static const row shadows_row = {
-    { "shadows", "of --light: maps and what their bias loses, maps, points on segments in screen space",
+    { "shadows", "of --light: screen-space segments, maps, maps with segments over their bias",
       "segment map fill none", 2, 0, 3, 1 },
     LIGHTS,
     DESC(shadow)
@@ -138,19 +139,19 @@ static const row shadows_d_row = { { "shadows", "of --light: maps or none", "seg
                                    DESC(shadow) };
 static const row points_row = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
 static const row solid_row = {
-    { "solid", "1: shadows: what is seen reaches away from the viewer without end", NULL, 0, 0, 1, 1 }, PLAN, 0
+    { "solid", "1: shadows: unlimited thickness", NULL, 0, 0, 1, 1 }, PLAN, 0
 };
 static const row max_slope_row = {
-    { "max_slope", "slope up to which the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope)
+    { "max_slope", "largest slope that the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope)
 };
 static const row shadow_row = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
 static const row suns_row = {
-    { "suns", "the environment as so many suns with shadow maps; 0 = by directional occlusion", NULL, 0, 0, 1024, 1 },
+    { "suns", "the environment as directional lights with shadow maps; 0: directional occlusion", NULL, 0, 0, 1024, 1 },
     PLAN,
     0
 };
 static const row vpls_row = {
-    { "vpls", "virtual point lights of the first --light, with shadow maps: the bounce beyond the radius", NULL, 0, 0,
+    { "vpls", "virtual point lights of the first --light: the bounce beyond the radius", NULL, 0, 0,
       4096, 1 },
     PLAN,
     0
@@ -166,13 +167,13 @@ static const row store_row = { { "store", "coefficients as halves, halves packed
                                  "half packed float", 0, 0, 2, 1 },
                                PLAN,
                                0 };
-static const row indirect_row = { { "indirect", "one bounce: no, in one gather with the occlusion, in one of its own",
+static const row indirect_row = { { "indirect", "one bounce: none, in the gather of the occlusion, in its own",
                                     "none joint apart", 1, 0, 2, 1 },
                                   PLAN,
                                   0 };
-static const row filtered_row  = { { "filtered", "what the filter works on", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
+static const row filtered_row  = { { "filtered", "what is filtered", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
 static const row residual_row = {
-    { "residual", "1: open surfaces get exactly what the light brings, harmonics only tell what is blocked", NULL, 1, 0,
+    { "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone", NULL, 1, 0,
       1, 1 },
     GATHER,
     DESC(residual)
@@ -182,7 +183,7 @@ static const row lights_row = {
     { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0
 };
 static const row cone_row = { { "cone",
-                                "the environment over the cone of free directions, or its irradiance along their mean",
+                                "environment over the cone of unoccluded directions, or irradiance along their mean",
                                 "normal cone", 1, 0, 1, 1 },
                               PLAN,
                               0 };
@@ -193,32 +194,32 @@ static const row resolution_row = { { "resolution", "texels along a side of a fi
 static const row radii_row     = { { "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1 }, PLAN, 0 };
 static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
 static const row reach_row = {
-    { "reach", "how far occluders go, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
+    { "reach", "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
 };
-static const row ramp_row = { { "ramp", "where they begin to fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 },
+static const row ramp_row = { { "ramp", "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 },
                               PLAN,
                               0 };
 static const row inside_row = {
     { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0
 };
-static const row power_row     = { { "power", "p: how fast it is reached", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
+static const row power_row     = { { "power", "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
 static const row draw_row = {
     { "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0
 };
-static const row own_row       = { { "own", "1: occluders shade themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
+static const row own_row       = { { "own", "1: occluders occlude themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
 static const row occluders_row = {
-    { "occluders", "objects that are solid and hold no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0
+    { "occluders", "which objects: solid ones that contain no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0
 };
 
-static const row size_row = { { "size", "s: diameter of a surfel, in picture heights", NULL, 0.015, 1e-4, 1, 0 },
+static const row size_row = { { "size", "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, 0 },
                               PLAN,
                               0 };
-static const row epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 },
-                                 FRAME,
-                                 FRAMED(epsilon) };
-static const row deep_epsilon_row = { { "epsilon", "the least that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 },
-                                      FRAME,
-                                      FRAMED(epsilon) };
+static const row epsilon_row = {
+    { "epsilon", "smallest form factor that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon)
+};
+static const row deep_epsilon_row = {
+    { "epsilon", "smallest form factor that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon)
+};
 static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 },
                                      GATHER,
                                      DESC(levels) };
@@ -232,43 +233,43 @@ static const row way_row = {
     0
 };
 static const row near_row = { { "near_samples",
-                                "points over a surfel, for pixels within 4 of its radii; 1: its centre alone", NULL, 4,
+                                "points over a surfel for pixels within 4 of its radii; 1: its centre", NULL, 4,
                                 1, 16, 1 },
                               GATHER,
                               DESC(near_samples) };
 static const row offscreen_growth_row = {
-    { "offscreen_growth", "how much surfels grow with their distance from the frustum, radii", NULL, 0.1, 0, 1, 0 },
+    { "offscreen_growth", "radius added per distance outside the frustum", NULL, 0.1, 0, 1, 0 },
     PLAN,
     0
 };
 static const row near_depth_row = {
-    { "near_depth", "1: the nearest depth seen limits splats, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0
+    { "near_depth", "splats end at: 1: the frame's minimum depth, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0
 };
 static const row both_row = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1,
                                 1 },
                               GATHER,
                               DESC(two_sided) };
 static const row keep_small_row = {
-    { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does", NULL, 0, 0, 1, 1 }, PLAN, 0
+    { "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, 1 }, PLAN, 0
 };
 static const row each_row = {
-    { "keep_small", "1: every triangle gives surfels, 0: of small ones a share does, which shows", NULL, 1, 0, 1, 1 },
+    { "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned, visibly", NULL, 1, 0, 1, 1 },
     PLAN,
     0
 };
 static const row splits_row = {
-    { "splits", "into how many parts an edge of a large triangle is split at most", NULL, 8, 1, 32, 1 }, PLAN, 0
+    { "splits", "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, 1 }, PLAN, 0
 };
-static const row smooth_row    = { { "smooth", "0: levels are added as they are", NULL, 1, 0, 1, 1 }, PLAN, 0 };
+static const row smooth_row    = { { "smooth", "0: levels are added unfiltered", NULL, 1, 0, 1, 1 }, PLAN, 0 };
 static const row likeness_row = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 },
                                   GATHER,
                                   DESC(filter_normals) };
 static const row exponent_row  = { { "exponent", "of the lobe", NULL, 32, 0, 10000, 0 }, FRAME, FRAMED(exponent) };
 static const row sky_row = {
-    { "sky", "1: --env lights surfels, too, as if nothing stood before them", NULL, 1, 0, 1, 1 }, PLAN, 0
+    { "sky", "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, 1 }, PLAN, 0
 };
 static const row material_row = {
-    { "material", "published constants of scattering",
+    { "material", "published scattering constants",
       "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1 },
     PLAN,
     0
@@ -307,11 +308,11 @@ static const plan plans[] = {
       SSGI_GL_SSAO,
       0,
       SSGI_GL_BALANCED,
-      { &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
-        &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row, &blur_row,
-        &filter_row, &compare_row, &margin_row } },
-    { "hsao", "horizon search in slices through the view direction", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BALANCED,
-      SLICES },
+      { &samples_row, &march_row, &sets_row,   &falloff_row,   &fade_row,    &fade_from_row, &lambda_row,
+        &range_row,   &half_row,  &behind_row, &thickness_row, &offset_row,  DEEP,           &normal_row,
+        &noise_row,   &phase_row, &blur_row,   &filter_row,    &compare_row, &margin_row } },
+    { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_HSAO, SSGI_GL_SLICES,
+      SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
     { "hsao-march",
@@ -346,7 +347,7 @@ static const plan plans[] = {
       SSGI_GL_BALANCED,
       { &cone_row, VECTORS(POINTS) } },
     { "dss",
-      "deep screen space: surfels of all triangles, seen or not, splatted: occlusion",
+      "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION,
       SSGI_GL_BALANCED,
