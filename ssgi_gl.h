@@ -116,9 +116,9 @@ enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_
 /* desc.depth: what the depth texture holds */
 enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes */
        SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
-       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer), view depth; 0 is what
-                                      is seen */
-/* desc.normal: how the normal is had */
+       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer), view depth;
+                                      layer 0 is the visible surface */
+/* desc.normal: source and packing of normals */
 enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
        SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
        SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
@@ -129,15 +129,14 @@ enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter
        SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the
                                       directions; 1 more fetch */
 /* desc.search */
-enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked on the screen, both sides at once: the
-                                      fast way */
+enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked in screen space, both sides at once */
        SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
        SSGI_GL_MARCH };            /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
-/* desc.behind: how far what is seen reaches away from the viewer */
-enum { SSGI_GL_BEHIND_CONSTANT = 0,/* by frame.thickness */
-       SSGI_GL_BEHIND_SOLID,       /* without end */
+/* desc.behind: thickness of visible surfaces, away from the viewer */
+enum { SSGI_GL_BEHIND_CONSTANT = 0,/* frame.thickness */
+       SSGI_GL_BEHIND_SOLID,       /* unlimited */
        SSGI_GL_BEHIND_BACK,        /* to the nearest back face (t_ssgi_back: one depth-only pass, front faces culled);
-                                      what has none, and sheets, by frame.thickness */
+                                      frame.thickness for sheets and where there is none */
        SSGI_GL_BEHIND_SLABS };     /* likewise; and from the next front face behind that to the next back face (two more
                                       passes, each peeled by the one before) */
 /* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions */
@@ -228,15 +227,15 @@ typedef struct ssgi_gl_desc {
     int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
     int samples;         /* points   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points on
                             a segment */
-    int steps;           /* [limit: 0..64] [default: 6; points 1]  per direction: N_s; of points, the first blocked one
-                            counts */
+    int steps;           /* [limit: 0..64] [default: 6; points 1]  per direction: N_s; of points, the first
+                            occluded one counts */
     int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
     int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;          /* points   0: one set in the text, turned by the noise; 1: M sets in a texture, the
-                            noise picks */
+    int kernel;          /* points   0: one set in the text, rotated by the noise; 1: M sets in a texture, chosen by
+                            the noise */
     int fade;            /* points   SSGI_GL_FADE_NONE .. */
-    int range;           /* points   1: surfaces beyond the radius, or below the receiver's plane, block
-                            nothing [S3HO12 2.1] */
+    int range;           /* points   1: ignore surfaces beyond the radius or below the receiver's plane
+                            [S3HO12 2.1] */
     int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
                             one to the next; an odd last one as behind says */
     int views;           /* all but slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
@@ -254,8 +253,8 @@ typedef struct ssgi_gl_desc {
     int environment;     /* SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;          /* SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both share the visibility, two
                             targets */
-    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides, not only toward their normal. splat surfels
-                            occlude from both, too: for sheets and leaves */
+    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides. splat   surfels occlude from both sides: for
+                            sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
@@ -736,24 +735,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
     "}\n" },
 { "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
-{ "ssgi_thickness", __LINE__, "// how far what is seen reaches away from the viewer\n"
+{ "ssgi_thickness", __LINE__, "// constant thickness of visible surfaces\n"
     "float ssgi_thickness() {\n"
-    "    // a short segment must not end on what floats far before it\n"
+    "    // short segments must not hit surfaces that float far in front of them\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
     "}\n" },
 { "ssgi_deep", __LINE__ + 1,
-    "// How deep what begins at z is, but for a least at most the radius. Sheets, whose back face is what is seen (to\n"
-    "// a half's precision), and what has no back face are ssgi_thickness() deep.\n"
+    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
+    "// surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n"
     "}\n" },
-/* ---- the blocker itself, where it is looked at: what it sends, how far it is */
+/* ---- the occluder: what it sends, its distance */
 
 { "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
 { "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
-{ "ssgi_point", __LINE__, "// the point that camera v shows at a pixel and depth; -1 is the main one\n"
+{ "ssgi_point", __LINE__, "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "#if views\n"
     "    if (v >= 0) {\n"
@@ -764,14 +763,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_position(vec2(p) + 0.5, z);\n"
     "}\n" },
 { "ssgi_sender", __LINE__ + 1,
-    "vec4 ssgi_sender; // what the surface found around the sample sends to the receiver, and how near it is\n" },
+    "vec4 ssgi_sender; // radiance from the surface at the sample to the receiver; its distance from the sample\n" },
 { "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
 { "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
     "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
     "}\n" },
-{ "ssgi_sent", __LINE__, "// what a surface at Q sends to the receiver\n"
+{ "ssgi_sent", __LINE__, "// radiance from a surface at Q to the receiver\n"
     "vec3 ssgi_sent(uvec2 s, vec3 Q) {\n"
     "#if bounce == PATCH\n"
     "    vec3 d = ssgi_P - Q;\n"
@@ -786,17 +785,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_faded", __LINE__, "// weight of an occluder that the depth buffer shows at Q\n"
+{ "ssgi_faded", __LINE__, "// weight of an occluder at Q in the depth buffer\n"
     "float ssgi_faded(vec3 Q) {\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
     "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
     "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
-    "    return max(weight, 1e-6); // found, however little it counts\n"
+    "    return max(weight, 1e-6); // above 0: it is an occluder\n"
     "}\n" },
 { "ssgi_view_depth", __LINE__ + 1,
-    "// view depth of what a depth texture holds; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
+    "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d;\n"
     "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
@@ -813,7 +812,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
 { "ssgi_offer", __LINE__ + 1,
-    "// of the surfaces around the sample that send anything the sender is the one nearest to that way\n"
+    "// of the surfaces around the sample that send light the one closest to the segment is the sender\n"
     "void ssgi_offer(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -822,10 +821,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sender_place = s.y; // #if transfer\n"
     "}\n" },
 { "ssgi_occupancy", __LINE__ + 1,
-    "// Where depth s stands at a pixel of camera v: above 0 inside matter, which is from an odd layer to the next;\n"
-    "// -1 seen in the open, by more than the slack; 0 not known.\n"
+    "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd layer to the next; -1 in\n"
+    "// front of the visible surface by more than the slack; 0 unknown.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
-    "    // matter whose far side is no layer has no end, or is ssgi_thickness() deep; behind, nothing is known\n"
+    "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
@@ -847,13 +846,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "        if (inside) found = ssgi_faded(ssgi_point(v, p, s - near < far - s ? near : far)); // #if fade || range\n"
     "        if (inside) found = 1.0; // #if !(fade || range)\n"
-    "        // within the slack before a surface nothing is known either\n"
+    "        // within the slack in front of a surface is unknown, too\n"
     "        known = known || s < back || far >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
     "}\n" },
 { "ssgi_blocked", __LINE__, "#if layers > 1 || views\n"
-    "// how much S is blocked: inside matter\n"
+    "// occlusion of S: inside solid geometry\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
@@ -875,8 +874,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 { "ssgi_blocked", __LINE__, "#if !(layers > 1 || views)\n"
-    "// how much S is blocked: behind what is seen at its pixel, as far as desc.behind says; 0 off the picture and\n"
-    "// behind the eye\n"
+    "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "#if bounce\n"
@@ -896,7 +894,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "#if behind == SLABS\n"
     "    if (-S.z > back.y && -S.z < end_.y) {\n"
-    "        ssgi_sender.xyz *= found ? 1.0 : 0.0; // nobody knows what that sends // #if bounce\n"
+    "        ssgi_sender.xyz *= found ? 1.0 : 0.0; // its radiance is unknown // #if bounce\n"
     "        if (!found) z = back.y; // #if fade || range\n"
     "        found = true;\n"
     "    }\n"
@@ -1137,18 +1135,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    e += ssgi_residual * ssgi_ambient(v); // #if residual\n"
     "    return e;\n"
     "}\n" },
-/* ==== >>gather: what a pixel collects =========================================================================== */
+/* ==== >>gather: sampling around a pixel ========================================================================== */
 
 { "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
-{ "ssgi_length", __LINE__, "// where on its direction a sample stands\n"
+{ "ssgi_length", __LINE__, "// distance of a sample along its direction\n"
     "float ssgi_length(float xi) {\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
     "    return xi; // #if falloff != SQUARE\n"
     "}\n" },
-/* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what a blocked direction brings. */
+/* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what an occluded direction contributes. */
 
 { "ssgi_reflected", __LINE__ + 1,
-    "// the lobe of the sender found on way w, unoccluded, times its albedo [S3HO12 eq. 5, ours of solid angle]\n"
+    "// the lobe of the sender found along w, unoccluded, times its albedo [S3HO12 eq. 5, ours of solid angle]\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 w, float share) {\n"
     "    vec3 o = normalize(ssgi_unpack_normal(ssgi_sender_place)), albedo = ssgi_sender.xyz * share;\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
@@ -1156,17 +1154,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
     "}\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSAO\n"
-    "// occlusion from point samples: directions by the cosine, lengths such that it converges to the attenuation\n"
-    "// that desc.falloff names\n"
+    "// occlusion from point samples: cosine-weighted directions; the distribution of lengths gives the attenuation\n"
+    "// of desc.falloff\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "#elif pass == SSDO && search == POINTS\n"
-    "// what directions by the cosine bring: an environment where they are free, a sender's light where they are\n"
-    "// blocked [SSDO09 section 3]\n"
+    "// cosine-weighted directions: the environment along unoccluded ones, a sender's light along occluded ones\n"
+    "// [SSDO09 section 3]\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "#elif pass == S3HO && search == POINTS\n"
-    "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less what is blocked of it,\n"
-    "// in directions by the cosine [S3HO12 eq. 2]; it is exact where nothing is blocked\n"
+    "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less its occluded part,\n"
+    "// by cosine-weighted directions [S3HO12 eq. 2]; exact where nothing is occluded\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
     "#endif\n"
     "#if search == POINTS\n"
@@ -1205,7 +1203,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        dark += L * blocked;\n"
     "#endif\n"
     "#if pass == SSDO && bounce == PATCH\n"
-    "        // over the cosine's density: the patch's area assumes uniform directions\n"
+    "        // divide by the cosine pdf: the patch area pi r^2/N assumes uniform directions\n"
     "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05));\n"
     "#elif pass == SSDO && bounce\n"
     "        bounce += ssgi_sender.xyz * blocked;\n"
@@ -1223,8 +1221,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if pass == SSDO && environment == SH\n"
     "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
     "#elif environment == MAP\n"
-    "    // the share of the samples' light that is free, of what the open pixel gets: exact where nothing is\n"
-    "    // blocked\n"
+    "    // unoccluded irradiance times the unoccluded share of the samples' light: exact without occlusion\n"
     "    o_ssgi_light.xyz = ssgi_irradiance_map(world[2], 0) * (1.0 - dark / max(all, 1e-30));\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
@@ -1237,7 +1234,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
     "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
     "}\n" },
-{ "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first blocked step\n"
+{ "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = u_ssgi_radius * (float(i) + xi) / float(SSGI_STEPS);\n"
@@ -1289,13 +1286,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
     "    return cosg * (1.0 - q) + sing * e;\n"
     "}\n" },
-/* The walk: planes through the view direction, from near to far. A side has 32 sectors of equal measure. What a tap
-   covers that was free is what directions there meet first, and is attenuated by its distance. What is seen reaches
-   away from the viewer as desc.behind says. Taps of one surface are joined: the sectors between them are covered, too,
-   at the mean of their distances. n over the length l of its projection makes dot(d, n) the height over the tangent
-   plane within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevations below SSGI_LEVEL count as 0:
-   normals of 10 bits do not know better; beyond the zenith those below SSGI_OVER do: that is rounding, or a tap that a
-   texel's centre took off the slice. */
+/* The walk: planes through the view direction, from near to far. Each side has 32 sectors of equal cosine-weighted
+   measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its distance; the
+   surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them, at their
+   mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane within the
+   slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the precision of
+   10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel centre off the slice. */
 
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__ + 1,
@@ -1319,10 +1315,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#endif\n" },
 { "ssgi_slice", __LINE__ + 1,
-    "// A slice: t in the tangent plane, up normal to that, both in the slice; n: the normal over the length of its\n"
-    "// projection; what ssgi_arc takes; sectors per measure, what rounds them, each one's share of the hemisphere;\n"
-    "// x, y: the rays through points at x, y, per depth, less x, y over depth when perspective. On the side of -t\n"
-    "// x counts backward.\n"
+    "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the normal over the length of\n"
+    "// its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share of the hemisphere per\n"
+    "// sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y over depth). x is along t for\n"
+    "// one side, along -t for the other.\n"
     "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
 { "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
     "    ssgi_slice s;\n"
@@ -1347,12 +1343,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return s;\n"
     "}\n" },
-{ "ssgi_sector", __LINE__, "// where elevations with cosines c are among the sectors; 0 where there is nothing\n"
+{ "ssgi_sector", __LINE__, "// sector of an elevation with cosine c; 0 where not up\n"
     "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
     "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
     "}\n" },
 { "ssgi_behind", __LINE__ + 1,
-    "// moves points at x, y, depth z along the rays through them, away from the viewer; their sectors\n"
+    "// moves points at x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
     "    x += by * s.x; // #if orthographic\n"
     "    y += by * s.y; // #if orthographic\n"
@@ -1363,14 +1359,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
     "}\n" },
 { "ssgi_fresh", __LINE__ + 1,
-    "// what an arc of sectors covers of those that are free, attenuated by a distance; they are free no more\n"
+    "// counts the sectors of an arc that were not covered before, attenuated by a distance, and covers them\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
     "}\n" },
 { "ssgi_second", __LINE__ + 1,
-    "// the same of the second slabs behind taps at x, y, depth z; moves x, y to where they begin\n"
+    "// the same for the second slabs behind taps at x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
     "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
@@ -1380,7 +1376,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
     "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
     "}\n" },
-{ "ssgi_got", __LINE__, "// what a walk collects: shares of the cosine-weighted hemisphere, attenuated\n"
+{ "ssgi_got", __LINE__, "// sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
     "struct ssgi_got {\n"
     "    float all; // #if pass == HSAO\n"
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
@@ -1388,15 +1384,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
     "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
     "};\n" },
-{ "ssgi_blocks", __LINE__, "// a share w of the hemisphere is blocked around a direction\n"
+{ "ssgi_blocks", __LINE__, "// adds occlusion of a share w of the hemisphere around a direction\n"
     "void ssgi_blocks(inout ssgi_got got, vec3 way, float w) {\n"
     "    got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w; // #if environment == MAP\n"
     "    ssgi_sh_add(got.dark, ssgi_sh_basis(way), w); // #if environment == SH\n"
     "}\n" },
 { "ssgi_parts", __LINE__ + 1,
-    "// what is blocked of both sides, near the plane (.xy) and near the zenith (.zw), and at which elevation\n"
+    "// occlusion of both sides, split toward the plane (.xy) and the zenith (.zw), with weighted mean elevations\n"
     "struct ssgi_parts { vec4 w, c, s; };\n" },
-{ "ssgi_part", __LINE__, "// a share w of both sides more, at elevations with cosines c and sines s, of any length\n"
+{ "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
     "    s *= unit;\n"
@@ -1406,14 +1402,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    parts.s += part * s.xyxy;\n"
     "}\n" },
 { "ssgi_blocked_by", __LINE__ + 1,
-    "// the environment or the harmonics are asked four times a slice, however many steps it has\n"
+    "// four evaluations of the environment or the harmonics a slice, whatever its steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
     "    for (int k = 0; k < 4; ++k) {\n"
     "        vec3 way = s.t * ((k & 1) == 0 ? parts.c[k] : -parts.c[k]) + s.up * parts.s[k];\n"
     "        ssgi_blocks(got, way * inversesqrt(max(dot(way, way), 1e-24)), parts.w[k]);\n"
     "    }\n"
     "}\n" },
-{ "ssgi_sends", __LINE__, "// and what is seen d away, at a pixel, sends along it\n"
+{ "ssgi_sends", __LINE__, "// adds what the surface at pixel q, at an offset d, sends to the receiver\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) {\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
@@ -1429,7 +1425,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "}\n" },
 { "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
-    "// both sides (.x, .y) of a slice from near to far; a radius along it is so many pixels\n"
+    "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
     "    vec2 last = vec2(0.0);\n"
     "#if behind != SOLID\n"
@@ -1437,7 +1433,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 ended = was; // #if behind != CONSTANT\n"
     "#endif\n"
     "#if environment\n"
-    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // elevation from which the tap covers\n"
+    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // lower elevation of the covered arc\n"
     "    ssgi_parts parts = ssgi_parts(vec4(0.0), vec4(0.0), vec4(0.0));\n"
     "#endif\n"
     "    uvec2 mask = uvec2(0u);\n"
