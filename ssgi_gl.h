@@ -1288,10 +1288,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 /* The walk: planes through the view direction, from near to far. Each side has 32 sectors of equal cosine-weighted
    measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its distance; the
-   surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them, at their
-   mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane within the
-   slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the precision of
-   10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel centre off the slice. */
+   surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them,
+   at their mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane
+   within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the
+   precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel centre off the slice.
+   */
 
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__ + 1,
@@ -1317,8 +1318,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_slice", __LINE__ + 1,
     "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the normal over the length of\n"
     "// its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share of the hemisphere per\n"
-    "// sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y over depth). x is along t for\n"
-    "// one side, along -t for the other.\n"
+    "// sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y over depth). x is\n"
+    "// along t for one side, along -t for the other.\n"
     "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
 { "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
     "    ssgi_slice s;\n"

@@ -321,6 +321,9 @@ static int score_of(result *r, const char *path, const kit_camera *camera, doubl
     return status;
 }
 
+/* What drawing back faces took for a run. */
+static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + run->gbuffer->slab_ms[1]; }
+
 static void print_string(const char *s)
 {
     putchar('"');
@@ -375,7 +378,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                        r->ms[i], kit_fetches(d));
             }
             printf("]");
-            if (r->run->gbuffer->slabs) printf(", \"slabs_ms\": %.4f", r->run->gbuffer->slab_ms);
+            if (slabs_ms(r->run) > 0) printf(", \"slabs_ms\": %.4f", slabs_ms(r->run));
         }
         for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
             const kit_score *s = &r->score[g];
@@ -399,9 +402,8 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                 kit_fetches(&r->run->pass[i].desc));
             sum += r->ms[i];
         }
-        if (r->run->gbuffer->slabs)
-            printf("%-8s %9.3f ms, %d draws of the scene for back faces, not in the sum\n", "slabs",
-                   r->run->gbuffer->slab_ms, r->run->gbuffer->slabs > 1 ? 3 : 1);
+        if (slabs_ms(r->run) > 0)
+            printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
         if (r->run->margin)
             printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
                    r->run->wide.height);

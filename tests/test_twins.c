@@ -747,6 +747,33 @@ static void twin_sectors(void)
     }
 }
 
+/* Depths of slabs: as measured, at least a gap, at most the radius; of sheets, to a half's rounding, and of what has no
+   back, the thickness. */
+static void twin_deep(void)
+{
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .behind = SSGI_GL_BEHIND_BACK };
+    ssgi_gl_frame frame;
+    memset(&frame, 0, sizeof frame);
+    frame.radius = 0.5f;
+    frame.thickness = 0.3f;
+    random_state = 37;
+    for (int i = 0; i < MANY; ++i) {
+        const float z = powf(10, uniform(-1, 3)),
+                    backs[4] = { z * (1 + uniform(0, 0.00048f)), z + uniform(0.0006f * z, 0.0006f * z + 1),
+                                 i & 4 ? 0 : 1e18f, z * uniform(0, 1) },
+                    a[4] = { z, backs[i & 3], uniform(0, 0.2f), 0 };
+        memcpy(in[i], a, sizeof a);
+    }
+    if (probe(&d, &frame, 0,
+              "vec2 deep = ssgi_deep(vec2(a.x, 1.0), vec2(a.y, 1.2), vec2(a.z, 0.0)); o = vec4(deep, 0.0, 0.0);"))
+        for (int i = 0; i < MANY; ++i) {
+            const float z = in[i][0], back = in[i][1];
+            NEAR(out[i][0], (i & 3) == 1 ? fmaxf(fminf(back - z, 0.5f), in[i][2]) : fmaxf(0.3f, in[i][2]),
+                 2e-7f * z + 1e-6f, "ssgi_deep");
+            NEAR(out[i][1], 0.2f, 1e-6f, "ssgi_deep, the second");
+        }
+}
+
 /* One tap in one slice, at an elevation over a plane that is tilted: what of it counts. */
 static void slices_limits(void)
 {
@@ -1060,6 +1087,7 @@ void test_twins(void)
     RUN("halves, where the language has them and where it has not", twin_halves);
     RUN("a slice's arc is the integral that it says", twin_arc);
     RUN("sectors are covered once, by the nearest; on the mean as much as intervals are", twin_sectors);
+    RUN("slabs are as deep as their back faces say; sheets and open things by the thickness", twin_deep);
     RUN("a slice leaves out taps below 0.004 over the plane, and beyond the normal below 0.4", slices_limits);
     RUN("before a shadow map's surface it is lit for as far as depths are rounded", shadow_slack);
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);

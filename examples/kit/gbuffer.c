@@ -132,7 +132,7 @@ static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
                       const GLuint depth[3])
 {
     static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
-    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL, passes = g->slabs > 1 ? 3 : 1;
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL, passes = depth[2] ? 3 : 1;
     const GLfloat clear = reversed ? 0.0f : 1.0f;
     GLuint framebuffer, view_depth[2];
     int complete = 1;
@@ -154,7 +154,7 @@ static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertice
         glCullFace(i == 1 ? GL_BACK : GL_FRONT);
         if (complete) glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
     }
-    g->slab_ms = kit_timer_end();
+    g->slab_ms[passes > 1] = kit_timer_end();
     glDisable(GL_CULL_FACE);
     glCullFace(GL_BACK);
     if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
@@ -345,7 +345,6 @@ int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, k
     if (slabs < 1 || slabs > 2) return kit_fail(err, "slabs %d: must be 1 or 2", slabs);
     if (g.depth_is_linear)
         return kit_fail(err, "G-buffer: it came from a frame, which has no scene to draw back faces of");
-    g.slabs = slabs;
     for (int i = 0; i < (slabs > 1 ? 3 : 1); i++)
         depth[i] = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
     failed = rasterise(&g, scene, 0, depth, err);
@@ -354,13 +353,13 @@ int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, k
         failed = !planes;
         for (int i = 0; i < 3 && !failed; i++)
             failed = kit_texture_read(depth[i], g.width, g.height, 1, planes + (size_t)i * texels);
-        g.slab = failed ? 0 : packed_slabs(&g, planes);
-        failed = !g.slab && kit_fail(err, "G-buffer of %s: no memory for slabs", scene->name);
+        g.slabs = failed ? 0 : packed_slabs(&g, planes);
+        failed = !g.slabs && kit_fail(err, "G-buffer of %s: no memory for slabs", scene->name);
         free(planes);
-    } else if (!failed) { g.slab = depth[0]; depth[0] = 0; }
+    } else if (!failed) { g.back = depth[0]; depth[0] = 0; }
     glDeleteTextures(3, depth);
     if (failed) return -1;
-    glDeleteTextures(1, &gbuffer->slab);
+    glDeleteTextures(1, slabs > 1 ? &gbuffer->slabs : &gbuffer->back);
     *gbuffer = g;
     return 0;
 }
@@ -418,6 +417,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     const size_t width = (size_t)frame->width, texels = width * (size_t)frame->height;
     const float *channel[KIT_MAX_LAYERS][CHANNELS];
     const float *slab[3];
+    size_t known;
     float view[16], *depth, *normal, *albedo, *direct;
     kit_gbuffer g;
     GLint limit = 0;
@@ -441,7 +441,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
     for (int i = 0; i < 3; i++) slab[i] = kit_image_channel(frame, slab_names[i]);
     if ((slab[1] || slab[2]) && !(slab[0] && slab[1] && slab[2]))
         return kit_fail(err, "frame: front2.Z and back2.Z need each other and back.Z");
-    g.slabs = slab[2] ? 2 : slab[0] ? 1 : 0;
+    known = slab[2] ? 3 : slab[0] ? 1 : 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (frame->width > limit || frame->height > limit)
         return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height,
@@ -487,12 +487,13 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
         if (colours)
             g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
     }
-    for (size_t at = 0; at < (g.slabs > 1 ? 3 : (size_t)g.slabs) * texels; at++) {
+    for (size_t at = 0; at < known * texels; at++) {
         const size_t i = at % texels;
         const float z = slab[at / texels][(size_t)frame->height * width - (i / width + 1) * width + i % width];
         depth[at] = z > 0 && z <= FLT_MAX ? z : 0;
     }
-    if (g.slabs) g.slab = g.slabs > 1 ? packed_slabs(&g, depth) : kit_texture(g.width, g.height, GL_R32F, depth);
+    if (known) g.back = kit_texture(g.width, g.height, GL_R32F, depth);
+    if (known > 1) g.slabs = packed_slabs(&g, depth);
     free(depth);
     *gbuffer = g;
     return 0;
@@ -530,14 +531,17 @@ static void names_add(char *names, size_t size, int layer, int first, int last)
 int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 {
     const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO;
-    const size_t width = (size_t)g->viewport[2], height = (size_t)g->viewport[3], pixels = width * height;
+    const size_t width = (size_t)g->viewport[2], height = (size_t)g->viewport[3], pixels = width * height,
+                 known = g->slabs  ? 3
+                         : g->back ? 1
+                                   : 0;
     char names[KIT_MAX_CHANNELS * 32] = "";
     float *depth, *normal, *albedo, *direct;
     kit_image image;
     int result = 0;
     for (int layer = 0; layer < g->layers; layer++) names_add(names, sizeof names, layer, Z, (int)channels);
     if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
-    for (int i = 0; i < (g->slabs > 1 ? 3 : g->slabs); i++) {
+    for (size_t i = 0; i < known; i++) {
         const size_t length = strlen(names);
         snprintf(names + length, sizeof names - length, ",%s", slab_names[i]);
     }
@@ -570,13 +574,14 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
             }
         }
     }
-    if (g->slabs && !result) result = kit_texture_read(g->slab, g->width, g->height, g->slabs > 1 ? 4 : 1, normal);
-    for (size_t k = 0; k < (g->slabs > 1 ? 3 : (size_t)g->slabs) && !result; k++) {
+    if (known && !result)
+        result = kit_texture_read(known > 1 ? g->slabs : g->back, g->width, g->height, known > 1 ? 4 : 1, normal);
+    for (size_t k = 0; k < known && !result; k++) {
         float *out = kit_image_channel(&image, slab_names[k]);
         for (size_t i = 0; i < pixels; i++) {
             const size_t from = ((size_t)g->viewport[1] + height - 1 - i / width) * (size_t)g->width
                                 + (size_t)g->viewport[0] + i % width;
-            out[i] = (float)view_depth(g, (double)normal[g->slabs > 1 ? 4 * from + k : from]);
+            out[i] = (float)view_depth(g, (double)normal[known > 1 ? 4 * from + k : from]);
         }
     }
     free(depth);
@@ -591,7 +596,8 @@ int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
 void kit_gbuffer_free(kit_gbuffer *gbuffer)
 {
     layers_free(gbuffer);
-    glDeleteTextures(1, &gbuffer->slab);
+    glDeleteTextures(1, &gbuffer->back);
+    glDeleteTextures(1, &gbuffer->slabs);
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);

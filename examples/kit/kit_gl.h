@@ -182,11 +182,10 @@ typedef struct kit_gbuffer {
     int        layers;
     /* kinds as above; normals of even layers point away from the viewer */
     GLuint     layer_depth, layer_normal, layer_albedo;
-    /* 1: slab is of depth's kind: the nearest back face. 2: RGBA32F: that; the next front face behind it; the next
-       back face behind that. 0: there is none */
-    int        slabs;
-    GLuint     slab;
-    double     slab_ms;                    /* what drawing them took; frames: 0 */
+    /* of depth's kind: the nearest back face. RGBA32F: that; the next front face behind it; the next back face
+       behind that. 0 = there is none */
+    GLuint     back, slabs;
+    double     slab_ms[2];                 /* what drawing those took; frames: 0 */
 } kit_gbuffer;
 
 /* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture,
@@ -207,9 +206,8 @@ int  kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *gbuffer, const kit_
 #define KIT_MAX_LAYERS 8
 int  kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err);
 
-/* Back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene: slabs 1 or 2, as
-   kit_gbuffer.slab has them, in place of those that it has (two serve where one is asked for). One draw of the scene,
-   or three. Leaves GL as kit_gbuffer_from_scene does. */
+/* Back faces, by winding (counter-clockwise is the front), of a G-buffer that came from this scene: 1: its back, 2: its
+   slabs, in place of those that it has. One draw of the scene, or three. Leaves GL as kit_gbuffer_from_scene does. */
 int  kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err);
 
 /* From a frame: channels Z (view depth; <= 0, NaN or infinite = background), N.X N.Y N.Z (view space; made unit; a zero

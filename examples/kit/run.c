@@ -166,7 +166,7 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
     const struct { const char *name; GLuint texture;
     } table[] = { { "depth", p->gbuffer->depth },
                   { "layers", p->gbuffer->layer_depth },
-                  { "back", p->gbuffer->slab },
+                  { "back", p->desc.behind == SSGI_GL_BEHIND_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
                   { "views", run->view_depth },
                   { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
                   { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
@@ -384,11 +384,11 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
         return kit_fail(m->err, "--set views=%d: a frame has one camera; extra ones need a scene", m->gather.views);
     if (m->gather.layers > g->layers && kit_gbuffer_peel(g, m->world->scene, m->gather.layers, m->err)) return -1;
     if (m->gather.behind >= SSGI_GL_BEHIND_BACK) {
-        const int slabs = m->gather.behind == SSGI_GL_BEHIND_BACK ? 1 : 2;
-        if (slabs > g->slabs && !m->world->scene)
-            return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", slabs > 1 ? "slabs" : "back",
-                            g->slabs ? "front2.Z" : "back.Z");
-        if (slabs > g->slabs && kit_gbuffer_slabs(g, m->world->scene, slabs, m->err)) return -1;
+        const int two = m->gather.behind == SSGI_GL_BEHIND_SLABS, missing = !(two ? g->slabs : g->back);
+        if (missing && !m->world->scene)
+            return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", two ? "slabs" : "back",
+                            g->back ? "front2.Z" : "back.Z");
+        if (missing && kit_gbuffer_slabs(g, m->world->scene, 1 + two, m->err)) return -1;
     }
     kit_camera_matrices(&g->camera, picture, projection);
     if (run->lit && m->gather.pass != SSGI_GL_SPLAT) {
