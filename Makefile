@@ -52,7 +52,7 @@ build/examples/%.o: examples/%.c $(HEADERS) examples/report.h examples/page.h ex
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = report stage parts page lit fields deep plan peers costs choices
+REPORT = report stage parts page lit pairs fields deep plan peers costs choices
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -71,14 +71,20 @@ demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
-# Its second scanned mesh comes from a package that nothing else needs; without it, the chart says so.
+# Its second scanned mesh and one of its probes come from packages that nothing else needs; without them, the chart says so.
 BED     = build/models/iron-bed.obj
 BED_ZIP = /usr/share/sweethome3d/furniture/Scopia.sh3f
+PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 chart: build/report build/figures
 	@test -n "$(QUICK)$(SCENE:iron-bed=)" -o -s $(BED) || { sh examples/kit/install.sh sweethome3d-furniture unzip && mkdir -p build/models \
 		&& unzip -p $(BED_ZIP) scopia/iron_bed/iron_bed.obj >$(BED); } || rm -f $(BED)
+	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
+
+# The chart's part on light alone: every pair of a scene and a probe; report/light.html. make light QUICK=1 is smaller.
+light: build/report
+	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 peers:
@@ -126,4 +132,4 @@ test: build/render build/render-sanitized build/glsl-text build/test
 clean:
 	rm -rf build report
 
-.PHONY: all passes demo test chart peers stability fit glsl golden deps clean
+.PHONY: all passes demo test chart light peers stability fit glsl golden deps clean

@@ -32,7 +32,7 @@ static const char usage[] =
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
-    "  --env F.exr | F.hdr | sky | probe | white     radiance, latitude-longitude; lit methods\n"
+    "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "how\n"
