@@ -415,9 +415,10 @@ typedef struct ssgi_gl_frame {
     float   offscreen[2];    /* surfels: ssgi_surfel_desc.offscreen_growth, .keep_small: ssgi_gl_surfels_set */
     float   near_depth;      /* field, splat: no pixel shows anything nearer [units: view] [default: the near plane]: the
                             nearest depth seen, of the last frame, say, saves most of what stands around the eye */
-    float   gap_;
+    float   sent;        /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: what counts as bright: ssgi_gl_sent_set
+                            makes a picture linear in its light */
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
-                            it sends (times the lobe's peak): a tenth of what counts as bright */
+                            it sends over `sent` (times the lobe's peak) */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
@@ -481,6 +482,14 @@ typedef struct ssgi_gl_light {
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
+
+/* Sets frame->sent for surfels under lights (as their rows have them; of SPOT within its map, else whole; shadows are
+   not looked at) and sky, the mean radiance of the environment: half of all that is sent comes from surfels that send as
+   much or more, in their largest component. Stays as it is where nothing is sent. surfels: colour as yet unshaded.
+     sky    [limit: >= 0, finite]; NULL = black */
+SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why);
 
 /* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. ssgi_gl_occluder_set fills it. */
 typedef struct ssgi_gl_occluder {
@@ -1876,7 +1885,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if effect == SPECULAR\n"
     "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe\n"
     "#endif\n"
-    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
+    "    most /= u_ssgi_epsilon * u_ssgi_sent;\n"
+    "    float reach = at.w * sqrt(max(most - 1.0, 0.0)), block = exp2(float(l));\n"
     "#else\n"
     "    float reach = at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
     "#endif\n"
@@ -2218,6 +2228,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
     SSGI_GL__P(offscreen, "vec2", "radii per distance; 1: no triangle stands for others"),
     SSGI_GL__P(near_depth, "float", "view units"),
+    SSGI_GL__P(sent, "float", "what counts as bright"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
     SSGI_GL__P(level, "ivec2", "texels of a level"),
@@ -3071,6 +3082,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
     f.near_depth = ssgi_view_near(view);
+    f.sent = 1.0f;
     f.epsilon = 0.1f;
     f.exponent = 32.0f;
     *frame = f;
@@ -3094,6 +3106,68 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     memcpy(frame->offscreen, offscreen, sizeof offscreen);
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why)
+{
+    enum { BINS = 256, OCTAVE = 8 };                /* of what is sent, below the most */
+    double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
+    int pass, b, c, k;
+    size_t i;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    if (!surfels && count) return ssgi_gl__bad(why, "surfels: must not be NULL when there are any");
+    if (!lights && light_count > 0) return ssgi_gl__bad(why, "lights: must not be NULL when there are any");
+    if (light_count < 0) return ssgi_gl__bad(why, "light_count: must be 0 or more");
+    for (c = 0; sky && c < 3; ++c)
+        if (!(sky[c] >= 0.0f && sky[c] < SSGI_FAR)) return ssgi_gl__bad(why, "sky: must be 0 or more and finite");
+    for (pass = 0; pass < 2; ++pass) {
+        for (i = 0; i < count; ++i) {
+            const ssgi_surfel *s = &surfels[i];
+            double light[3] = { 0 }, sent = 0.0;
+            for (c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
+            for (k = 0; k < light_count; ++k) {
+                const ssgi_gl_light *l = &lights[k];
+                const double least = (double)l->min_distance * (double)l->min_distance;
+                double to[3], d, g = 0.0, from = 0.0, q[3];
+                for (c = 0; c < 3; ++c) {
+                    to[c] = (double)l->at[c] - (l->kind > 0.5f ? (double)s->position[c] : 0.0);
+                    g += to[c] * (double)s->normal[c];
+                    from -= to[c] * (double)l->normal[c];
+                    q[c] = (double)l->map[c][3];
+                    for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
+                }
+                d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+                if (!(d > 0.0) || !(g > 0.0)) continue;
+                if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
+                if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f
+                    && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
+                         && q[1] < q[2] * (double)l->tile[3]))
+                    continue;
+                g /= sqrt(d) * 3.14159265358979;
+                if (l->kind > 0.5f) g /= d > least ? d : least;
+                for (c = 0; c < 3; ++c) light[c] += g * (double)l->colour[c];
+            }
+            for (c = 0; c < 3; ++c) {
+                light[c] *= (double)s->colour[c];
+                sent = light[c] > sent ? light[c] : sent;
+            }
+            if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
+            if (!pass) { most = sent > most ? sent : most; continue; }
+            b = (int)(OCTAVE * log2(most / sent));
+            sent *= (double)s->radius * (double)s->radius;
+            sum[b < BINS ? b : BINS - 1] += sent;
+            all += sent;
+        }
+    }
+    for (b = 0; all > 0.0 && b < BINS; ++b) {
+        below += sum[b];
+        if (below < 0.5 * all) continue;
+        frame->sent = (float)(most * exp2(-(b + 1 - (below - 0.5 * all) / sum[b]) / OCTAVE));
+        break;
+    }
     return SSGI_OK;
 }
 

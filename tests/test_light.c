@@ -337,6 +337,26 @@ static void corner_darkens(void)
     kit_image_free(&l.env);
 }
 
+/* Harmonics carry the light of --env and --light alone. */
+static void harmonics_refuse_direct(void)
+{
+    static const char *const set[3] = { "", "indirect=apart", "indirect=none" };
+    const kit_lighting dark = { .lights = 0 };
+    const kit_world world = { NULL, &dark };
+    kit_gbuffer g;
+    if (!corner(&g, 0.25, 1)) return;
+    for (int k = 0; k < 3; ++k) {
+        kit_method m;
+        kit_run run;
+        TRY(kit_method_find(&m, "s3ho", &err) || kit_method_set(&m, set[k], &err));
+        const int failed = kit_run_open(&run, &g, &m, 1, &world, &err);
+        CHECK(k < 2 ? failed && strstr(err.text, "direct.R") && strstr(err.text, "indirect=none") : !failed,
+              "s3ho %s: \"%s\"", set[k], err.text);
+        if (!failed) kit_run_close(&run);
+    }
+    kit_gbuffer_free(&g);
+}
+
 static void corner_bounces(void)
 {
     static const struct { const char *set; double truth[3], off;
@@ -770,6 +790,7 @@ void test_light(void)
     RUN("open planes get the environment's cosine integral, without noise", open_planes);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
     RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
+    RUN("a frame's own radiance, which harmonics cannot carry, is refused", harmonics_refuse_direct);
     RUN("two layers see through behind a slab, an odd last one is solid or thin", layers_count);
     RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);
     RUN("a segment ends at its light", segments_end_at_lights);

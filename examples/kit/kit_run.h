@@ -49,7 +49,9 @@ int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere
 kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
 /* their shadow maps, as tiles in their order */
 int       kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count);
-/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
+/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each: for the caller to free (NULL: no memory),
+   or as a texture. */
+ssgi_gl_light *kit_lights_seen(const kit_placed_light *placed, int first, int last, const float picture[16]);
 GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16]);
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */

@@ -337,12 +337,11 @@ int kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count)
     return mapped && !m->run->atlas ? -1 : 0;
 }
 
-GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
+ssgi_gl_light *kit_lights_seen(const kit_placed_light *placed, int first, int last, const float picture[16])
 {
     const int size = first < last ? placed[first].camera.width : 1,
               columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
-    ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
-    GLuint texture;
+    ssgi_gl_light *rows = malloc((size_t)(last - first + 1) * sizeof *rows);
     for (int i = first; rows && i < last; ++i) {
         ssgi_gl_light *l = &rows[i - first];
         *l = placed[i].light;
@@ -362,7 +361,13 @@ GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const
             ssgi_gl_light_map(l, &decoded, i % columns * size, i / columns * size, picture, view, NULL);
         }
     }
-    texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
+    return rows;
+}
+
+GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
+{
+    ssgi_gl_light *rows = kit_lights_seen(placed, first, last, picture);
+    const GLuint texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
     free(rows);
     return texture;
 }
@@ -622,6 +627,9 @@ int kit_open_lit(kit_making *m, const float picture[16])
     int count = 0, direct = 0, failed;
     kit_sphere all, middle;
     kit_placed_light *placed;
+    if (s3ho && indirect && g->direct)
+        return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
+                                "left out: take ssdo, or --set indirect=none", m->method->name);
     m->world = &world;
     m->blur.colour = SSGI_GL_COLOUR;
     if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
