@@ -466,8 +466,9 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 typedef struct ssgi_gl_light {
     float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
-    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity along
-                               its normal. least: the distance below which 1/d^2 grows no more */
+    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: radiant intensity
+                               along its normal. min_distance: below it 1/d^2 grows no more; of a SUN with several maps
+                               (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective (ssgi_shadow_patch) */
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
@@ -1408,25 +1409,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_shadow", __LINE__ + 1,
     "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
-    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map; bias\n"
-    "// returns that along the ray to the light, -1 where no map sees P [SSDO09 section 5, corrected]\n"
-    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float bias) {\n"
+    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
+    "// returns how far along the ray to the light the map sees what may be the plane itself or an occluder that\n"
+    "// the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
+    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
     "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
     "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
     "    bool flat_ = decode.w > 0.0;\n"
     "    vec2 t = floor(flat_ ? q.xy : q.xy / q.z);\n"
-    "    bias = -1.0;\n"
+    "    contact = -1.0;\n"
     "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
     "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
     "    float size = flat_ ? patch_ : patch_ * q.z;\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
     "    float b = size * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
-    "    bias = b * length_;\n"
     "    // and what depths of the map and of P are rounded by\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "    contact = max(q.z - slack - z, 0.0) * length_;\n"
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 { "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
@@ -1445,13 +1447,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
     "#endif\n"
     "#if shadow == MAP || shadow == FILL\n"
-    "        float bias;\n"
-    "        if (ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, bias) > 0.0) continue;\n"
-    "        if (bias < 0.0 && s.at.w > 1.5 && s.at.w < 2.5) continue;\n"
+    "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
+    "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
+    "        if (contact < 0.0 && (wider > 0 || (s.at.w > 1.5 && s.at.w < 2.5))) continue;\n"
+    "        i += wider;\n"
+    "        if (shadow > 0.0) continue;\n"
     "#endif\n"
     "#if shadow == FILL\n"
-    "        // a segment shorter than a pixel finds nothing\n"
-    "        if (bias >= 0.0) reach = min(reach, max(bias, 1.5 * ssgi_footprint(-P.z)));\n"
+    "        // what the screen cannot tell from P is left to the map\n"
+    "        if (contact >= 0.0) reach = contact < ssgi_footprint(-P.z) ? 0.0 : min(reach, contact);\n"
     "#endif\n"
     "        ssgi_segment_length = reach; // #if thin && (shadow == SEGMENT || shadow == FILL)\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
@@ -3140,6 +3144,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                     for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
                 }
                 d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+                if (l->kind < 0.5f && l->min_distance > 0.0f) continue;
                 if (!(d > 0.0) || !(g > 0.0)) continue;
                 if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
                 if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f

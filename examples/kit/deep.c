@@ -159,7 +159,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     if (kit_method_value(m->method, "near_depth") > 0 && nearest_of(&run->frame.near_depth, g, m->err)) return -1;
     splat.near_depth = run->frame.near_depth;
     if (lit) {
-        kit_sphere all, middle;
+        kit_sight seen;
         kit_placed_light *placed;
         kit_rotation_of(run->frame.rotation, picture, NULL);
         m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
@@ -167,8 +167,9 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         /* of surfels: what splats hide is seen all the same */
         if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0))
             m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
-        if (kit_seen(g, &all, &middle, m->err)) return -1;
-        placed = kit_placed_lights_new(m, &all, &placed_count, &direct);
+        if (kit_seen(g, &seen, m->err)) return -1;
+        placed = kit_placed_lights_new(m, &seen, &placed_count, &direct);
+        free(seen.point);
         if (!placed) return -1;
         failed = kit_add_atlas(m, placed, placed_count);
         m->rows[0] = failed ? 0
