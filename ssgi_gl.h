@@ -3117,7 +3117,8 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { BINS = 256, OCTAVE = 8 };                /* of what is sent, below the most */
+    enum { BINS = 256 };                            /* of what is sent, below the most */
+    const double octave = 8.0;
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
     int pass, b, c, k;
     size_t i;
@@ -3161,7 +3162,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
             }
             if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
             if (!pass) { most = sent > most ? sent : most; continue; }
-            b = (int)(OCTAVE * log2(most / sent));
+            b = (int)(octave * log2(most / sent));
             sent *= (double)s->radius * (double)s->radius;
             sum[b < BINS ? b : BINS - 1] += sent;
             all += sent;
@@ -3170,7 +3171,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     for (b = 0; all > 0.0 && b < BINS; ++b) {
         below += sum[b];
         if (below < 0.5 * all) continue;
-        frame->sent = (float)(most * exp2(-(b + 1 - (below - 0.5 * all) / sum[b]) / OCTAVE));
+        frame->sent = (float)(most * exp2(-(b + 1 - (below - 0.5 * all) / sum[b]) / octave));
         break;
     }
     return SSGI_OK;

@@ -13,12 +13,13 @@
 
 enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, NOISE_RAYS = 4, NOISE_STRIDE = 7 };
 /* alone, and with boxes beside the bunny; as many rays as bring the truth's noise below 1 % of the mean */
-#define LIT(env, rays) { { env, { NULL }, 0, 0, 0, rays, 1, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, 1, NO_CROPS } }
+#define LIT(env, rays, exposure) \
+    { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
 static const struct { const char *name; lit lit[2]; int quick; } probes[] = {
-    { "sky",      LIT("sky", 256),      0 },
-    { "windows",  LIT("windows", 1024), 1 },
-    { "street",   LIT("street", 256),   1 },
-    { "interior", LIT(INTERIOR, 1024),  0 }
+    { "sky",      LIT("sky", 256, 0.8f),      0 },
+    { "windows",  LIT("windows", 1024, 0.6f), 1 },
+    { "street",   LIT("street", 256, 1),      1 },
+    { "interior", LIT(INTERIOR, 1024, 0.35f), 0 }
 };
 static const struct { view view; int boxes, quick; } scenes[] = {
     { { "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f, NULL }, 1, 1 },
