@@ -53,7 +53,7 @@ build/examples/%.o: examples/%.c $(HEADERS) examples/report.h examples/page.h ex
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = report stage parts page lit fields deep plan peers costs choices
+REPORT = report stage parts page lit pairs fields deep plan peers costs choices
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
@@ -72,11 +72,17 @@ demo: build/render build/report
 	build/report demo
 
 # Speed against accuracy; report/index.html. make chart QUICK=1 is smaller; SCENE=room METHOD=hsao shows one scene, or methods whose names begin so; CONTEXT=egl has a GPU draw.
-# Some of its scenes come from packages that nothing else needs; without them, the chart says so.
+# Some of its scenes and one of its probes come from packages that nothing else needs; without them, the chart says so.
+PROBE   = /usr/share/blender/datafiles/studiolights/world/interior.exr
 chart: build/report build/figures
 	$(if $(QUICK),,@sh examples/kit/models.sh $(or $(SCENE),iron-bed maple stairs attic))
+	@test -n "$(QUICK)$(SCENE)" -o -s $(PROBE) || sh examples/kit/install.sh blender-data || true
 	build/report chart $(if $(QUICK),--quick) $(SCENE:%=--scene %) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 	build/figures
+
+# The chart's part on light alone: every pair of a scene and a probe; report/light.html. make light QUICK=1 is smaller.
+light: build/report
+	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
 peers:
@@ -124,4 +130,4 @@ test: build/render build/render-sanitized build/glsl-text build/test
 clean:
 	rm -rf build report
 
-.PHONY: all passes demo test chart peers stability fit glsl golden deps clean
+.PHONY: all passes demo test chart light peers stability fit glsl golden deps clean

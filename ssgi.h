@@ -400,7 +400,7 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
-    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance that surfels send */
+    float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
     int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;

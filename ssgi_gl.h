@@ -407,11 +407,13 @@ typedef struct ssgi_gl_frame {
     float   keep_small;  /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
     float   near_depth;  /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
                             plane]: the last frame's minimum, for instance, culls most of what is around the eye */
+    float   sent;        /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: radiance that counts as bright:
+                            ssgi_gl_sent_set makes the result linear in the light */
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
-                            it sends (times the lobe's peak): a tenth of what counts as bright */
+                            it sends over `sent` (times the lobe's peak) */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
+    float   gap_;
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
-    float   gap_[2];
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
 } ssgi_gl_frame;
 
@@ -458,7 +460,8 @@ enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 typedef struct ssgi_gl_light {
     float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
     float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its
-                               normal. min_distance: clamp of the distance in 1/d^2 */
+                               normal. min_distance: clamp of the distance in 1/d^2; of a SUN with several maps
+                               (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective: 2 tan(angle/2) / texels */
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
@@ -473,6 +476,14 @@ typedef struct ssgi_gl_light {
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
+
+/* Sets frame->sent for surfels under lights (their rows; SPOT within its map; unshadowed) and sky, the mean radiance of
+   the environment: half of all radiance sent comes from surfels that send as much or more, in their largest component.
+   Unchanged where nothing is sent. surfels: colour as yet unshaded.
+     sky    [limit: >= 0, finite]; NULL = black */
+SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why);
 
 /* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by
    ssgi_gl_occluder_set. */
@@ -1637,25 +1648,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_shadow", __LINE__ + 1,
     "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
-    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map; bias\n"
-    "// returns that along the ray to the light, -1 where no map sees P [SSDO09 section 5, corrected]\n"
-    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float bias) {\n"
+    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
+    "// returns how far along the ray to the light the map sees what may be the plane itself or an occluder that\n"
+    "// the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
+    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
     "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
     "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
     "    bool flat_ = decode.w > 0.0;\n"
     "    vec2 t = floor(flat_ ? q.xy : q.xy / q.z);\n"
-    "    bias = -1.0;\n"
+    "    contact = -1.0;\n"
     "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
     "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
     "    float size = flat_ ? patch_ : patch_ * q.z;\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
     "    float b = size * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
-    "    bias = b * length_;\n"
     "    // plus the rounding of the map's depth and of P\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "    contact = max(q.z - slack - z, 0.0) * length_;\n"
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 { "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
@@ -1674,13 +1686,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
     "#endif\n"
     "#if shadow == MAP || shadow == FILL\n"
-    "        float bias;\n"
-    "        if (ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, bias) > 0.0) continue;\n"
-    "        if (bias < 0.0 && s.at.w > 1.5 && s.at.w < 2.5) continue;\n"
+    "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
+    "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
+    "        if (contact < 0.0 && (wider > 0 || (s.at.w > 1.5 && s.at.w < 2.5))) continue;\n"
+    "        i += wider;\n"
+    "        if (shadow > 0.0) continue;\n"
     "#endif\n"
     "#if shadow == FILL\n"
-    "        // a segment shorter than a pixel cannot find an occluder\n"
-    "        if (bias >= 0.0) reach = min(reach, max(bias, 1.5 * ssgi_footprint(-P.z)));\n"
+    "        // distances below a pixel are left to the map\n"
+    "        if (contact >= 0.0) reach = contact < ssgi_footprint(-P.z) ? 0.0 : min(reach, contact);\n"
     "#endif\n"
     "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
@@ -2080,7 +2094,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if effect == SPECULAR\n"
     "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe\n"
     "#endif\n"
-    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
+    "    most /= u_ssgi_epsilon * u_ssgi_sent;\n"
+    "    float reach = at.w * sqrt(max(most - 1.0, 0.0)), block = exp2(float(l));\n"
     "#else\n"
     "    float reach = at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
     "#endif\n"
@@ -2415,6 +2430,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
     SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
     SSGI_GL__P(near_depth, "float", "view units"),
+    SSGI_GL__P(sent, "float", "what counts as bright"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
     SSGI_GL__P(level, "ivec2", "texels of a level"),
@@ -3245,6 +3261,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
     f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
     f.near_depth = ssgi_view_near(view);
+    f.sent = 1.0f;
     f.epsilon = 0.1f;
     f.exponent = 32.0f;
     *frame = f;
@@ -3268,6 +3285,70 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     frame->keep_small = (float)desc->keep_small;
     memcpy(frame->level, size, sizeof size);
     if (mesh_to_view) memcpy(frame->mesh, mesh_to_view, sizeof frame->mesh);
+    return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why)
+{
+    enum { BINS = 256 };                            /* of what is sent, below the most */
+    const double octave = 8.0;
+    double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
+    int pass, b, c, k;
+    size_t i;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    if (!surfels && count) return ssgi_gl__bad(why, "surfels: must not be NULL when there are any");
+    if (!lights && light_count > 0) return ssgi_gl__bad(why, "lights: must not be NULL when there are any");
+    if (light_count < 0) return ssgi_gl__bad(why, "light_count: must be 0 or more");
+    for (c = 0; sky && c < 3; ++c)
+        if (!(sky[c] >= 0.0f && sky[c] < SSGI_FAR)) return ssgi_gl__bad(why, "sky: must be 0 or more and finite");
+    for (pass = 0; pass < 2; ++pass) {
+        for (i = 0; i < count; ++i) {
+            const ssgi_surfel *s = &surfels[i];
+            double light[3] = { 0 }, sent = 0.0;
+            for (c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
+            for (k = 0; k < light_count; ++k) {
+                const ssgi_gl_light *l = &lights[k];
+                const double least = (double)l->min_distance * (double)l->min_distance;
+                double to[3], d, g = 0.0, from = 0.0, q[3];
+                for (c = 0; c < 3; ++c) {
+                    to[c] = (double)l->at[c] - (l->kind > 0.5f ? (double)s->position[c] : 0.0);
+                    g += to[c] * (double)s->normal[c];
+                    from -= to[c] * (double)l->normal[c];
+                    q[c] = (double)l->map[c][3];
+                    for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
+                }
+                d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
+                if (l->kind < 0.5f && l->min_distance > 0.0f) continue;
+                if (!(d > 0.0) || !(g > 0.0)) continue;
+                if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
+                if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f
+                    && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
+                         && q[1] < q[2] * (double)l->tile[3]))
+                    continue;
+                g /= sqrt(d) * 3.14159265358979;
+                if (l->kind > 0.5f) g /= d > least ? d : least;
+                for (c = 0; c < 3; ++c) light[c] += g * (double)l->colour[c];
+            }
+            for (c = 0; c < 3; ++c) {
+                light[c] *= (double)s->colour[c];
+                sent = light[c] > sent ? light[c] : sent;
+            }
+            if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
+            if (!pass) { most = sent > most ? sent : most; continue; }
+            b = (int)(octave * log2(most / sent));
+            sent *= (double)s->radius * (double)s->radius;
+            sum[b < BINS ? b : BINS - 1] += sent;
+            all += sent;
+        }
+    }
+    for (b = 0; all > 0.0 && b < BINS; ++b) {
+        below += sum[b];
+        if (below < 0.5 * all) continue;
+        frame->sent = (float)(most * exp2(-(b + 1 - (below - 0.5 * all) / sum[b]) / octave));
+        break;
+    }
     return SSGI_OK;
 }
 

@@ -86,7 +86,7 @@ static int shrunk(kit_image *out, const kit_image *picture, const char *names, i
 
 /* ---- >>units: what a chart is made of ---------------------------------------------------------------------------- */
 
-enum { MOST_UNITS = 64 };
+enum { MOST_UNITS = 96 };
 static struct { uint64_t key; int all, count, measured; double begun; char now[32], path[MOST_UNITS][96]; } units;
 
 static uint64_t hashed_file(uint64_t h, const char *path)

@@ -33,7 +33,7 @@ static const char usage[] =
     "  --camera ex,ey,ez,tx,ty,tz  --up x,y,z  --near N  --far F  --size WxH\n"
     "  --fovy DEGREES | --ortho-height UNITS\n"
     "  --ground              a square under the mesh\n"
-    "  --env F.exr | F.hdr | sky | probe | white     radiance, latitude-longitude; lit methods\n"
+    "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "how\n"
@@ -44,7 +44,7 @@ static const char usage[] =
     "ERROR;\n"
     "                        BUDGET in 16-sample ssaos\n"
     "  --closed              closed solids only: a plan may take depth layers and extra cameras\n"
-    "  --truth RAYS          the ray-traced reference instead of a method\n"
+    "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n"
     "what comes out\n"
@@ -507,6 +507,27 @@ static int plan_it(job *j, kit_error *err)
     return 0;
 }
 
+/* Deep screen space, whose blockers and senders count whole within the radius. */
+static int trace_deep(job *j, kit_error *err)
+{
+    const kit_method *m = &j->method;
+    const kit_camera *camera = &j->gbuffer.camera;
+    const float radius = (float)j->radius;
+    ssgi_dipole dipole;
+    if (kit_method_value(m, "unit") > 0) {
+        const kit_material *of = kit_material_of((int)kit_method_value(m, "material"));
+        if (ssgi_dipole_set(&dipole, of->sigma_s, of->sigma_a, of->eta, NULL) != SSGI_OK)
+            return kit_fail(err, "--set material=%s: has no dipole", of->name);
+        return kit_truth_scatter(&j->r.picture, &j->scene, camera, &j->lighting, &dipole,
+                                 (float)kit_method_value(m, "unit"), 1000 * (size_t)j->o.truth, 1, err);
+    }
+    if (!strcmp(m->name, "dss-gloss"))
+        return kit_truth_gloss(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE,
+                               kit_method_value(m, "exponent"), j->o.truth, 1, err);
+    return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, radius, KIT_ATTENUATION_NONE, 1, j->o.truth,
+                         1, err);
+}
+
 static int trace(job *j, kit_error *err)
 {
     static const int falloffs[] = { KIT_ATTENUATION_LINEAR, KIT_ATTENUATION_SQUARE };
@@ -514,8 +535,10 @@ static int trace(job *j, kit_error *err)
     const kit_camera *camera = &j->gbuffer.camera;
     const int rays = j->o.truth, hard = kit_method_value(m, "hard") > 0;
     const int attenuation = hard ? KIT_ATTENUATION_NONE : falloffs[(int)kit_method_value(m, "falloff")];
+    if (rays && !strncmp(m->name, "dss-", 4)) return trace_deep(j, err);
     if (rays && j->r.lit) {
-        const int vpls = kit_method_value(m, "vpls") > 0, bounce = kit_method_value(m, "bounce") > 0 || vpls;
+        const int vpls = kit_method_value(m, "vpls") > 0,
+                  bounce = kit_method_value(m, "bounce") > 0 || kit_method_value(m, "indirect") > 0 || vpls;
         const int all = kit_method_value(m, "suns") > 0 || vpls;    /* these see as far as shadow maps do */
         return kit_truth_lit(&j->r.picture, &j->scene, camera, &j->lighting, all ? INFINITY : (float)j->radius,
                              all ? KIT_ATTENUATION_NONE : attenuation, bounce, rays, 1, err);

@@ -3,6 +3,7 @@
       build/report demo  [--out report] [--context egl] [--mesh M.obj]     pictures, tables and demo.html, in a minute
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
          chart*.svg and index.html, in 20 minutes, or 3
+      build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
       build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c, in 4 minutes
 
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
@@ -10,8 +11,8 @@
    measured: the same command goes on from there. Bad input, or a write that fails: one line on stderr, status 2.
 
    stage.c opens scenes, their truth, and measures; parts.c: pictures and tables that are kept; page.c: what is written
-   and how; lit.c, fields.c, deep.c, plan.c: what is shown of light, ambient occlusion fields, deep screen space, the
-   plan; peers.c: others' passes; costs.c: what choices cost in SPIR-V. */
+   and how; lit.c, pairs.c, fields.c, deep.c, plan.c: what is shown of light, ambient occlusion fields, deep screen
+   space, the plan; peers.c: others' passes; costs.c: what choices cost in SPIR-V. */
 #include "report.h"
 #include <math.h>
 #include <stdlib.h>
@@ -347,7 +348,7 @@ static int chart(const options *o, kit_error *err)
     if (check_asked(o, err)) return -1;
     if (o->quick) thrift = QUICK_THRIFT;
     units_begin(o, planned(ao_unit, all ? views_count : o->scenes, o)
-        + (all ? lit_units(o) + field_units(o) + deep_units(o) : 0));
+        + (all ? lit_units(o) + pair_units(o) + field_units(o) + deep_units(o) : 0));
     if (page_open(&html, err)) return -1;
     snprintf(about, sizeof about,
              "Raw output against ray-traced truth: no gain, no exponent fitted; linear attenuation where nothing else "
@@ -355,12 +356,13 @@ static int chart(const options *o, kit_error *err)
              kit_gl_name(), o->quick ? " The quick form: smaller pictures, fewer rays, fewer rows." : "");
     html_head(html.file, "ssgi: speed against accuracy", about);
     if (ao && ao_chart(html.file, o, mean, &count, &methods, err)) return -1;
-    if (all && (lit_chart(html.file, o, err) || field_chart(html.file, o, err)
+    if (all && (lit_chart(html.file, o, err) || pair_chart(html.file, o, err) || field_chart(html.file, o, err)
         || deep_chart(html.file, o, err))) return -1;
     if (all && !o->method && plan_chart(html.file, o, err)) return -1;
     if (all && !o->method && !o->quick && costs_chart(html.file, o->out, err)) return -1;
     const struct { const char *name; int rows; } csv[] = { { "chart.csv", ao },
-        { "chart-lit.csv", all && lit_units(o) }, { "chart-aof.csv", all && field_units(o) },
+        { "chart-lit.csv", all && lit_units(o) }, { "chart-pairs.csv", all && pair_units(o) },
+        { "chart-aof.csv", all && field_units(o) },
         { "chart-deep.csv", all && deep_units(o) } };
     html_terms(html.file);
     if (count > methods) peers_terms(html.file);
@@ -381,10 +383,30 @@ static int chart(const options *o, kit_error *err)
         if (count > methods) peers_verdict(stdout, mean, methods, count);
     }
     if (all) lit_chart_text(stdout);
+    if (all) pair_text(stdout, o);
     if (all) field_chart_text(stdout);
     if (all) deep_chart_text(stdout);
     if (all && !o->method) plan_text(stdout);
     printf("\ntime: relative to one unblurred 16-sample ssao, on %s\ncharts: %s/index.html\n", kit_gl_name(), o->out);
+    return 0;
+}
+
+/* Light on every pair alone: light.html. */
+static int light(const options *o, kit_error *err)
+{
+    page html;
+    if (o->quick) thrift = QUICK_THRIFT;
+    if (o->scenes) return kit_fail(err, "--scene: light shows pairs of all scenes and probes (--quick: few)");
+    if (check_asked(o, err)) return -1;
+    units_begin(o, pair_units(o));
+    if (page_open(&html, err)) return -1;
+    html_head(html.file, "ssgi: light on every pair", kit_gl_name());
+    if (pair_chart(html.file, o, err)) return -1;
+    html_terms(html.file);
+    if (page_close(&html, o->out, "light.html", err)) return -1;
+    units_end();
+    pair_text(stdout, o);
+    printf("\ntime: relative to one unblurred 16-sample ssao, on %s\npictures: %s/light.html\n", kit_gl_name(), o->out);
     return 0;
 }
 
@@ -423,16 +445,23 @@ int main(int argc, char **argv)
               "the truth\n"
               "       report chart [--out FOLDER] [--context ...] [--quick] [--scene NAME]... [--method NAME]     "
               "speed against accuracy\n"
+              "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
+              "light, every pair\n"
               "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n",
               stderr);
         return 2;
     }
-    is_chart = !strcmp(argv[1], "chart");
+    const int is_light = !strcmp(argv[1], "light");
+    is_chart = is_light || !strcmp(argv[1], "chart");
     const int is_fit = !strcmp(argv[1], "fit");
     if (!is_chart && !is_fit && strcmp(argv[1], "demo"))
-        kit_fail(&err, "%s: there is no such command (demo, chart, fit)", argv[1]);
+        kit_fail(&err, "%s: there is no such command (demo, chart, light, fit)", argv[1]);
     else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
-        && !(is_chart ? chart(&o, &err) : is_fit ? plan_fit(o.out, &err) : demo(&o, &err))) kit_streams_close(&err);
+        && !(is_light ? light(&o, &err)
+             : is_chart ? chart(&o, &err)
+             : is_fit   ? plan_fit(o.out, &err)
+                        : demo(&o, &err)))
+        kit_streams_close(&err);
     if (*err.text) {
         kit_progress("", 1);
         fprintf(stderr, "report: %s\n", err.text);

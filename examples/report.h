@@ -83,6 +83,8 @@ typedef struct stage {
 int folder(const char *path, kit_error *err);
 /* The truth's rays; every stride-th pixel. */
 int trace(kit_image *out, const stage *s, int rays, int stride, kit_error *err);
+/* The true ambient visibility (channel Y) of a stage that is lit. */
+int stage_visibility(kit_image *out, const stage *s, kit_error *err);
 int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err);
 /* Load: the scene and its light; what the scene is of may change until it is shown. Look: what is seen. Compare: its
    truth, and what else is shown beside it. Show: both; open: all three. */
@@ -137,7 +139,7 @@ int unit(FILE *html, const options *o, const char *kind, int k, measuring *measu
 int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const kit_image *pictures, int count,
            kit_error *err);
 
-/* ---- >>lit.c, fields.c, deep.c, plan.c: what is shown of each; _text: the same rows as text */
+/* ---- >>lit.c, pairs.c, fields.c, deep.c, plan.c: what is shown of each; _text: the same rows as text */
 
 int  lit_demo(FILE *html, const char *out, kit_error *err);
 void lit_demo_text(FILE *f);
@@ -147,6 +149,9 @@ void lit_chart_text(FILE *f);
 /* What rows' irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to
    phase. */
 int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err);
+int  pair_units(const options *o);
+int  pair_chart(FILE *html, const options *o, kit_error *err);
+void pair_text(FILE *f, const options *o);
 int  field_demo(FILE *html, const char *out, kit_error *err);
 void field_demo_text(FILE *f);
 int  field_units(const options *o);

@@ -137,6 +137,19 @@ static int truth_of(stage *s, kit_error *err)
     return 0;
 }
 
+int stage_visibility(kit_image *out, const stage *s, kit_error *err)
+{
+    stage dark = *s;
+    char *end = strrchr(dark.name, '-');            /* of a pair: one truth for all its probes */
+    if (end) *end = 0;
+    dark.lit = NULL;
+    dark.rays = RAYS;
+    memset(&dark.truth, 0, sizeof dark.truth);
+    if (truth_of(&dark, err)) return -1;
+    *out = dark.truth;
+    return 0;
+}
+
 int run_open(kit_run *run, stage *s, const char *method, const char *set, float radius, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };

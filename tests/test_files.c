@@ -952,12 +952,35 @@ static double facing(const kit_image *env, const float to[3], double *peak, doub
     return sum;
 }
 
+/* The share of the light that comes from a share of the sphere, the brightest. */
+static double brightest(const kit_image *env, double share)
+{
+    const size_t w = (size_t)env->width, texels = w * (size_t)env->height;
+    double low = 0, high = 1e6, found = 0;
+    for (int k = 0; k < 40; ++k) {
+        const double level = sqrt(fmax(low, 1e-6) * high);
+        double sum[2] = { 0 }, area = 0;
+        for (size_t i = 0; i < texels; ++i) {
+            const double of = sin(acos(-1) * ((double)(i / w) + 0.5) / env->height) * acos(-1) / 2 / (double)texels,
+                         v = (double)env->data[texels + i];
+            sum[0] += of * v;
+            if (v > level) { sum[1] += of * v; area += of; }
+        }
+        if (area > share) { low = level; continue; }
+        high = level;
+        found = sum[1] / sum[0];
+    }
+    return found;
+}
+
 static void environments(void)
 {
     static const struct {
         const char *name;
-        double up, least, most;
-    } built_in[] = { { "sky", 1.0103, 3, 6 }, { "probe", 1, 150, 300 }, { "white", 1, 1, 1 } };
+        double up, least, most, step, bright[2];    /* of the light, from a thousandth of the sphere: least, most */
+    } built_in[] = { { "sky", 1.0103, 3, 6, 0.45, { 0, 0.01 } },   { "probe", 1, 150, 300, 0.45, { 0.1, 0.3 } },
+                     { "windows", 1, 8, 14, 0.95, { 0, 0.02 } },   { "street", 1, 800, 2000, 0.95, { 0.75, 0.95 } },
+                     { "white", 1, 1, 1, 0.45, { 0, 0.002 } } };
     static const float up[3] = { 0, 1, 0 };
     kit_image env = { 0 };
     kit_error err = {{0}};
@@ -966,9 +989,13 @@ static void environments(void)
         if (!CHECK(!kit_env_read(&env, built_in[i].name, &err), "%s", err.text)) return;
         const double is = facing(&env, up, &peak, &step);
         CHECK(fabs(is - built_in[i].up) < 5e-4, "%s: irradiance over pi is %.4f facing up", built_in[i].name, is);
-        CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < 0.45 * peak, "%s: peak %g, steps of %g",
-              built_in[i].name, peak, step);
-        t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f", built_in[i].name, is, peak, step);
+        CHECK(peak >= built_in[i].least && peak <= built_in[i].most && step < built_in[i].step * peak,
+              "%s: peak %g, steps of %g", built_in[i].name, peak, step);
+        const double share = brightest(&env, 0.001);
+        CHECK(share >= built_in[i].bright[0] && share <= built_in[i].bright[1],
+              "%s: %.3f of the light from a thousandth of the sphere", built_in[i].name, share);
+        t_note("%s: %.4f facing up, peak %.1f, steps up to %.1f, %.3f of the light from a thousandth", built_in[i].name,
+               is, peak, step, share);
         kit_image_free(&env);
     }
     CHECK(kit_env_read(&env, "dusk", &err) == -1 && strstr(err.text, "dusk") && strstr(err.text, "probe"), "\"%s\"",

@@ -888,6 +888,12 @@ static void refusals(void)
           "a channel that there is not");
     REFUSED(ssgi_gl_surfels_set(NULL, &view, &d, 4, NULL, &why), "frame");
     REFUSED(ssgi_gl_surfels_set(&o.frame, &view, &d, 8, NULL, &why), "levels");
+    const float black[3] = { 0, 0, -1 };
+    REFUSED(ssgi_gl_sent_set(NULL, NULL, 0, NULL, 0, NULL, &why), "frame");
+    REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 1, NULL, 0, NULL, &why), "surfels");
+    REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 1, NULL, &why), "lights");
+    REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, -1, NULL, &why), "light_count");
+    REFUSED(ssgi_gl_sent_set(&o.frame, NULL, 0, NULL, 0, black, &why), "sky");
     REFUSED(ssgi_gl_dipole_set(&o.frame, NULL, 1, &why), "frame, dipole");
     REFUSED(ssgi_gl_dipole_set(&o.frame, &fine, 0, &why), "unit");
     /* small capacity: what fits, and the whole count */
@@ -1517,6 +1523,40 @@ static void against_truth(void)
     surface(&d);
 }
 
+/* The bounce of a point light, and of a lobe, by its intensity; of the sky by its brightness. */
+static void linear(void)
+{
+    static const struct { const char *method, *scene, *channel; int sky;
+    } row[] = { { "dss-lit", "cornell", "bounce.G", 0 },
+                { "dss-lit", "boxes", "bounce.G", 1 },
+                { "dss-gloss", "cornell", "irradiance.G", 0 } };
+    for (int m = 0; m < 3; ++m) {
+        double is[4] = { 0 };
+        for (int k = 0; k < 4; ++k) {
+            const double times = pow(10, k - 1);
+            char light[64];
+            kit_lighting l;
+            kit_image out;
+            deep d;
+            snprintf(light, sizeof light, "point:0,5,-2.8,%g,%g,%g", times, times, times);
+            if (!lighten(&l, row[m].sky ? "sky" : NULL, row[m].sky ? NULL : light)) return;
+            for (int i = 0; row[m].sky && i < 3 * l.env.width * l.env.height; ++i) l.env.data[i] *= (float)times;
+            if (!dive(&d, row[m].scene, NULL, 0, NULL, 64, 36, row[m].method, "size=0.1", 0.8f, &l)
+                || !drawn(&out, &d.run))
+                return;
+            is[k] = mean(&out, row[m].channel) / times;
+            kit_image_free(&out);
+            kit_image_free(&l.env);
+            surface(&d);
+        }
+        for (int k = 0; k < 4; ++k)
+            CHECK(is[0] > 0 && fabs(is[k] / is[0] - 1) < 0.02, "%s on %s under light of %g: %g a unit, of 0.1 %g",
+                  row[m].method, row[m].scene, pow(10, k - 1), is[k], is[0]);
+        t_note("%s on %s: %.3e %.3e %.3e %.3e a unit of light", row[m].method, row[m].scene, is[0], is[1], is[2],
+               is[3]);
+    }
+}
+
 void test_surfels(void)
 {
     RUN("points of all 64 levels are counted and placed as the tessellator does", points);
@@ -1544,6 +1584,7 @@ void test_surfels(void)
     RUN("overlap: shares of what is left", overlap);
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
+    RUN("a bounce is linear in its light, from 0.1 to 100", linear);
     RUN("occlusion, light and bounce against rays", against_truth);
     kit_gl_close();
 }

@@ -455,6 +455,73 @@ static void corner(void)
     kit_mesh_free(&scene.mesh);
 }
 
+/* Irradiance over pi (green) on the corner's floor or wall, at a distance from the other: every direction of a grid of
+   four cells a texel, dimmed by the other plane within radius 1. */
+static double corner_light(const kit_image *env, int floor_, double distance)
+{
+    double sum = 0;
+    for (int y = 0; y < 2 * env->height; ++y) {
+        const double area = acos(-1) * acos(-1) / env->width / env->height / 2
+                            * sin(acos(-1) * (y + 0.5) / (2 * env->height));
+        for (int x = 0; x < 2 * env->width; ++x) {
+            float d[3], rgb[3];
+            kit_env_direction(env, 0.5 * (x + 0.5), 0.5 * (y + 0.5), d);
+            const double up = (double)d[!!floor_], across = (double)d[!floor_], t = across < 0 ? distance / -across : 2;
+            if (up <= 0) continue;
+            kit_env_radiance(env, d, rgb);
+            sum += up * area * fmin(1, t) * (double)rgb[1];
+        }
+    }
+    return sum / acos(-1);
+}
+
+/* street: lamps, a ray each; windows: none are that bright. bounce 1: all by chance alone. */
+static void lit_corner(void)
+{
+    static const struct { const char *env; int rays, bounce; double noise;
+    } row[] = { { "street", 256, 0, 0.005 }, { "windows", 512, 0, 0.012 }, { "street", 4096, 1, 0.006 } };
+    static const float p[3] = { 0, 0, -50 }, x[3] = { 50, 0, 0 }, y[3] = { 0, 50, 0 }, z[3] = { 0, 0, 100 };
+    enum { WIDE = 6, HIGH = 4 };
+    kit_camera camera = { .eye = { 4, 3, 2 }, .target = { 0.5f, 0.5f, 0 }, .up = { 0, 1, 0 }, .ortho_height = 2.4f,
+                          .width = WIDE, .height = HIGH };
+    kit_scene scene = { 0 };
+    double expected[WIDE * HIGH], level = 0;
+    sheet(&scene.mesh, 1, p, z, x);
+    sheet(&scene.mesh, 1, p, y, z);
+    bounds(&scene.mesh);
+    scene.mesh.albedo = calloc(3 * scene.mesh.triangles, sizeof *scene.mesh.albedo);
+    for (int k = 0; k < 3; ++k) {
+        kit_lighting l = { .lights = 0 };
+        kit_image out;
+        kit_error err = { "" };
+        double off = 0, bias = 0;
+        if (!CHECK(!kit_env_read(&l.env, row[k].env, &err), "%s", err.text)) break;
+        level = 0;
+        for (int i = 0; i < WIDE * HIGH; ++i) {
+            float o[3], d[3];
+            double at[3];
+            kit_camera_ray(&camera, i % WIDE, i / WIDE, o, d);
+            const int plane = corner_hit(o, d, at);
+            expected[i] = corner_light(&l.env, plane == 1, at[plane == 1 ? 0 : 1]);
+            level += expected[i] / (WIDE * HIGH);
+        }
+        if (!CHECK(!kit_truth_lit(&out, &scene, &camera, &l, 1, KIT_ATTENUATION_LINEAR, row[k].bounce, row[k].rays, 1,
+                                  &err), "%s", err.text)) break;
+        const float *is = kit_image_channel(&out, "irradiance.G");
+        for (int i = 0; i < WIDE * HIGH; ++i) {
+            const double e = ((double)is[i] - expected[i]) / level;
+            off += e * e / (WIDE * HIGH);
+            bias += e / (WIDE * HIGH);
+        }
+        CHECK(sqrt(off) < row[k].noise && fabs(bias) < 0.4 * row[k].noise, "%s, %d rays: off by %.4f of the mean, bias "
+              "%+.4f", row[k].env, row[k].rays, sqrt(off), bias);
+        t_note("%s, %d rays: off by %.4f of the mean, bias %+.4f", row[k].env, row[k].rays, sqrt(off), bias);
+        kit_image_free(&out);
+        kit_image_free(&l.env);
+    }
+    kit_mesh_free(&scene.mesh);
+}
+
 static void ball_on_plane(void)
 {
     static const float p[3] = { -30, 0, -30 }, z[3] = { 0, 0, 60 }, x[3] = { 60, 0, 0 }, middle[3] = { 0, 1, 0 };
@@ -653,6 +720,7 @@ void test_trace(void)
     RUN("camera rays and matrices agree, in every depth layout", cameras);
     RUN("truth: a bare plane is exactly open", bare_plane);
     RUN("truth: a corner agrees with its closed form", corner);
+    RUN("truth: a corner under windows and under lamps of a few texels is what all directions sum to", lit_corner);
     RUN("truth: a ball on a plane agrees with its closed form", ball_on_plane);
     RUN("truth: the number of threads changes nothing, stride leaves pixels out", threads);
     RUN("boxes and blocks are closed solids with shadows at their feet", solids);

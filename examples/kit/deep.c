@@ -108,6 +108,19 @@ static int nearest_of(float *front, const kit_gbuffer *g, kit_error *err)
     return 0;
 }
 
+/* The environment's mean radiance. */
+static void mean_of(float sky[3], const kit_image *env)
+{
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    double sum[4] = { 0 };
+    for (size_t i = 0; i < texels; ++i) {
+        const double area = sin(3.14159265358979 * ((double)(i / (size_t)env->width) + 0.5) / env->height);
+        for (size_t c = 0; c < 3; ++c) sum[c] += area * (double)env->data[c * texels + i];
+        sum[3] += area;
+    }
+    for (int c = 0; c < 3; ++c) sky[c] = (float)(sum[c] / sum[3]);
+}
+
 int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
 {
     static const kit_lighting dark;
@@ -132,6 +145,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     ssgi_surfel *surfels = NULL;
     int patches[2], failed = 0, direct = 0, placed_count = 0;
     GLuint light = 0, bounce = 0;
+    ssgi_gl_light *rows = NULL;
     if (!scene)
         return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
                         m->method->name);
@@ -142,7 +156,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     if (kit_method_value(m->method, "near_depth") > 0 && nearest_of(&run->frame.near_depth, g, m->err)) return -1;
     splat.near_depth = run->frame.near_depth;
     if (lit) {
-        kit_sphere all, middle;
+        kit_sight seen;
         kit_placed_light *placed;
         kit_rotation_of(run->frame.rotation, picture, NULL);
         m->gather.environment = SSGI_GL_ENVIRONMENT_MAP;
@@ -150,13 +164,15 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         /* of surfels: what splats hide is seen all the same */
         if (!lighting->env.data || !(kit_method_value(m->method, "sky") > 0))
             m->gather.environment = SSGI_GL_ENVIRONMENT_NONE;
-        if (kit_seen(g, &all, &middle, m->err)) return -1;
-        placed = kit_placed_lights_new(m, &all, &placed_count, &direct);
+        if (kit_seen(g, &seen, m->err)) return -1;
+        placed = kit_placed_lights_new(m, &seen, &placed_count, &direct);
+        free(seen.point);
         if (!placed) return -1;
         failed = kit_add_atlas(m, placed, placed_count);
         m->rows[0] = failed ? 0
                             : kit_keep(run, direct ? kit_light_rows(placed, 0, direct, picture)
                                                    : kit_texture(8, 1, GL_RGBA32F, NULL));
+        rows = kit_lights_seen(placed, 0, direct, picture);
         free(placed);
         run->frame.lights = direct;
         m->gather.shadow = m->lights.shadow;
@@ -178,6 +194,12 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
                  || ssgi_surfels(surfels, pass ? run->surfels : 0, &run->surfels, &d, view, &source, &why) != SSGI_OK;
     }
     if (vertices && !failed) failed = ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK;
+    if (lit && !failed && vertices) {
+        float sky[3] = { 0, 0, 0 };
+        if (m->gather.environment) mean_of(sky, &lighting->env);
+        failed = !rows || ssgi_gl_sent_set(&run->frame, surfels, run->surfels, rows, direct, sky, &why) != SSGI_OK;
+    }
+    free(rows);
     if (!vertices || failed) {
         free(vertices);
         free(surfels);

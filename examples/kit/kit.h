@@ -210,8 +210,9 @@ typedef struct kit_lighting {
 } kit_lighting;
 
 /* Built in: "sky", a clear sky with a soft sun side, no sharp sun; "probe", a dim room with coloured windows and lamps
-   up to a thousand times as bright as it; "white", radiance 1 everywhere. Else an .exr or .hdr file with channels R, G,
-   B. Latitude-longitude, oriented as OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the
+   up to a thousand times as bright as it; "windows", a room by day; "street", a street at night whose lamps bring most
+   of the light from a thousandth of the sphere; "white", radiance 1 everywhere. Else an .exr or .hdr file with channels
+   R, G, B. Latitude-longitude, oriented as OpenEXR defines it: +y up, the picture's centre looks to +z, +x left of the
    centre; texels are areas, the first row reaches up to the pole. env gets channels R,G,B in this order; values that
    are not finite or below 0 become 0. */
 int  kit_env_read(kit_image *env, const char *name_or_path, kit_error *err);
@@ -273,7 +274,8 @@ int kit_truth_objects(kit_image *out, const kit_scene *scene, const kit_camera *
                         irradiance (as above, at the hit, on the side that is hit) with the attenuation's weight
    Primary rays, normals, stride, threads and limits as in kit_truth_ao. Half of the rays are cosine-weighted and also
    find the bounce, half seek the environment's light (without environment all are of the first kind); every hit that
-   bounces sends one of each and one to each light. lighting: env without data or as kit_env_read gives it (fewer than 3
+   bounces sends one of each and one to each light. Without bounce, texels of 50 times the environment's mean luminance,
+   up to 512, get a ray each beside those. lighting: env without data or as kit_env_read gives it (fewer than 3
    channels fail; values that are not finite or below 0 spoil the result). */
 int kit_truth_lit(kit_image *out, const kit_scene *scene, const kit_camera *camera, const kit_lighting *lighting,
                   float radius, int attenuation, int bounce, int rays, int stride, kit_error *err);

@@ -38,18 +38,22 @@ typedef struct kit_placed_light { ssgi_gl_light light; kit_camera camera; int ma
 
 int       kit_view_of(ssgi_view *view, const float projection[16], int depth, int width, int height, kit_error *err);
 void      kit_rotation_of(float rotation[12], const float a[16], const float b[16]);     /* a * transpose(b), as mat3 */
-/* all: the sphere that holds most of what the G-buffer shows, for shadow maps. middle: at the median depth in the
-   middle of the picture,
-   as wide as that, for extra cameras. In the world. */
-int       kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err);
+/* What the G-buffer shows, in the world. all: the sphere that holds most of it. middle: at the median depth in the
+   middle of the picture, as wide as that, for extra cameras. point: of every pixel, and its depth; for the caller to
+   free. */
+typedef struct kit_sight { kit_sphere all, middle; float (*point)[4]; size_t points; } kit_sight;
+int       kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err);
 /* Extra cameras: their G-buffers, their frames, their depths as one array. */
 int       kit_add_views(kit_making *m, const float picture[16], const kit_sphere *about);
 /* All lights of the world as placed: --light, the environment's suns, virtual point lights (which are not among
-   direct). NULL on failure. */
-kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct);
+   direct). A sun's maps, where it has any, cover all that is seen: --light's the near part of it, all of it, and the
+   whole scene, which extra cameras and surfels see. NULL on failure. */
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sight *seen, int *count, int *direct);
 /* their shadow maps, as tiles in their order */
 int       kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count);
-/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each. */
+/* Lamps first .. last - 1 as a camera has them, one row of t_ssgi_lights each: for the caller to free (NULL: no
+   memory), or as a texture. */
+ssgi_gl_light *kit_lights_seen(const kit_placed_light *placed, int first, int last, const float picture[16]);
 GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16]);
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */

@@ -78,6 +78,15 @@ static double glow_at(const glow *g, const float d[3])
     return t * t * (3 - 2 * t);
 }
 
+static void add_glows(double rgb[3], const float d[3], const glow *glows, size_t count, double unit)
+{
+    for (size_t i = 0; i < count; ++i) {
+        const double is = unit * glow_at(&glows[i], d);
+        for (int c = 0; c < 3 && is > 0; ++c) rgb[c] += is * glows[i].rgb[c];
+    }
+}
+#define GLOWS(table) table, sizeof (table) / sizeof (table)[0]
+
 /* In the spirit of Debevec's probe of Grace Cathedral: a dim, warm room; stained glass, blue and green to +x, amber to
    -x; a few lamps, warm to -x. The luminance of the irradiance over pi facing up is 1. */
 static void probe_radiance(const float d[3], double rgb[3])
@@ -91,14 +100,49 @@ static void probe_radiance(const float d[3], double rgb[3])
                                   { 24, 58, 3, 3, 2, { 105, 112, 118 } },     { 150, 14, 3, 3, 2, { 110, 64, 26 } } };
     const double t = 0.5 + 0.5 * (double)d[1], unit = 1 / 1.4387;
     for (int c = 0; c < 3; ++c) rgb[c] = unit * (low[c] + t * t * (high[c] - low[c]));
-    for (size_t i = 0; i < sizeof glows / sizeof glows[0]; ++i)
-        for (int c = 0; c < 3; ++c) rgb[c] += unit * glow_at(&glows[i], d) * glows[i].rgb[c];
+    add_glows(rgb, d, GLOWS(glows), unit);
+}
+
+/* A living room by day: walls and ceiling of a fortieth of the windows' radiance, three tall windows toward +x and a
+   wide one toward -x, a ceiling lamp, and the sun's patch on the floor. The luminance of the irradiance over pi facing
+   up is 1. */
+static void windows_radiance(const float d[3], double rgb[3])
+{
+    static const double low[3] = { 0.26, 0.19, 0.13 }, high[3] = { 0.62, 0.58, 0.52 };
+    static const glow glows[] = { { 64, 16, 8, 19, 8, { 9.0, 11.5, 15.0 } },  { 90, 16, 8, 19, 8, { 9.5, 12.0, 15.5 } },
+                                  { 116, 16, 8, 19, 8, { 9.0, 11.5, 15.0 } }, { -82, 12, 17, 11, 8, { 5.2, 4.6, 3.6 } },
+                                  { -128, -40, 11, 7, 6, { 7.5, 6.4, 4.6 } }, { 10, 74, 5, 5, 2, { 14, 10.5, 7 } } };
+    const double t = 0.5 + 0.5 * (double)d[1], unit = 1 / 1.21445;
+    for (int c = 0; c < 3; ++c) rgb[c] = unit * (low[c] + t * (high[c] - low[c]));
+    add_glows(rgb, d, GLOWS(glows), unit);
+}
+
+/* A street along z at night: a dark sky, facades to both sides with lit windows, and six lamps of a degree's half-angle
+   that bring nine tenths of the light from less than a thousandth of the sphere. The luminance of the irradiance over
+   pi facing up is 1. */
+static void street_radiance(const float d[3], double rgb[3])
+{
+    static const double sky[3] = { 0.016, 0.017, 0.026 }, haze[3] = { 0.13, 0.092, 0.058 },
+                        ground[3] = { 0.11, 0.078, 0.045 };
+    static const glow glows[] = { { 14, 34, 1, 1, 2, { 2100, 1350, 560 } },   { -22, 21, 1, 1, 2, { 1100, 700, 280 } },
+                                  { 58, 52, 1, 1, 2, { 1500, 1500, 1380 } },  { -74, 40, 1, 1, 2, { 2400, 1500, 600 } },
+                                  { 142, 28, 1, 1, 2, { 1300, 830, 340 } },   { -158, 24, 1, 1, 2, { 900, 980, 1080 } },
+                                  { 84, 10, 2.5, 3.5, 8, { 3.2, 2.3, 1.1 } }, { 101, 22, 2.5, 3.5, 8, { 2.4, 1.7, 1 } },
+                                  { 70, 30, 2.2, 3, 8, { 1.2, 1.4, 1.9 } },   { -96, 12, 2.5, 3.5, 8, { 3, 2.2, 1 } },
+                                  { -110, 26, 2.2, 3, 8, { 2, 1.5, 0.7 } },   { -64, 3, 9, 2.5, 8, { 5, 0.9, 2.6 } } };
+    const double unit = 1 / 1.31662, up = (double)d[1], side = fabs((double)d[0]);
+    const double low = exp2(-fmax(0, up) / 0.08), t = fmin(1, fmax(0, 0.5 + up / 0.04));
+    const int    facade = up > 0 && up < 0.62 * side * side;
+    for (int c = 0; c < 3; ++c)
+        rgb[c] = unit * (ground[c] + t * ((facade ? haze[c] : sky[c] + low * (haze[c] - sky[c])) - ground[c]));
+    add_glows(rgb, d, GLOWS(glows), unit);
 }
 
 static const struct {
     const char *name;
     void (*radiance)(const float d[3], double rgb[3]);
-} built_in[] = { { "sky", sky_radiance }, { "probe", probe_radiance }, { "white", white_radiance } };
+} built_in[] = { { "sky", sky_radiance },         { "probe", probe_radiance },   { "windows", windows_radiance },
+                 { "street", street_radiance }, { "white", white_radiance } };
 
 static int drawn(kit_image *env, void (*radiance)(const float d[3], double rgb[3]), kit_error *err)
 {
@@ -151,7 +195,7 @@ int kit_env_read(kit_image *env, const char *path, kit_error *err)
     for (size_t i = 0; i < sizeof built_in / sizeof built_in[0]; ++i)
         if (!strcmp(path, built_in[i].name)) return drawn(env, built_in[i].radiance, err);
     if (!dot || (strcasecmp(dot, ".exr") && strcasecmp(dot, ".hdr")))
-        return kit_fail(err, "environment %s: must be sky, probe, white or end in .exr or .hdr", path);
+        return kit_fail(err, "environment %s: must be sky, probe, windows, street, white or end in .exr or .hdr", path);
     if ((strcasecmp(dot, ".exr") ? kit_hdr_read : kit_exr_read)(&file, path, err)) return -1;
     for (int c = 0; c < 3 && !failed; ++c)
         if (!kit_image_channel(&file, names[c])) failed = kit_fail(err, "%s: has no channel %s", path, names[c]);

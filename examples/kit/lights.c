@@ -75,28 +75,39 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-int kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_error *err)
+int kit_seen(const kit_gbuffer *g, kit_sight *seen, kit_error *err)
 {
-    kit_image frame;
     const kit_camera *c = &g->camera;
+    kit_image frame;
     const float *z;
-    float *depths, at[3];
+    float *depths;
     double sum[4] = { 0, 0, 0, 0 }, squares = 0, median = 1;
     int count = 0;
+    memset(seen, 0, sizeof *seen);
     if (kit_gbuffer_read(&frame, g, err)) return -1;
     depths = malloc((size_t)(frame.width * frame.height + 1) * sizeof *depths);
-    if (!depths) { kit_image_free(&frame); return kit_fail(err, "out of memory"); }
+    seen->point = malloc(((size_t)(frame.width * frame.height) + 1) * sizeof *seen->point);
+    if (!depths || !seen->point) {
+        free(depths);
+        free(seen->point);
+        seen->point = NULL;
+        kit_image_free(&frame);
+        return kit_fail(err, "out of memory");
+    }
     z = kit_image_channel(&frame, "Z");
-    for (int i = 0; i < frame.width * frame.height; i += 7) {
+    for (int i = 0; i < frame.width * frame.height; ++i) {
         const int x = i % frame.width, y = i / frame.width;
+        float *at = seen->point[seen->points];
         if (!(z[i] > 0)) continue;
         kit_camera_point(c, x, y, (double)z[i], at);
+        at[3] = z[i];
+        ++seen->points;
         for (int k = 0; k < 3; ++k) {
             sum[k] += (double)at[k];
             squares += (double)at[k] * (double)at[k];
         }
         sum[3] += 1;
-        if (abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2)
+        if (i % 7 == 0 && abs(2 * x - frame.width) < frame.width / 2 && abs(2 * y - frame.height) < frame.height / 2)
             depths[count++] = z[i];
     }
     if (count) {
@@ -108,13 +119,14 @@ int kit_seen(const kit_gbuffer *g, kit_sphere *all, kit_sphere *middle, kit_erro
     if (!(sum[3] > 0)) sum[3] = 1;
     squares /= sum[3];
     for (int k = 0; k < 3; ++k) {
-        all->centre[k] = (float)(sum[k] / sum[3]);
+        seen->all.centre[k] = (float)(sum[k] / sum[3]);
         squares -= sum[k] / sum[3] * (sum[k] / sum[3]);
     }
-    kit_camera_point(c, c->width / 2, c->height / 2, median, middle->centre);
-    all->radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
-    middle->radius = (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height)
-                     * fmaxf(1, (float)c->width / (float)c->height);
+    kit_camera_point(c, c->width / 2, c->height / 2, median, seen->middle.centre);
+    seen->all.radius = (float)(1.8 * sqrt(squares > 0 ? squares : 0)) + 1e-6f;
+    seen->middle.radius =
+        (float)(c->fovy > 0 ? median * tan((double)c->fovy * PI / 360) : 0.5 * (double)c->ortho_height)
+        * fmaxf(1, (float)c->width / (float)c->height);
     return 0;
 }
 
@@ -213,32 +225,79 @@ static void look(kit_camera *c, const float eye[3], const float along[3], float 
     c->width = c->height = size;
 }
 
-/* A sun's map looks at the sphere of what is seen, from beyond all that could shadow it. */
-static kit_placed_light sun(const float at[3], const float colour[3], const kit_scene *scene, const kit_sphere *all,
-                            int size)
+/* Widens a rectangle across the light, lower x, y, then upper, by a point. */
+static void widen(float rectangle[4], const float axes[16], const float p[3])
 {
-    kit_placed_light l;
-    float eye[3], along[3], nearest = 1e30f, farthest = -1e30f;
-    memset(&l, 0, sizeof l);
-    memcpy(l.light.at, at, sizeof l.light.at);
-    memcpy(l.light.colour, colour, sizeof l.light.colour);
-    l.light.kind = SSGI_GL_SUN;
-    if (!scene) return l;
-    for (int i = 0; i < 8; ++i) {
-        float t = 0;
-        for (int k = 0; k < 3; ++k)
-            t += ((i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k]) - all->centre[k]) * at[k];
+    for (int k = 0; k < 2; ++k) {
+        const float at = axes[k] * p[0] + axes[4 + k] * p[1] + axes[8 + k] * p[2];
+        rectangle[k] = fminf(rectangle[k], at);
+        rectangle[2 + k] = fmaxf(rectangle[2 + k], at);
+    }
+}
+
+/* A sun, and its maps as so many rows, fine ones first: of what is seen before the geometric mean of its depths, of all
+   that is seen, of the whole scene (most: 3; 1: of all that is seen alone); those are left out whose next is hardly
+   wider. They look from beyond all that could shadow. How many. */
+static int sun(kit_placed_light *out, const float at[3], const float colour[3], const kit_scene *scene,
+               const kit_sight *seen, int most, int size)
+{
+    enum { NEAR, SEEN, WHOLE, PARTS };
+    static const float origin[3];
+    float axes[16], projection[16], part[PARTS][4], along[3];
+    float nearest = 1e30f, farthest = -1e30f, least = 1e30f, last = 0;
+    kit_camera c;
+    int count = 0, rows = 0, kept[PARTS];
+    memset(out, 0, (size_t)most * sizeof *out);
+    for (int k = 0; k < 3; ++k) along[k] = -at[k];
+    look(&c, origin, along, 0, 1, 0.1f, 1, size);
+    kit_camera_matrices(&c, axes, projection);
+    for (int k = 0; k < PARTS; ++k) for (int i = 0; i < 4; ++i) part[k][i] = i < 2 ? 1e30f : -1e30f;
+    for (size_t i = 0; i < seen->points; ++i) {
+        least = fminf(least, seen->point[i][3]);
+        last = fmaxf(last, seen->point[i][3]);
+    }
+    for (size_t i = 0; i < seen->points; ++i) {
+        widen(part[SEEN], axes, seen->point[i]);
+        if (seen->point[i][3] <= sqrtf(least) * sqrtf(last)) widen(part[NEAR], axes, seen->point[i]);
+    }
+    for (int i = 0; scene && i < 8; ++i) {
+        float corner[3], t = 0;
+        for (int k = 0; k < 3; ++k) {
+            corner[k] = i >> k & 1 ? scene->mesh.upper[k] : scene->mesh.lower[k];
+            t += corner[k] * at[k];
+        }
+        widen(part[WHOLE], axes, corner);
         nearest = fminf(nearest, t);
         farthest = fmaxf(farthest, t);
     }
+    for (int k = most > 1 ? WHOLE : SEEN; scene && k >= (most > 1 ? NEAR : SEEN); --k) {      /* wide ones first */
+        const float *p = part[k], *q = count ? part[kept[count - 1]] : p;
+        const float side = fmaxf(p[2] - p[0], p[3] - p[1]), next = fmaxf(q[2] - q[0], q[3] - q[1]);
+        if (!(side > 0) && k < WHOLE) continue;
+        if (!count || 1.25f * side < next) kept[count++] = k;
+    }
     const float margin = 0.01f * (farthest - nearest) + 1e-6f;
-    for (int k = 0; k < 3; ++k) { eye[k] = all->centre[k] + at[k] * (farthest + 2 * margin); along[k] = -at[k]; }
-    look(&l.camera, eye, along, 0, 2 * all->radius, margin, farthest - nearest + 3 * margin, size);
-    l.mapped = 1;
-    return l;
+    for (; count > 0; --count) {                    /* rows: fine ones first */
+        const float *p = part[kept[count - 1]];
+        kit_placed_light *l = &out[rows++];
+        const float across = 0.5f * (p[0] + p[2]), up = 0.5f * (p[1] + p[3]), away = farthest + 2 * margin;
+        float eye[3];
+        for (int k = 0; k < 3; ++k) eye[k] = axes[4 * k] * across + axes[4 * k + 1] * up + at[k] * away;
+        look(&l->camera, eye, along, 0, 1.01f * fmaxf(p[2] - p[0], p[3] - p[1]) + 1e-6f, margin,
+             farthest - nearest + 3 * margin, size);
+        l->mapped = 1;
+        l->light.min_distance = (float)(count - 1);
+    }
+    if (!rows) rows = 1;
+    for (int i = 0; i < rows; ++i) {
+        memcpy(out[i].light.at, at, sizeof out[i].light.at);
+        memcpy(out[i].light.colour, colour, sizeof out[i].light.colour);
+        out[i].light.kind = SSGI_GL_SUN;
+    }
+    return rows;
 }
 
-kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, int *count, int *direct)
+kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sight *seen, int *count, int *direct)
 {
     static const float face[6][3] = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
     const kit_lighting *lighting = m->world->lighting;
@@ -255,14 +314,14 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
     for (int k = 0; scene && k < 3; ++k) extent += scene->mesh.upper[k] - scene->mesh.lower[k];
     for (int i = 0; i < lighting->lights; ++i) {
         const kit_light *w = &lighting->light[i];
-        if (w->kind == KIT_SUN) placed[n++] = sun(w->at, w->colour, mapped ? scene : NULL, all, size);
+        if (w->kind == KIT_SUN) n += sun(&placed[n], w->at, w->colour, mapped ? scene : NULL, seen, 3, size);
         for (int f = 0; w->kind == KIT_POINT && f < (mapped ? 6 : 1); ++f) {
             kit_placed_light *l = &placed[n++];
             memcpy(l->light.at, w->at, sizeof l->light.at);
             memcpy(l->light.colour, w->colour, sizeof l->light.colour);
             l->light.kind = mapped ? SSGI_GL_SPOT : SSGI_GL_POINT;
             l->mapped = mapped;
-            look(&l->camera, w->at, face[f], 90, 0, 1e-3f * all->radius, extent, size);
+            look(&l->camera, w->at, face[f], 90, 0, 1e-3f * seen->all.radius, extent, size);
         }
     }
     if (suns && lighting->env.data) {
@@ -276,7 +335,7 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
             return NULL;
         }
         for (int i = 0; i < suns; ++i)
-            placed[n++] = sun(found[i].direction, found[i].irradiance, mapped ? scene : NULL, all, size);
+            n += sun(&placed[n], found[i].direction, found[i].irradiance, mapped ? scene : NULL, seen, 1, size);
         free(found);
     }
     *direct = n;
@@ -309,7 +368,7 @@ kit_placed_light *kit_placed_lights_new(kit_making *m, const kit_sphere *all, in
             l->light.kind = SSGI_GL_VPL;
             l->light.min_distance = m->run->frame.radius;
             l->mapped = mapped;
-            look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * all->radius, extent, size);
+            look(&l->camera, found[i].position, found[i].normal, 150, 0, 2e-3f * seen->all.radius, extent, size);
         }
         free(found);
     }
@@ -337,12 +396,11 @@ int kit_add_atlas(kit_making *m, const kit_placed_light *placed, int count)
     return mapped && !m->run->atlas ? -1 : 0;
 }
 
-GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
+ssgi_gl_light *kit_lights_seen(const kit_placed_light *placed, int first, int last, const float picture[16])
 {
     const int size = first < last ? placed[first].camera.width : 1,
               columns = size ? (8192 / size < last ? 8192 / size : last) : 1;
-    ssgi_gl_light *rows = malloc((size_t)(last - first) * sizeof *rows);
-    GLuint texture;
+    ssgi_gl_light *rows = malloc((size_t)(last - first + 1) * sizeof *rows);
     for (int i = first; rows && i < last; ++i) {
         ssgi_gl_light *l = &rows[i - first];
         *l = placed[i].light;
@@ -362,7 +420,13 @@ GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const
             ssgi_gl_light_map(l, &decoded, i % columns * size, i / columns * size, picture, view, NULL);
         }
     }
-    texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
+    return rows;
+}
+
+GLuint kit_light_rows(const kit_placed_light *placed, int first, int last, const float picture[16])
+{
+    ssgi_gl_light *rows = kit_lights_seen(placed, first, last, picture);
+    const GLuint texture = rows ? kit_texture(8, last - first, GL_RGBA32F, &rows[0].at[0]) : 0;
     free(rows);
     return texture;
 }
@@ -622,8 +686,11 @@ int kit_open_lit(kit_making *m, const float picture[16])
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { m->world->scene, lighting };
     int count = 0, direct = 0, failed;
-    kit_sphere all, middle;
+    kit_sight seen;
     kit_placed_light *placed;
+    if (s3ho && indirect && g->direct)
+        return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
+                                "left out: take ssdo, or --set indirect=none", m->method->name);
     m->world = &world;
     m->blur.colour = SSGI_GL_COLOUR;
     if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
@@ -631,8 +698,9 @@ int kit_open_lit(kit_making *m, const float picture[16])
                                                         : SSGI_GL_ENVIRONMENT_NONE;
     if (lighting->env.data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
-    if (kit_seen(g, &all, &middle, m->err)) return -1;
-    placed = kit_placed_lights_new(m, &all, &count, &direct);
+    if (kit_seen(g, &seen, m->err)) return -1;
+    placed = kit_placed_lights_new(m, &seen, &count, &direct);
+    free(seen.point);
     if (!placed) return -1;
     if (s3ho) {
         int lobes = harmonics ? direct : 0;
@@ -642,7 +710,7 @@ int kit_open_lit(kit_making *m, const float picture[16])
     }
     ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
-    failed = add_sources(m, placed, direct, count, picture, &middle);
+    failed = add_sources(m, placed, direct, count, picture, &seen.middle);
     if (!failed && !g->albedo) add_grey(m);
     failed = failed || (bounce && add_hidden(m))
           || (s3ho ? add_harmonic_light(m, indirect, harmonics, &run->light, &run->bounce)

@@ -399,8 +399,9 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
         failed = kit_open_deep(m, &view, picture);
     } else {
         kit_pass *p;
-        kit_sphere all, middle;
-        failed = m->gather.views && (kit_seen(g, &all, &middle, m->err) || kit_add_views(m, picture, &middle));
+        kit_sight seen = { .point = NULL };
+        failed = m->gather.views && (kit_seen(g, &seen, m->err) || kit_add_views(m, picture, &seen.middle));
+        free(seen.point);
         p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
         failed = !p;
         if (p) run->light = p->target[0];

@@ -369,7 +369,11 @@ struct truth {
     float               background;
     const kit_lighting *lighting;
     int                 bounce;
+    const kit_image    *env;                    /* the lighting's, or what its lamps leave of it */
     float              *env_row, *env_column;   /* see env_begin; NULL = no environment */
+    int                 env_cells[2];           /* columns, rows */
+    struct lamp        *lamp;                   /* see lamps_begin */
+    int                 lamps;
     double              exponent;   /* of the lobe */
     const struct scattering *within;
 };
@@ -488,36 +492,97 @@ static double pick(const float *cdf, int n, float u)        /* where the running
     return low + fmin((double)(u - cdf[low]) / (double)(cdf[high] - cdf[low]), 0.999999);
 }
 
-/* A texel is picked by the mean luminance that bilinear look-ups find in it (the midpoints of its quarters tell
-   exactly), times its solid angle. */
+/* A texel that outshines the rest: bilinear look-ups make it a hat over the texels around, and the rest of the map is
+   what it would be with this texel black. */
+typedef struct lamp { int x, y; float rgb[3]; } lamp;
+enum { MOST_LAMPS = 512 };
+static const double LAMP = 50;                  /* times the mean luminance */
+
+static double luminance_of(const kit_image *env, size_t i)
+{
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    return 0.2126 * (double)env->data[i] + 0.7152 * (double)env->data[texels + i]
+           + 0.0722 * (double)env->data[2 * texels + i];
+}
+
+/* Takes the lamps, MOST_LAMPS of the brightest, out of the environment: each gets a ray from every place, so that what
+   they bring is noisy only where they are half hidden. The rows at the poles have none: there hats are wider. */
+static int lamps_begin(truth *job, kit_image *rest, kit_error *err)
+{
+    const kit_image *env = &job->lighting->env;
+    const size_t texels = (size_t)env->width * (size_t)env->height;
+    double mean = 0, least = 0, weight = 0;
+    for (int y = 0; y < env->height; ++y) {
+        const double area = sin(pi * (y + 0.5) / env->height);
+        for (int x = 0; x < env->width; ++x, weight += area)
+            mean += area * luminance_of(env, (size_t)y * (size_t)env->width + (size_t)x);
+    }
+    for (least = LAMP * mean / weight;; least *= 1.25) {
+        job->lamps = 0;
+        for (size_t i = (size_t)env->width; i < texels - (size_t)env->width; ++i)
+            job->lamps += luminance_of(env, i) > least;
+        if (job->lamps <= MOST_LAMPS) break;
+    }
+    if (!job->lamps || !isfinite(mean)) { job->lamps = 0; return 0; }
+    job->lamp = malloc((size_t)job->lamps * sizeof *job->lamp);
+    if (!job->lamp || kit_image_new(rest, env->width, env->height, "R,G,B", err))
+        return kit_fail(err, "truth: no memory for an environment of %d x %d", env->width, env->height);
+    memcpy(rest->data, env->data, 3 * texels * sizeof *rest->data);
+    job->lamps = 0;
+    for (size_t i = (size_t)env->width; i < texels - (size_t)env->width; ++i) {
+        if (!(luminance_of(env, i) > least)) continue;
+        lamp *l = &job->lamp[job->lamps++];
+        l->x = (int)(i % (size_t)env->width);
+        l->y = (int)(i / (size_t)env->width);
+        for (size_t c = 0; c < 3; ++c) {
+            l->rgb[c] = env->data[c * texels + i];
+            rest->data[c * texels + i] = 0;
+        }
+    }
+    job->env = rest;
+    return 0;
+}
+
+/* Directions are picked by cells of a texel or of a part of one: by the mean luminance that bilinear look-ups find in
+   it (the midpoint of a part tells exactly, those of a texel's quarters as well), times its solid angle. Small cells
+   follow a light of a few texels, within which radiance varies as much as over the sphere. */
+enum { ENV_CELLS = 1 << 21, ENV_PARTS = 4 };
+
 static void env_build_row(void *context, int y)
 {
     const truth *job = context;
-    const kit_image *env = &job->lighting->env;
-    float *column = job->env_column + (size_t)y * ((size_t)env->width + 1);
-    for (int x = 0; x < env->width; ++x) {
+    const kit_image *env = job->env;
+    const int *cells = job->env_cells, parts = cells[0] / env->width, quarters = parts > 1 ? 1 : 4;
+    float *column = job->env_column + (size_t)y * ((size_t)cells[0] + 1);
+    for (int x = 0; x < cells[0]; ++x) {
         column[x + 1] = 0;
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < quarters; ++k) {
+            const double across = quarters > 1 ? 0.25 + 0.5 * (k & 1) : 0.5,
+                         down = quarters > 1 ? 0.25 + 0.5 * (k >> 1) : 0.5;
             float d[3], rgb[3];
-            kit_env_direction(env, x + 0.25 + 0.5 * (k & 1), y + 0.25 + 0.5 * (k >> 1), d);
+            kit_env_direction(env, (x + across) / parts, (y + down) / parts, d);
             kit_env_radiance(env, d, rgb);
-            column[x + 1] += 0.25f * (0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]);
+            column[x + 1] += (0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]) / (float)quarters;
         }
     }
-    job->env_row[y + 1] = (float)(accumulate(column, env->width) * sin(pi * (y + 0.5) / env->height));
+    job->env_row[y + 1] = (float)(accumulate(column, cells[0]) * sin(pi * (y + 0.5) / cells[1]));
 }
 
-/* Running sums: over the rows of the environment, and along each of them. A black one is none. */
+/* Running sums: over the rows of cells of the environment, and along each of them. A black one is none. */
 static int env_begin(truth *job, kit_error *err)
 {
-    const kit_image *env = &job->lighting->env;
+    const kit_image *env = job->env;
+    int parts = ENV_PARTS;
     if (!env->data) return 0;
-    job->env_row = malloc(((size_t)env->height + 1) * sizeof(float));
-    job->env_column = malloc((size_t)env->height * ((size_t)env->width + 1) * sizeof(float));
+    while (parts > 1 && (size_t)env->width * (size_t)env->height * (size_t)(parts * parts) > ENV_CELLS) parts /= 2;
+    job->env_cells[0] = parts * env->width;
+    job->env_cells[1] = parts * env->height;
+    job->env_row = malloc(((size_t)job->env_cells[1] + 1) * sizeof(float));
+    job->env_column = malloc((size_t)job->env_cells[1] * ((size_t)job->env_cells[0] + 1) * sizeof(float));
     if (!job->env_row || !job->env_column)
         return kit_fail(err, "truth: no memory for an environment of %d x %d", env->width, env->height);
-    kit_parallel(NULL, env->height, env_build_row, job);
-    if (!(accumulate(job->env_row, env->height) > 0)) {
+    kit_parallel(NULL, job->env_cells[1], env_build_row, job);
+    if (!(accumulate(job->env_row, job->env_cells[1]) > 0)) {
         free(job->env_row);
         job->env_row = NULL;
     }
@@ -526,26 +591,48 @@ static int env_begin(truth *job, kit_error *err)
 
 static void env_direction(const truth *job, const float at[2], float d[3])
 {
-    const kit_image *env = &job->lighting->env;
-    const double y = pick(job->env_row, env->height, at[1]);
-    kit_env_direction(env, pick(job->env_column + (size_t)y * ((size_t)env->width + 1), env->width, at[0]), y, d);
+    const kit_image *env = job->env;
+    const int *cells = job->env_cells, parts = cells[0] / env->width;
+    const double y = pick(job->env_row, cells[1], at[1]);
+    const float *column = job->env_column + (size_t)y * ((size_t)cells[0] + 1);
+    kit_env_direction(env, pick(column, cells[0], at[0]) / parts, y / parts, d);
 }
 
 static double env_density(const truth *job, const float d[3])       /* of env_direction, per unit of solid angle */
 {
-    const kit_image *env = &job->lighting->env;
+    const kit_image *env = job->env;
+    const int *cells = job->env_cells, parts = cells[0] / env->width;
     double at[2];
     kit_env_place(env, d, at);
-    const size_t x = (size_t)fmin(at[0], env->width - 1), y = (size_t)fmin(at[1], env->height - 1);
-    const float *row = job->env_row + y, *column = job->env_column + y * ((size_t)env->width + 1) + x;
+    const size_t x = (size_t)fmin(at[0] * parts, cells[0] - 1), y = (size_t)fmin(at[1] * parts, cells[1] - 1);
+    const float *row = job->env_row + y, *column = job->env_column + y * ((size_t)cells[0] + 1) + x;
     const double share = (double)(row[1] - row[0]) * (double)(column[1] - column[0]),
                  flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
-    return share * env->width * env->height / (2 * pi * pi * fmax(flat, 1e-9));
+    return share * cells[0] * cells[1] / (2 * pi * pi * fmax(flat, 1e-9));
 }
 
 static double facing(const float n[3], const float d[3])
 {
     return (double)n[0] * (double)d[0] + (double)n[1] * (double)d[1] + (double)n[2] * (double)d[2];
+}
+
+static double hat(float u) { return u < 0.5f ? sqrt(2 * (double)u) - 1 : 1 - sqrt(2 - 2 * (double)u); }
+
+/* What the lamps bring, a ray to each, by chance within its hat. */
+static void add_lamps(const truth *job, const place *at, uint32_t seed, double sum[3])
+{
+    const double texel = 2 * pi / job->env->width * pi / job->env->height;
+    for (uint32_t i = 0; i < (uint32_t)job->lamps; ++i) {
+        const lamp *l = &job->lamp[i];
+        float u[2], d[3];
+        ambient_point(&job->ambient, i & job->ambient.mask, seed, u);
+        kit_env_direction(job->env, l->x + 0.5 + hat(u[0]), l->y + 0.5 + hat(u[1]), d);
+        const double cosine = facing(at->n, d) / pi,
+                     flat = sqrt((double)d[0] * (double)d[0] + (double)d[2] * (double)d[2]);
+        if (!(cosine > 0)) continue;
+        const double weight = (1 - blocked(&job->ambient, at->origin, d, NULL)) * cosine * texel * flat;
+        for (int c = 0; c < 3; ++c) sum[c] += weight * (double)l->rgb[c];
+    }
 }
 
 /* One direction's share of the environment's irradiance over pi, where strategies cosine and env take rays[0] and
@@ -557,7 +644,7 @@ static void add_env(const truth *job, const float n[3], const float d[3], double
     const double cosine = facing(n, d) / pi;
     float rgb[3];
     if (!job->env_row || !(cosine > 0)) return;
-    kit_env_radiance(&job->lighting->env, d, rgb);
+    kit_env_radiance(job->env, d, rgb);
     const double weight = visible * cosine / (rays[0] * cosine + rays[1] * env_density(job, d));
     for (int c = 0; c < 3; ++c) sum[c] += weight * (double)rgb[c];
 }
@@ -621,6 +708,7 @@ static void lit_pixel(const truth *job, uint32_t pixel, const place *at, float *
               rays[2] = { job->env_row || job->bounce ? job->ambient.rays - by_env : 0, by_env };
     double irradiance[3] = { 0 }, bounce[3] = { 0 };
     gather(job, at, hash(pixel), 0, rays, irradiance, job->bounce ? bounce : NULL);
+    add_lamps(job, at, hash(pixel ^ 0x165667b1u), irradiance);
     for (int c = 0; c < 3; ++c) {
         value[c] = (float)((double)at->albedo[c] * (irradiance[c] + bounce[c]));
         value[3 + c] = (float)irradiance[c];
@@ -637,10 +725,15 @@ static int lit_run(truth *job, kit_image *out, const kit_scene *scene, const kit
         return kit_fail(err, "truth: %d lights: must be 0..%d", lighting->lights, KIT_MAX_LIGHTS);
     if (lighting->env.data && lighting->env.channels < 3)
         return kit_fail(err, "truth: the environment has %d channels: must have 3", lighting->env.channels);
-    const int failed = env_begin(job, err)
+    kit_image rest = { 0 };
+    job->env = &lighting->env;
+    const int failed = (job->pixel == lit_pixel && !job->bounce && lighting->env.data && lamps_begin(job, &rest, err))
+                       || env_begin(job, err)
                        || truth_run(job, out, KIT_LIT_CHANNELS, scene, camera, radius, attenuation, rays, stride, err);
     free(job->env_row);
     free(job->env_column);
+    free(job->lamp);
+    kit_image_free(&rest);
     return failed ? -1 : 0;
 }
 
