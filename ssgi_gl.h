@@ -314,8 +314,9 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest of desc stays. s3ho becomes shaded and exact; ssdo without an environment gets MAP; a bounce is yours to
-   add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays as it is. */
+   the rest of desc stays. ssdo and s3ho have POINTS; s3ho becomes shaded and exact; ssdo without an environment gets
+   MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays
+   as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */

@@ -151,9 +151,9 @@ static const entry vector_entries[] = {
       "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
     { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
     { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
-    { "4 bands, light filtered 8x8", "s3ho-points", "samples=16,steps=2,indirect=none,noise=tile,blur=4," PLAIN, 1 },
+    { "4 bands, light filtered 8x8", "s3ho-points", "samples=16,steps=2,indirect=none,noise=texture,blur=4," PLAIN, 1 },
     { "4 bands, vectors filtered 8x8", "s3ho-points",
-      "samples=16,steps=2,indirect=none,noise=tile,blur=4,filtered=vectors," PLAIN, 1 }
+      "samples=16,steps=2,indirect=none,noise=texture,blur=4,filtered=vectors," PLAIN, 1 }
 };
 
 typedef struct lit_table {
