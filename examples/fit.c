@@ -55,7 +55,7 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
 int main(int argc, char **argv)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
-                             *const needs[] = { "NONE", "MAP", "MESH", "", "CASTERS" },
+                             *const needs[] = { "NONE", "MAP", "MESH", "", "OCCLUDERS" },
                              *const method[] = { "NOTHING", "HSAO", "MARCH", "SSDO", "S3HO", "SURFELS", "FIELD" };
     static measured row[MOST_ROWS];
     static equation equations[MOST_ROWS];
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
             if (r->method == SSGI_PLAN_NOTHING) row[k].scene.calibration.unoccluded = (float)row[i].error;
             /* the preset BALANCED */
-            if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 6)
+            if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 8)
                 row[k].scene.calibration.hsao = (float)row[i].error;
         }
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {

@@ -842,6 +842,51 @@ static void near_the_truth(void)
     kit_scene_free(&scene);
 }
 
+/* Thin plates that hover over the ground, in perspective, to the left, to the right and across: with their back faces
+   many slices come near the truth, and without they do not. */
+static void plates_in_perspective(void)
+{
+    enum { W = 192, H = 108 };
+    static const box thin[3] = { { { -1.4f, 0.35f, -0.5f }, { -0.6f, 0.37f, 0.6f } },
+                                   { { 0.6f, 0.35f, -0.5f }, { 1.4f, 0.37f, 0.6f } },
+                                   { { -0.5f, 0.2f, -1.3f }, { 0.5f, 0.22f, -0.9f } } };
+    static const struct { const char *set; double share; } row[] = { { "behind=back", 0.045 }, { "behind=slabs", 0.045 } };
+    const kit_camera camera = { { 0, 1.6f, 2.2f }, { 0, 0.2f, 0 }, { 0, 1, 0 }, 42, 0, 0.1f, 20, W, H, { 0 },
+                                KIT_DEPTH_NORMAL };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_image truth, out;
+    kit_score none, score;
+    if (!see(&scene, &g, "plane", thin, 3, &camera, W, H)
+        || !TRY(kit_truth_ao(&truth, &scene, &camera, 0.7f, KIT_ATTENUATION_LINEAR, 256, 1, &err))
+        || !TRY(kit_image_new(&out, W, H, "Y", &err)))
+        return;
+    const kit_world world = { &scene, NULL };
+    for (int i = 0; i < W * H; ++i) out.data[i] = 1;
+    kit_score_channel(&none, &out, &truth, "Y", NULL, &err);
+    kit_image_free(&out);
+    for (int m = 0; m < 2; ++m) {
+        kit_method method;
+        kit_run run;
+        if (!TRY(kit_method_find(&method, "hsao-best", &err))
+            || !TRY(kit_method_set(&method, "directions=16,steps=48,blur=0", &err))
+            || !TRY(kit_method_set(&method, row[m].set, &err))
+            || !TRY(kit_run_open(&run, &g, &method, 0.7f, &world, &err)))
+            return;
+        kit_run_draw(&run, 0);
+        if (!TRY(kit_run_read(&out, &run, &err)) || !TRY(kit_score_channel(&score, &out, &truth, "Y", NULL, &err)))
+            return;
+        CHECK(score.rmse <= row[m].share * none.rmse, "%s: %.3f of no AO's RMSE, bias %+.4f", row[m].set,
+              score.rmse / none.rmse, score.bias);
+        t_note("%s: %.3f of no AO's RMSE, bias %+.4f", row[m].set, score.rmse / none.rmse, score.bias);
+        kit_run_close(&run);
+        kit_image_free(&out);
+    }
+    kit_image_free(&truth);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
 #define COUNTING "layout(std430, binding = 3) buffer counts { uint count[]; };\n" \
                  "void tick() { atomicAdd(count[uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x)], 1u); }\n"
 
@@ -1035,6 +1080,7 @@ void test_pipeline(void)
     RUN("a tiny radius sees nothing, a huge one no nonsense", radii_do_not_matter);
     RUN("garbage in depth and normals stays within [0,1]", garbage_is_survived);
     RUN("a room is near its ray-traced truth", near_the_truth);
+    RUN("thin plates seen in perspective, with their back faces, are near their truth", plates_in_perspective);
     RUN("the foretold number of fetches is what shaders make", fetches_are_counted);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
     kit_gl_close();

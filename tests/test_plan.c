@@ -44,7 +44,7 @@ static void follows(void)
     ssgi_sh_light(sh, 4, left, 0.25f, pink, SSGI_SH_WINDOW_NONE, NULL);
     ssgi_sh_light(sh, 4, right, 0.25f, turquoise, SSGI_SH_WINDOW_NONE, NULL);
     ssgi_sh_energy(s.energy, 4, sh, 3);
-    s.calibration = (ssgi_calibration){ 1, 0.16f, 0.11f };
+    s.calibration = (ssgi_calibration){ 1, 0.16f, 0.13f };
     s.layers = s.cameras = s.map = 0;
     int bands = 0;
     for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
@@ -108,15 +108,15 @@ static void by_hand(void)
         float size;
         double error;
     } row[] = {
-        /* 0.0047, 0.8351, 0.0104 */
+        /* 0.0026, 0.7803, 0.0144 */
         { { .wanted = SSGI_PLAN_VISIBILITY, .calibration = { 1, 0.02f, 0.001f } },
           SSGI_PLAN_HSAO,
           2,
           0,
           0,
           0,
-          0.00193781 },
-        /* 0.0012, 0, coarse 1.1184 */
+          0.00180563 },
+        /* 0.0002, 0, coarse 1.0618 */
         { { .wanted = SSGI_PLAN_VISIBILITY,
             .calibration = { 1, 0.15f, 0.05f },
             .triangles = 1,
@@ -126,8 +126,8 @@ static void by_hand(void)
           0,
           0,
           0.03f,
-          0.0711323 },
-        /* 0.0711, 0.4960, uneven 0.0063, 0.5775 */
+          0.0691563 },
+        /* 0.0763, 0.4992, uneven 0.0054, 0.5731 */
         { { .wanted = SSGI_PLAN_LIGHT,
             .calibration = { 1, 0.01f, 0.005f },
             .energy = { 1, 0.5f, 0.25f, 0.25f },
@@ -137,15 +137,15 @@ static void by_hand(void)
           4,
           0,
           0,
-          0.00882553 },
-        /* 0.3195, uneven 0.0196, 2.3450 */
+          0.0088295 },
+        /* 0.3183, uneven 0.0197, 2.3437 */
         { { .wanted = SSGI_PLAN_BOUNCE, .calibration = { 1, 0.01f, 0.005f }, .energy = { 1, 0.5f, 0.25f, 0.25f } },
           SSGI_PLAN_S3HO,
           0,
           4,
           4,
           0,
-          0.0163832 }
+          0.0163759 }
     };
     for (size_t k = 0; k < sizeof row / sizeof row[0]; ++k) {
         int met = 0;
