@@ -159,7 +159,7 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
                 low-discrepancy in each set, the sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
                 radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
-   [SSDO09 section 3; sets that integrate an unblocked constant exactly: see examples/PAPERS.md] */
+   [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
@@ -376,8 +376,8 @@ typedef struct ssgi_surfel_source {
     float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, aside, splits;
-   defaults in place. */
+/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, offscreen_growth,
+   splits; defaults in place. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
@@ -396,7 +396,7 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* How surfels are splatted: ssgi_gl_frame has the first two, and front. */
+/* How surfels are splatted: ssgi_gl_frame has epsilon, radius and near_depth. */
 typedef struct ssgi_splat {
     float epsilon;      /* [limit: 0 or 1e-6..1] [default: 0.1] form factor below which a level ends */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
@@ -494,8 +494,8 @@ SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangl
    at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
    number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
    -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
-   work are not). resolution 16 with 128 rays is 9.4 million rays. For
-   an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
+   work are not). resolution 16 with 128 rays is 9.4 million rays. For an error of your choice bake with resolution 4,
+   8, 16 .. until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -3567,15 +3567,15 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 /* CHANGES from 0.1 to 0.2, old -> new:
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_survey_of -> ssgi_depth_statistics_of; ssgi_trial, ssgi_plan_try ->
    ssgi_calibration, ssgi_plan_calibrate; surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small,
-   .max_distance; splat.most, .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most -> .max_error;
-   dipole.above, .below, .fading -> .z_r, .z_v, .sigma_tr; plan_scene.survey, .trial, .reach, .cover, .splats, .casters
-   -> .statistics, .calibration, .screen_radius, .coverage, .splat_overdraw, .occluders. ssgi_gl.h: SURVEY ->
-   STATISTICS, VECTORS -> COEFFICIENTS, TRANSFER_FREE -> TRANSFER_DIRECT, caster -> occluder, its .reach, .end, .fitted
-   -> .radius, .reach, .baked_reach; desc.exact, .lamps, .closely, .thin -> .residual, .lights, .near_samples, .behind;
-   frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth; light.least -> .min_distance. Removed:
-   SH product, deringing, sky; cap tables, 16-bit and cube-map fields, solid-angle measure; surfels' shrink, jitter,
-   enlarge, overlap; splat_predict, materials, dipole_total, jitter_tile, radius_guess, normal_offset, shadow_patch,
-   shadow_bias. */
+   .max_distance; splat.most, .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most ->
+   .max_error; dipole.above, .below, .fading -> .z_r, .z_v, .sigma_tr; plan_scene.survey, .trial, .reach, .cover,
+   .splats, .casters -> .statistics, .calibration, .screen_radius, .coverage, .splat_overdraw, .occluders. ssgi_gl.h:
+   SURVEY -> STATISTICS, VECTORS -> COEFFICIENTS, TRANSFER_FREE -> TRANSFER_DIRECT, caster -> occluder, its .reach,
+   .end, .fitted -> .radius, .reach, .baked_reach; desc.exact, .lamps, .closely, .thin -> .residual, .lights,
+   .near_samples, .behind; frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth; light.least
+   -> .min_distance. Removed: SH product, deringing, sky; cap tables, 16-bit and cube-map fields, solid-angle
+   measure; surfels' shrink, jitter, enlarge, overlap; splat_predict, materials, dipole_total, jitter_tile,
+   field_peek, radius_guess, normal_offset, shadow_patch, shadow_bias. */
 
 /* --------------------------------------------------------------------------------------------------------------
    This software is available under two licences; choose the one you like.
