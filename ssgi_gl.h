@@ -381,7 +381,8 @@ typedef struct ssgi_gl_frame {
     float   unproject[4];
     float   decode[4];   /* depth[0], depth[1], clear, 0 */
     int32_t origin[2];   /* [units: texels]  first texel of the image in the G-buffer's textures */
-    int32_t size[2];     /* [units: pixels]  of the image */
+    int32_t size[2];     /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
+                            (but senders, and what lights them) to the inner rectangle and what their filters read */
     int32_t target[2];   /* [units: texels]  first texel of the image in the targets, and in textures that earlier
                             passes wrote; half of it in those of half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
