@@ -454,6 +454,8 @@ static int open_settings(job *j, kit_error *err)
         return kit_fail(err, "%s: method %s is not lit; ssdo is", o->env ? "--env" : "--light", j->method.name);
     if ((j->method.lit || j->method.between) && o->floor)
         return kit_fail(err, "--floor: is of ambient visibility within a radius; this method has none");
+    if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights)
+        return kit_fail(err, "--method %s: needs light: --env sky, --env FILE or --light sun:..", j->method.name);
     j->r.lit = j->method.lit;
     return kit_gl_open(o->context, err);
 }
