@@ -419,6 +419,12 @@ int kit_method_find(kit_method *method, const char *name, kit_error *err)
     return kit_fail(err, "--method %s: there is none of that name (%s)", name, names);
 }
 
+static const char *const renamed[][2] = {
+    { "thin", "behind" }, { "exact", "residual" }, { "aside", "offscreen_growth" }, { "every", "keep_small" },
+    { "closely", "near_samples" }, { "front", "near_depth" }, { "nearest", "distance_clamp" },
+    { "steepest", "max_slope" }, { "casters", "occluders" }
+};
+
 static int set_one(kit_method *m, const char *text, size_t length, kit_error *err)
 {
     char key[128], *value, *end;
@@ -449,6 +455,9 @@ static int set_one(kit_method *m, const char *text, size_t length, kit_error *er
         s->value = v;
         return 0;
     }
+    for (size_t i = 0; i < sizeof renamed / sizeof *renamed; ++i)
+        if (!strcmp(key, renamed[i][0]))
+            return kit_fail(err, "--set %s=%s: the setting is %s since version 0.2", key, value, renamed[i][1]);
     return kit_fail(err, "--set %s=%s: method %s has no such setting (--list %s names them)", key, value, m->name,
                     m->name);
 }
