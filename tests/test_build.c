@@ -423,7 +423,7 @@ static void command_line(void)
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo-points --env sky --set views=1 --out a.exr",
                     "views=1: a frame" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --set behind=slabs --out a.exr", "channel back.Z" },
-                  { "room --set thin=1 --out a.exr", "--set thin=1: method hsao has no such setting" },
+                  { "room --set thin=1 --out a.exr", "--set thin=1: the setting is behind" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
                   { "room --plan best:1 --out a.exr", "--plan best:1" },
                   { "room --plan light:x --env sky --out a.exr", "light:x" },
