@@ -264,10 +264,10 @@ typedef struct ssgi_gl_desc {
                             normals read 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two a
                             vector */
-    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three vectors must be packed */
+    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed */
     int shaded;          /* s3ho   1: stores no coefficients, shades with frame.harmonics at once; shade is not
                             drawn */
-    int residual;          /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds the
+    int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds the
                             residual of unoccluded irradiance (t_ssgi_irradiance: ssgi_sh_residual) times ambient
                             visibility */
     int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
@@ -314,7 +314,7 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest of desc stays. ssdo and s3ho have POINTS; s3ho becomes shaded and exact; ssdo without an environment gets
+   the rest of desc stays. ssdo and s3ho have POINTS; s3ho becomes shaded and residual; ssdo without an environment gets
    MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays
    as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
@@ -388,14 +388,14 @@ typedef struct ssgi_gl_frame {
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
                             fetches: all that test points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  how far what is seen reaches away from the
-                            viewer, where desc.behind knows no better; 1 suits ssao, 0.5 march */
+    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces,
+                            where desc.behind has no other; 1 radius suits ssao, 0.5 march */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
                             radius: nowhere */
-    float   distance_clamp;     /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   max_slope;    /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
+    float   max_slope;   /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
                             shadow maps follows */
     int32_t lights;      /* rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
@@ -1304,8 +1304,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them,
    at their mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane
    within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the
-   precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel centre off the slice.
-   */
+   precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
 
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__ + 1,

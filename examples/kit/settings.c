@@ -19,262 +19,136 @@ enum {
 typedef struct row { kit_setting setting; int where; size_t offset; } row;
 #define DESC(field)  offsetof(ssgi_gl_desc, field)
 #define FRAMED(field) offsetof(ssgi_gl_frame, field)
+/* choices: words, NULL for a number; whole: 1 for whole numbers */
+#define ROW(name, key, about, choices, value, least, most, whole, where, offset) \
+    static const row name = { { key, about, choices, value, least, most, whole }, where, offset };
 
-static const row noise_row = {
-    { "noise", "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1 }, PLAN, 0
-};
-static const row normal_row = {
-    { "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1 }, PLAN, 0
-};
-static const row thickness_row = {
-    { "thickness", "constant thickness of visible surfaces, in radii", NULL, 1, 0, 100, 0 }, SCALED, FRAMED(thickness)
-};
-static const row slice_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.6, 0,
-                                       100, 0 },
-                                     SCALED,
-                                     FRAMED(thickness) };
-static const row half_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.5, 0,
-                                      100, 0 },
-                                    SCALED,
-                                    FRAMED(thickness) };
-static const row most_thick_row = { { "thickness", "constant thickness of visible surfaces, in radii", NULL, 0.7, 0,
-                                      100, 0 },
-                                    SCALED,
-                                    FRAMED(thickness) };
-static const row behind_row = {
-    { "behind",
-      "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
-      "constant solid back slabs", 0, 0, 3, 1 },
-    GATHER,
-    DESC(behind)
-};
-static const row half_row = { { "half", "1: one pixel of every 2x2, brought to full size by the filter", NULL, 0, 0, 1,
-                                1 },
-                              GATHER | BLUR,
-                              DESC(half) };
-static const row hard_row      = { { "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1 }, GATHER, DESC(hard) };
-static const row offset_row = {
-    { "offset", "lift of the receiver along its normal, in half pixels", NULL, 1.5, 0, 100, 0 }, FRAME, FRAMED(offset)
-};
-static const row blur_row      = { { "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1 }, PLAN, 0 };
-static const row filter_row = { { "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1 }, BLUR, DESC(filter) };
-static const row compare_row = { { "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1 },
-                                 BLUR,
-                                 DESC(filter_normals) };
-static const row phase_row     = { { "phase", "offset of the noise", NULL, 0, 0, 1, 0 }, FRAME, FRAMED(phase) };
-static const row layers_row = { { "layers", "peeled depth layers; closed solids only", NULL, 1, 1,
-                                  KIT_MAX_LAYERS, 1 },
-                                GATHER | LIGHTS,
-                                DESC(layers) };
-static const row views_row = { { "views", "extra cameras; closed solids only", NULL, 0, 0, 4, 1 },
-                               GATHER | LIGHTS,
-                               DESC(views) };
-static const row view_layers_row = { { "view_layers", "depth layers of each extra camera", NULL, 1, 1, KIT_MAX_LAYERS,
-                                       1 },
-                                     GATHER | LIGHTS,
-                                     DESC(view_layers) };
-static const row view_size_row = { { "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1 },
-                                   PLAN,
-                                   0 };
+ROW(noise_row, "noise", "pattern that decorrelates neighbouring pixels", "gradient texture", 0, 0, 1, 1, PLAN, 0)
+ROW(normal_row, "normal", "normals from the G-buffer, or from depth alone", "gbuffer depth", 0, 0, 1, 1, PLAN, 0)
+#define THICKNESS(name, value) \
+    ROW(name, "thickness", "constant thickness of visible surfaces, in radii", NULL, value, 0, 100, 0, SCALED, \
+        FRAMED(thickness))
+THICKNESS(thickness_row, 1)
+THICKNESS(slice_thick_row, 0.6)
+THICKNESS(half_thick_row, 0.5)
+THICKNESS(most_thick_row, 0.7)
+ROW(behind_row, "behind", "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
+    "constant solid back slabs", 0, 0, 3, 1, GATHER, DESC(behind))
+ROW(half_row, "half", "1: one pixel of every 2x2, brought to full size by the filter",
+    NULL, 0, 0, 1, 1, GATHER | BLUR, DESC(half))
+ROW(hard_row, "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1, GATHER, DESC(hard))
+ROW(offset_row, "offset", "lift of the receiver along its normal, in half pixels",
+    NULL, 1.5, 0, 100, 0, FRAME, FRAMED(offset))
+ROW(blur_row, "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1, PLAN, 0)
+ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, BLUR, DESC(filter))
+ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, BLUR, DESC(filter_normals))
+ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
+ROW(layers_row, "layers", "peeled depth layers; closed solids only",
+    NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
+ROW(views_row, "views", "extra cameras; closed solids only", NULL, 0, 0, 4, 1, GATHER | LIGHTS, DESC(views))
+ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
+    NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
+ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
 
-static const row margin_row    = { { "margin",
-    "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0 }, PLAN, 0 };
-static const row samples_row   = { { "samples", "directions per pixel", NULL, 16, 1, 64, 1 }, GATHER, DESC(samples) };
-static const row march_row = {
-    { "steps", "points along a direction; the first occluded one counts", NULL, 1, 1, 64, 1 }, GATHER, DESC(steps)
-};
-static const row falloff_row   = { { "falloff",
-    "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2", "linear square", 0, 0, 1, 1 },
-    GATHER, DESC(falloff) };
-static const row fade_row      = { { "fade", "weight of an occluder by the distance of the surface in the depth buffer",
-    "none smooth lambda", 0, 0, 2, 1 }, GATHER, DESC(fade) };
-static const row lambda_row = { { "lambda", "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, 0 },
-                                FRAME,
-                                FRAMED(lambda) };
-static const row range_row = {
-    { "range", "1: ignore surfaces beyond the radius or below the receiver's plane", NULL, 0, 0, 1, 1 },
-    GATHER,
-    DESC(range)
-};
-static const row fade_from_row = { { "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0 },
-                                   SCALED,
-                                   FRAMED(fade) };
-static const row sets_row = {
-    { "sets", "sets of directions in a texture, one per pixel; 0 = one set, rotated", NULL, 0, 0, 256, 1 }, PLAN, 0
-};
-static const row slices_row = { { "directions", "slices, two directions each", NULL, 1, 1, 32, 1 },
-                                GATHER,
-                                DESC(directions) };
-static const row dirs_row = { { "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1 },
-                              GATHER,
-                              DESC(directions) };
-static const row steps_row     = { { "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1 }, GATHER, DESC(steps) };
-static const row rays_row = { { "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1 },
-                              GATHER,
-                              DESC(normal_rays) };
+ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
+ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
+ROW(march_row, "steps", "points along a direction; the first occluded one counts",
+    NULL, 1, 1, 64, 1, GATHER, DESC(steps))
+ROW(falloff_row, "falloff", "weight of an occluder at distance t: 1 - t/radius, or 1 - (t/radius)^2",
+    "linear square", 0, 0, 1, 1, GATHER, DESC(falloff))
+ROW(fade_row, "fade", "weight of an occluder by the distance of the surface in the depth buffer",
+    "none smooth lambda", 0, 0, 2, 1, GATHER, DESC(fade))
+ROW(lambda_row, "lambda", "of that fade, per radius: larger is weaker", NULL, 4, 0, 1000, 0, FRAME, FRAMED(lambda))
+ROW(range_row, "range", "1: ignore surfaces beyond the radius or below the receiver's plane",
+    NULL, 0, 0, 1, 1, GATHER, DESC(range))
+ROW(fade_from_row, "fade_from", "where smooth fading begins, in radii", NULL, 0.3, 0, 1, 0, SCALED, FRAMED(fade))
+ROW(sets_row, "sets", "sets of directions in a texture, one per pixel; 0 = one set, rotated",
+    NULL, 0, 0, 256, 1, PLAN, 0)
+ROW(slices_row, "directions", "slices, two directions each", NULL, 1, 1, 32, 1, GATHER, DESC(directions))
+ROW(dirs_row, "directions", "N_d: directions in the tangent plane", NULL, 6, 1, 32, 1, GATHER, DESC(directions))
+ROW(steps_row, "steps", "N_s: steps per direction", NULL, 6, 1, 64, 1, GATHER, DESC(steps))
+ROW(rays_row, "normal_rays", "N_n: rays above the horizon, per direction", NULL, 0, 0, 8, 1, GATHER, DESC(normal_rays))
 
-static const row environment_row = { { "environment", "how --env is used", "map sh none", 0, 0, 2, 1 }, PLAN, 0 };
-static const row bounce_row    = { { "bounce", "one diffuse bounce, by which estimator", "none solid-angle patch", 1, 0,
-    2, 1 }, GATHER, DESC(bounce) };
-static const row reuse_row = {
-    { "reuse", "1: senders use the last frame's light, so that one gather does both", NULL, 0, 0, 1, 1 }, PLAN, 0
-};
-static const row two_sided_row = { { "two_sided", "1: senders are two-sided", NULL, 0, 0, 1, 1 },
-                                   GATHER,
-                                   DESC(two_sided) };
-static const row distance_clamp_row = { { "distance_clamp", "clamp of the distance to a patch, in radii", NULL, 0.25, 0,
-                                          100, 0 },
-                                        FRAME,
-                                        FRAMED(distance_clamp) };
-static const row gain_row      = { { "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0 }, FRAME,
-    FRAMED(gain) };
-static const row shadows_row = {
-    { "shadows", "of --light: screen-space segments, maps, maps with segments over their bias",
-      "segment map fill none", 2, 0, 3, 1 },
-    LIGHTS,
-    DESC(shadow)
-};
-static const row shadows_d_row = { { "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1 },
-                                   LIGHTS,
-                                   DESC(shadow) };
-static const row points_row = { { "points", "on a segment toward a light", NULL, 8, 1, 64, 1 }, LIGHTS, DESC(samples) };
-static const row solid_row = {
-    { "solid", "1: shadows: unlimited thickness", NULL, 0, 0, 1, 1 }, PLAN, 0
-};
-static const row max_slope_row = {
-    { "max_slope", "largest slope that the shadow maps' bias follows", NULL, 20, 0, 1000, 0 }, FRAME, FRAMED(max_slope)
-};
-static const row shadow_row = { { "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1 }, PLAN, 0 };
-static const row suns_row = {
-    { "suns", "the environment as directional lights with shadow maps; 0: directional occlusion", NULL, 0, 0, 1024, 1 },
-    PLAN,
-    0
-};
-static const row vpls_row = {
-    { "vpls", "virtual point lights of the first --light: the bounce beyond the radius", NULL, 0, 0,
-      4096, 1 },
-    PLAN,
-    0
-};
+ROW(environment_row, "environment", "how --env is used", "map sh none", 0, 0, 2, 1, PLAN, 0)
+ROW(bounce_row, "bounce", "one diffuse bounce, by which estimator",
+    "none solid-angle patch", 1, 0, 2, 1, GATHER, DESC(bounce))
+ROW(reuse_row, "reuse", "1: senders use the last frame's light, so that one gather does both",
+    NULL, 0, 0, 1, 1, PLAN, 0)
+ROW(two_sided_row, "two_sided", "1: senders are two-sided", NULL, 0, 0, 1, 1, GATHER, DESC(two_sided))
+ROW(distance_clamp_row, "distance_clamp", "clamp of the distance to a patch, in radii",
+    NULL, 0.25, 0, 100, 0, FRAME, FRAMED(distance_clamp))
+ROW(gain_row, "gain", "area of patches, times pi r^2/N", NULL, 1, 0, 1000, 0, FRAME, FRAMED(gain))
+ROW(shadows_row, "shadows", "of --light: screen-space segments, maps, maps with segments over their bias",
+    "segment map fill none", 2, 0, 3, 1, LIGHTS, DESC(shadow))
+ROW(shadows_d_row, "shadows", "of --light: maps or none", "segment map fill none", 1, 0, 3, 1, LIGHTS, DESC(shadow))
+ROW(points_row, "points", "on a segment toward a light", NULL, 8, 1, 64, 1, LIGHTS, DESC(samples))
+ROW(solid_row, "solid", "1: shadows: unlimited thickness", NULL, 0, 0, 1, 1, PLAN, 0)
+ROW(max_slope_row, "max_slope", "largest slope that the shadow maps' bias follows",
+    NULL, 20, 0, 1000, 0, FRAME, FRAMED(max_slope))
+ROW(shadow_row, "shadow_size", "texels of a shadow map's side", NULL, 1024, 16, 8192, 1, PLAN, 0)
+ROW(suns_row, "suns", "the environment as directional lights with shadow maps; 0: directional occlusion",
+    NULL, 0, 0, 1024, 1, PLAN, 0)
+ROW(vpls_row, "vpls", "virtual point lights of the first --light: the bounce beyond the radius",
+    NULL, 0, 0, 4096, 1, PLAN, 0)
 
-static const row bands_row = { { "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients", NULL, 4, 1, 4, 1 },
-                               GATHER | BLUR,
-                               DESC(bands) };
-static const row few_bands_row = { { "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1 },
-                                   GATHER,
-                                   DESC(bands) };
-static const row store_row = { { "store", "coefficients as halves, halves packed into integers, or floats",
-                                 "half packed float", 0, 0, 2, 1 },
-                               PLAN,
-                               0 };
-static const row indirect_row = { { "indirect", "one bounce: none, in the gather of the occlusion, in its own",
-                                    "none joint apart", 1, 0, 2, 1 },
-                                  PLAN,
-                                  0 };
-static const row filtered_row  = { { "filtered", "what is filtered", "vectors light", 1, 0, 1, 1 }, PLAN, 0 };
-static const row residual_row = {
-    { "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone", NULL, 1, 0,
-      1, 1 },
-    GATHER,
-    DESC(residual)
-};
-static const row window_row    = { { "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1 }, PLAN, 0 };
-static const row lights_row = {
-    { "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1 }, PLAN, 0
-};
-static const row cone_row = { { "cone",
-                                "environment over the cone of unoccluded directions, or irradiance along their mean",
-                                "normal cone", 1, 0, 1, 1 },
-                              PLAN,
-                              0 };
+ROW(bands_row, "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients",
+    NULL, 4, 1, 4, 1, GATHER | BLUR, DESC(bands))
+ROW(few_bands_row, "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1, GATHER, DESC(bands))
+ROW(store_row, "store", "coefficients as halves, halves packed into integers, or floats",
+    "half packed float", 0, 0, 2, 1, PLAN, 0)
+ROW(indirect_row, "indirect", "one bounce: none, in the gather of the occlusion, in its own",
+    "none joint apart", 1, 0, 2, 1, PLAN, 0)
+ROW(filtered_row, "filtered", "what is filtered", "vectors light", 1, 0, 1, 1, PLAN, 0)
+ROW(residual_row, "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
+    NULL, 1, 0, 1, 1, GATHER, DESC(residual))
+ROW(window_row, "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1, PLAN, 0)
+ROW(lights_row, "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1, PLAN, 0)
+ROW(cone_row, "cone", "environment over the cone of unoccluded directions, or irradiance along their mean",
+    "normal cone", 1, 0, 1, 1, PLAN, 0)
 
-static const row resolution_row = { { "resolution", "texels along a side of a field's cube map", NULL, 16, 2, 128, 1 },
-                                    PLAN,
-                                    0 };
-static const row radii_row     = { { "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1 }, PLAN, 0 };
-static const row rays_a_row    = { { "rays", "a sample of the bake", NULL, 128, 16, 65536, 1 }, PLAN, 0 };
-static const row reach_row = {
-    { "reach", "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0 }, PLAN, 0
-};
-static const row ramp_row = { { "ramp", "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0 },
-                              PLAN,
-                              0 };
-static const row inside_row = {
-    { "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0 }, PLAN, 0
-};
-static const row power_row     = { { "power", "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 0 }, PLAN, 0 };
-static const row draw_row = {
-    { "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1 }, PLAN, 0
-};
-static const row own_row       = { { "own", "1: occluders occlude themselves too", NULL, 0, 0, 1, 1 }, PLAN, 0 };
-static const row occluders_row = {
-    { "occluders", "which objects: solid ones that contain no other, or all", "solid all", 0, 0, 1, 1 }, PLAN, 0
-};
+ROW(resolution_row, "resolution", "texels along a side of a field's cube map", NULL, 16, 2, 128, 1, PLAN, 0)
+ROW(radii_row, "radii", "distances sampled along each direction", NULL, 12, 4, 64, 1, PLAN, 0)
+ROW(rays_a_row, "rays", "a sample of the bake", NULL, 128, 16, 65536, 1, PLAN, 0)
+ROW(reach_row, "reach", "influence of occluders, in radii of their bounding spheres", NULL, 8, 1.5, 64, 0, PLAN, 0)
+ROW(ramp_row, "ramp", "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0, PLAN, 0)
+ROW(inside_row, "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0, PLAN, 0)
+ROW(power_row, "power", "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 0, PLAN, 0)
+ROW(draw_row, "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1, PLAN, 0)
+ROW(own_row, "own", "1: occluders occlude themselves too", NULL, 0, 0, 1, 1, PLAN, 0)
+ROW(occluders_row, "occluders", "which objects: solid ones that contain no other, or all",
+    "solid all", 0, 0, 1, 1, PLAN, 0)
 
-static const row size_row = { { "size", "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, 0 },
-                              PLAN,
-                              0 };
-static const row epsilon_row = {
-    { "epsilon", "smallest form factor that a surfel is drawn for", NULL, 0.1, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon)
-};
-static const row deep_epsilon_row = {
-    { "epsilon", "smallest form factor that a surfel is drawn for", NULL, 0.02, 1e-6, 1, 0 }, FRAME, FRAMED(epsilon)
-};
-static const row deep_levels_row = { { "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1 },
-                                     GATHER,
-                                     DESC(levels) };
-static const row levels_row = { { "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1 },
-                                GATHER,
-                                DESC(levels) };
-static const row way_row = {
-    { "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
-      "cpu capture direct", 0, 0, 2, 1 },
-    PLAN,
-    0
-};
-static const row near_row = { { "near_samples",
-                                "points over a surfel for pixels within 4 of its radii; 1: its centre", NULL, 4,
-                                1, 16, 1 },
-                              GATHER,
-                              DESC(near_samples) };
-static const row offscreen_growth_row = {
-    { "offscreen_growth", "radius added per distance outside the frustum", NULL, 0.1, 0, 1, 0 },
-    PLAN,
-    0
-};
-static const row near_depth_row = {
-    { "near_depth", "splats end at: 1: the frame's minimum depth, 0: the near plane", NULL, 1, 0, 1, 1 }, PLAN, 0
-};
-static const row both_row = { { "two_sided", "1: surfels have two sides, as sheets and leaves want it", NULL, 0, 0, 1,
-                                1 },
-                              GATHER,
-                              DESC(two_sided) };
-static const row keep_small_row = {
-    { "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned", NULL, 0, 0, 1, 1 }, PLAN, 0
-};
-static const row each_row = {
-    { "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned, visibly", NULL, 1, 0, 1, 1 },
-    PLAN,
-    0
-};
-static const row splits_row = {
-    { "splits", "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, 1 }, PLAN, 0
-};
-static const row smooth_row    = { { "smooth", "0: levels are added unfiltered", NULL, 1, 0, 1, 1 }, PLAN, 0 };
-static const row likeness_row = { { "filter_normals", "1: the smoothing compares normals too", NULL, 0, 0, 1, 1 },
-                                  GATHER,
-                                  DESC(filter_normals) };
-static const row exponent_row  = { { "exponent", "of the lobe", NULL, 32, 0, 10000, 0 }, FRAME, FRAMED(exponent) };
-static const row sky_row = {
-    { "sky", "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, 1 }, PLAN, 0
-};
-static const row material_row = {
-    { "material", "published scattering constants",
-      "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1 },
-    PLAN,
-    0
-};
-static const row unit_row      = { { "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0 }, PLAN, 0 };
+ROW(size_row, "size", "s: diameter of a surfel, in image heights", NULL, 0.015, 1e-4, 1, 0, PLAN, 0)
+ROW(epsilon_row, "epsilon", "smallest form factor that a surfel is drawn for",
+    NULL, 0.1, 1e-6, 1, 0, FRAME, FRAMED(epsilon))
+ROW(deep_epsilon_row, "epsilon", "smallest form factor that a surfel is drawn for",
+    NULL, 0.02, 1e-6, 1, 0, FRAME, FRAMED(epsilon))
+ROW(deep_levels_row, "levels", "each doubles the reach", NULL, 7, 1, SSGI_SPLAT_LEVELS, 1, GATHER, DESC(levels))
+ROW(levels_row, "levels", "each doubles the reach", NULL, 5, 1, SSGI_SPLAT_LEVELS, 1, GATHER, DESC(levels))
+ROW(way_row, "way", "surfels made on the CPU, captured from tessellation, or splatted by a geometry shader at once",
+    "cpu capture direct", 0, 0, 2, 1, PLAN, 0)
+ROW(near_row, "near_samples", "points over a surfel for pixels within 4 of its radii; 1: its centre",
+    NULL, 4, 1, 16, 1, GATHER, DESC(near_samples))
+ROW(offscreen_growth_row, "offscreen_growth", "radius added per distance outside the frustum",
+    NULL, 0.1, 0, 1, 0, PLAN, 0)
+ROW(near_depth_row, "near_depth", "splats end at: 1: the frame's minimum depth, 0: the near plane",
+    NULL, 1, 0, 1, 1, PLAN, 0)
+ROW(both_row, "two_sided", "1: surfels have two sides, as sheets and leaves want it",
+    NULL, 0, 0, 1, 1, GATHER, DESC(two_sided))
+ROW(keep_small_row, "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned",
+    NULL, 0, 0, 1, 1, PLAN, 0)
+ROW(each_row, "keep_small", "1: every triangle keeps a surfel; 0: small ones are thinned, visibly",
+    NULL, 1, 0, 1, 1, PLAN, 0)
+ROW(splits_row, "splits", "largest number of parts of a large triangle's edge", NULL, 8, 1, 32, 1, PLAN, 0)
+ROW(smooth_row, "smooth", "0: levels are added unfiltered", NULL, 1, 0, 1, 1, PLAN, 0)
+ROW(likeness_row, "filter_normals", "1: the smoothing compares normals too",
+    NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
+ROW(exponent_row, "exponent", "of the lobe", NULL, 32, 0, 10000, 0, FRAME, FRAMED(exponent))
+ROW(sky_row, "sky", "1: --env lights surfels too, unoccluded", NULL, 1, 0, 1, 1, PLAN, 0)
+ROW(material_row, "material", "published scattering constants",
+    "apple chicken1 chicken2 cream ketchup marble potato skimmilk skin1 skin2 spectralon wholemilk", 5, 0, 11, 1,
+        PLAN, 0)
+ROW(unit_row, "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0, PLAN, 0)
 
 typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES \
