@@ -1159,9 +1159,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what an occluded direction contributes. */
 
 { "ssgi_reflected", __LINE__ + 1,
-    "// the lobe of the sender found along w, unoccluded, times its albedo [S3HO12 eq. 5, ours of solid angle]\n"
-    "void ssgi_reflected(inout ssgi_coefficients v, vec3 w, float share) {\n"
-    "    vec3 o = normalize(ssgi_unpack_normal(ssgi_sender_place)), albedo = ssgi_sender.xyz * share;\n"
+    "// adds the lobe of a sender with normal o found along w, unoccluded, times its albedo [S3HO12 eq. 5, ours of\n"
+    "// solid angle]\n"
+    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
+    "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
@@ -1221,7 +1222,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#elif pass == SSDO && bounce\n"
     "        bounce += ssgi_sender.xyz * blocked;\n"
     "#elif pass == S3HO && bounce\n"
-    "        if (blocked > 0.0) ssgi_reflected(v, basis * k.xyz, blocked / float(SSGI_SAMPLES));\n"
+    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
+    "        if (blocked > 0.0) ssgi_reflected(v, ssgi_unpack_normal(ssgi_sender_place), basis * k.xyz, albedo);\n"
     "#endif\n"
     "    }\n"
     "    return sum / float(SSGI_SAMPLES); // #if pass == SSAO\n"
@@ -1430,11 +1432,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if pass == SSDO\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w;\n"
     "#else\n"
-    "    o = normalize(dot(o, d) > 0.0 ? -o : o);\n"
-    "    // the lobe of the sender, unoccluded, times its albedo [S3HO12 eq. 5]\n"
-    "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
-    "    vec3 albedo = ssgi_unpack_radiance(s.x) * w;\n"
-    "    for (int c = 0; c < got.bounce.c.length(); ++c) ssgi_sh_add(got.bounce.c[c], y, albedo[c]);\n"
+    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w);\n"
     "#endif\n"
     "}\n" },
 { "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
