@@ -45,7 +45,8 @@
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
-      ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it
+      ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it:
+               with desc.restore what is missing of it, so that creases stay
       lights   with accumulate = 1 adds suns and point lights to it; its shadow maps are yours, drawn as ever
       senders  packs albedo * o_ssgi_light (and a radiance of your own) with depth and normal into one slice of
                t_ssgi_senders; a draw a layer
@@ -85,7 +86,7 @@
    ROOMS        search for ">>"
       >>desc       what you choose               >>emit    text out
       >>io         what a pass reads and writes  >>frame   what changes per frame
-      >>library    the GLSL, a function an entry, by room: >>fetch >>visibility >>harmonics >>gather >>light >>field
+      >>library    the GLSL, a function an entry, by room: >>fetch >>visibility >>harmonics >>light >>gather >>field
                    >>splat >>filter
       >>rows       the table of inputs and outputs         >>passes   the main function of each stage
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
@@ -201,6 +202,11 @@ enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
                                       space */
 /* desc.colour: what blur filters: ambient visibility; light, three channels; coefficients of s3ho */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
+/* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
+   creases: blur puts it back unfiltered, at full size */
+enum { SSGI_GL_RESTORE_NONE = 0,
+       SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [Heitz et al. 2018] */
+       SSGI_GL_RESTORE_DIFFERENCE }; /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
        SSGI_GL_GAUSSIAN };         /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08
@@ -250,9 +256,12 @@ typedef struct ssgi_gl_desc {
     int hard;            /* hsao, splat   1: no attenuation, all within the radius occludes fully */
 
     /* ssdo, and lights */
-    int environment;     /* SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both share the visibility, two
-                            targets */
+    int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
+    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: one of the two must not be NONE; both share the visibility,
+                            two targets */
+    int restore;         /* and s3ho shaded, shade, blur   SSGI_GL_RESTORE_NONE ..: o_ssgi_light is not light before
+                            blur with this desc and colour = 1. Blur restores nothing of a bounce without an
+                            environment */
     int two_sided;       /* ssdo, s3ho   1: senders shine from both sides. splat   surfels occlude from both sides: for
                             sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
@@ -302,7 +311,8 @@ typedef struct ssgi_gl_desc {
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
-   for accuracy (and the filter's, so that the same desc serves blur), leaves the others alone.
+   for accuracy (and the filter's, so that the same desc serves blur; with restore RATIO for ssdo's environment, so that
+   it must), leaves the others alone.
      slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
      hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
      ssao          8, 16, 32 points
@@ -1132,8 +1142,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
     "}\n" },
-{ "ssgi_residual", __LINE__ + 1,
-    "vec3 ssgi_residual = vec3(0.0); // unoccluded irradiance over pi less that of the coefficients\n" },
 { "ssgi_incoming", __LINE__, "// one channel of irradiance from coefficients [S3HO12 eq. 3]\n"
     "float ssgi_incoming(int c, ssgi_sh s) {\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
@@ -1141,12 +1149,206 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
     "    return e;\n"
     "}\n" },
-{ "ssgi_irradiance", __LINE__, "// and all three, over pi\n"
-    "vec3 ssgi_irradiance(ssgi_coefficients v) {\n"
+{ "ssgi_irradiance", __LINE__, "// and all three, over pi, of a surface with normal n\n"
+    "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
-    "    e += ssgi_residual * ssgi_ambient(v); // #if residual\n"
+    "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
     "    return e;\n"
+    "}\n" },
+/* ==== >>light: lights, senders, shading of coefficients ========================================================= */
+
+{ "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
+    "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
+{ "ssgi_light_at", __LINE__, "// row i of t_ssgi_lights, as it shines on P\n"
+    "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
+    "    ssgi_light s;\n"
+    "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
+    "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0);\n"
+    "    s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
+    "    s.l = s.at.w > 0.5 ? s.at.xyz - P : s.at.xyz;\n"
+    "    float dd = max(dot(s.l, s.l), 1e-30);\n"
+    "    s.d = sqrt(dd);\n"
+    "    s.l /= s.d;\n"
+    "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
+    "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
+    "    return s;\n"
+    "}\n" },
+{ "ssgi_segment", __LINE__, "// 1 if any point of a segment from the lifted receiver is occluded\n"
+    "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
+    "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
+    "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
+    "    return 0.0;\n"
+    "}\n" },
+{ "ssgi_shadow", __LINE__ + 1,
+    "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
+    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
+    "// returns how far along the ray to the light the map sees what may be the plane itself or an occluder that\n"
+    "// the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
+    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
+    "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
+    "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
+    "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
+    "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
+    "    bool flat_ = decode.w > 0.0;\n"
+    "    vec2 t = floor(flat_ ? q.xy : q.xy / q.z);\n"
+    "    contact = -1.0;\n"
+    "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
+    "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
+    "    float size = flat_ ? patch_ : patch_ * q.z;\n"
+    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
+    "    float b = size * 0.70710678 * slope;\n"
+    "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
+    "    // plus the rounding of the map's depth and of P\n"
+    "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "    contact = max(q.z - slack - z, 0.0) * length_;\n"
+    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
+    "}\n" },
+{ "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
+    "#if shadow == SEGMENT || shadow == FILL\n"
+    "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
+    "    vec3 sum = vec3(0.0), start = ssgi_lift(P, n);\n"
+    "#else\n"
+    "vec3 ssgi_lit(vec3 P, vec3 n) {\n"
+    "    vec3 sum = vec3(0.0);\n"
+    "#endif\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
+    "        ssgi_light s = ssgi_light_at(i, P);\n"
+    "        float cosine = dot(n, s.l), g = s.g * cosine;\n"
+    "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
+    "#if shadow == SEGMENT || shadow == FILL\n"
+    "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
+    "#endif\n"
+    "#if shadow == MAP || shadow == FILL\n"
+    "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
+    "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
+    "        if (contact < 0.0 && (wider > 0 || (s.at.w > 1.5 && s.at.w < 2.5))) continue;\n"
+    "        i += wider;\n"
+    "        if (shadow > 0.0) continue;\n"
+    "#endif\n"
+    "#if shadow == FILL\n"
+    "        // distances below a pixel are left to the map\n"
+    "        if (contact >= 0.0) reach = contact < ssgi_footprint(-P.z) ? 0.0 : min(reach, contact);\n"
+    "#endif\n"
+    "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
+    "#if shadow == SEGMENT || shadow == FILL\n"
+    "        g *= 1.0 - ssgi_segment(start, s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
+    "#endif\n"
+    "        sum += s.colour.xyz * g;\n"
+    "    }\n"
+    "    return sum;\n"
+    "}\n" },
+{ "main_lights", __LINE__, "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
+    "    float z = ssgi_depth(p); // #if !receiver\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "#if shadow == SEGMENT || shadow == FILL\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989;\n"
+    "#else\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, n) * 0.31830989;\n"
+    "#endif\n"
+    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
+    "}\n" },
+{ "main_senders", __LINE__, "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
+    "    float z = ssgi_depth(p); // #if !receiver\n"
+    "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 sum = vec3(0.0);\n"
+    "#if radiance != DIRECT && receiver\n"
+    "    sum += texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
+    "#elif radiance != DIRECT\n"
+    "    sum += texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
+    "#endif\n"
+    "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
+    "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
+    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
+    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
+    "}\n" },
+{ "ssgi_bent", __LINE__ + 1,
+    "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of a cone about it with\n"
+    "// the same spread: cosine-weighted directions in a cone of cosine c have a mean of length 2/3 (1 + c + c^2) /\n"
+    "// (1 + c) [SSBN11, for cosine weights].\n"
+    "vec4 ssgi_bent(ssgi_sh s) {\n"
+    "    vec3 m = s.a.wyz * 0.65147002;\n"
+    "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
+    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
+    "}\n" },
+{ "ssgi_light_harmonics", __LINE__ + 1,
+    "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
+    "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
+    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
+    "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
+    "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
+    "    w *= u_ssgi_window;\n"
+    "    float open = 0.25 * w.x;\n"
+    "    open += 0.5 * w.y; // #if bands > 1\n"
+    "    open += 0.3125 * w.z; // #if bands > 2\n"
+    "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.l);\n"
+    "    vec3 e;\n"
+    "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
+    "    float lost = max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
+    "    e += ssgi_ambient(v) * lost; // #if residual\n"
+    "    return s.colour.xyz * e * s.g;\n"
+    "}\n" },
+{ "ssgi_shaded", __LINE__, "// irradiance over pi from the coefficients of a receiver\n"
+    "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
+    "#if shading == HARMONICS\n"
+    "    vec3 sum = ssgi_irradiance(v, n);\n"
+    "#else\n"
+    "    vec4 bent = ssgi_bent(v.c[0]);\n"
+    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz, sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0));\n"
+    "#endif\n"
+    "#if shading == BENT_NORMAL\n"
+    "    sum *= ssgi_irradiance_map(axis, 0);\n"
+    "#elif shading == BENT_CONE\n"
+    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
+    "    float slice = min(bent.w * float(last + 1), float(last));\n"
+    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
+    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
+    "#endif\n"
+    "#if lights\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
+    "#endif\n"
+    "    return sum;\n"
+    "}\n" },
+{ "ssgi_open", __LINE__, "// unoccluded irradiance over pi\n"
+    "vec3 ssgi_open(vec3 P, vec3 n) {\n"
+    "#if environment == MAP\n"
+    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
+    "#else\n"
+    "    ssgi_coefficients v;\n"
+    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    return ssgi_shaded(v, P, n);\n"
+    "#endif\n"
+    "}\n" },
+{ "ssgi_kept", __LINE__, "// what is written of a receiver's light: desc.restore\n"
+    "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) {\n"
+    "    vec3 open = ssgi_open(P, n); // #if restore || environment == MAP\n"
+    "    light += open; // slices give what is missing // #if environment == MAP\n"
+    "    return max(light, 0.0); // #if !restore\n"
+    "    return clamp(light / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
+    "    return light - open; // #if restore == DIFFERENCE\n"
+    "}\n" },
+{ "main_shade", __LINE__, "void main() {\n"
+    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "    float z = ssgi_depth(p);\n"
+    "#if shading == BENT\n"
+    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
+    "#else\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
+    "    vec3 n = ssgi_normal(p, P); // #if residual || restore\n"
+    "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore)\n"
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n), P, n);\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
+    "#endif\n"
     "}\n" },
 /* ==== >>gather: sampling around a pixel ========================================================================== */
 
@@ -1232,12 +1434,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_turn(lobe, basis);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
     "#endif\n"
-    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "#if pass == SSDO && environment == SH\n"
-    "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
     "#elif environment == MAP\n"
-    "    // unoccluded irradiance times the unoccluded share of the samples' light: exact without occlusion\n"
-    "    o_ssgi_light.xyz = ssgi_irradiance_map(world[2], 0) * (1.0 - dark / max(all, 1e-30));\n"
+    "    // the unoccluded share of the samples' light: exact without occlusion\n"
+    "    o_ssgi_light.xyz = 1.0 - dark / max(all, 1e-30);\n"
+    "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if !restore\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
     "}\n"
@@ -1399,29 +1601,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
     "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
     "};\n" },
-{ "ssgi_blocks", __LINE__, "// adds occlusion of a share w of the hemisphere around a direction\n"
-    "void ssgi_blocks(inout ssgi_got got, vec3 way, float w) {\n"
-    "    got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w; // #if environment == MAP\n"
-    "    ssgi_sh_add(got.dark, ssgi_sh_basis(way), w); // #if environment == SH\n"
-    "}\n" },
 { "ssgi_parts", __LINE__ + 1,
-    "// occlusion of both sides, split toward the plane (.xy) and the zenith (.zw), with weighted mean elevations\n"
-    "struct ssgi_parts { vec4 w, c, s; };\n" },
+    "// occlusion of both sides of a slice, with weighted sums of their elevations' cosines and sines\n"
+    "struct ssgi_parts { vec2 w, c, s; };\n" },
 { "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
-    "    s *= unit;\n"
-    "    vec4 part = vec4(w - w * s, w * s);\n"
-    "    parts.w += part;\n"
-    "    parts.c += part * (c * unit).xyxy;\n"
-    "    parts.s += part * s.xyxy;\n"
+    "    parts.w += w;\n"
+    "    parts.c += w * c * unit;\n"
+    "    parts.s += w * s * unit;\n"
     "}\n" },
 { "ssgi_blocked_by", __LINE__ + 1,
-    "// four evaluations of the environment or the harmonics a slice, whatever its steps\n"
+    "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
-    "    for (int k = 0; k < 4; ++k) {\n"
-    "        vec3 way = s.t * ((k & 1) == 0 ? parts.c[k] : -parts.c[k]) + s.up * parts.s[k];\n"
-    "        ssgi_blocks(got, way * inversesqrt(max(dot(way, way), 1e-24)), parts.w[k]);\n"
+    "    for (int k = 0; k < 2; ++k) {\n"
+    "        vec3 way = s.t * (k == 0 ? parts.c.x : -parts.c.y) + s.up * parts.s[k];\n"
+    "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
+    "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
+    "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
     "    }\n"
     "}\n" },
 { "ssgi_sends", __LINE__, "// adds what the surface at pixel q, at an offset d, sends to the receiver\n"
@@ -1445,7 +1642,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "#if environment\n"
     "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // lower elevation of the covered arc\n"
-    "    ssgi_parts parts = ssgi_parts(vec4(0.0), vec4(0.0), vec4(0.0));\n"
+    "    ssgi_parts parts = ssgi_parts(vec2(0.0), vec2(0.0), vec2(0.0));\n"
     "#endif\n"
     "    uvec2 mask = uvec2(0u);\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
@@ -1540,14 +1737,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
     "    got.bounce = vec3(0.0); // #if bounce\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
-    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "#if environment == MAP\n"
-    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) - got.dark, 0.0);\n"
+    "    o_ssgi_light.xyz = ssgi_kept(-got.dark, P, n);\n"
     "#elif environment == SH\n"
     "    ssgi_coefficients v;\n"
     "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
     "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
-    "    o_ssgi_light.xyz = max(ssgi_irradiance(v), 0.0);\n"
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n"
     "}\n"
@@ -1565,7 +1761,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
     "#endif\n"
-    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
     "}\n"
     "#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
@@ -1613,192 +1808,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "#else\n"
     "    ssgi_coefficients v = ssgi_coefficients_none();\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if shaded\n"
     "    if (z < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        ssgi_gather(p, P, ssgi_normal(p, P), xi, v);\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "        ssgi_gather(p, P, n, xi, v);\n"
+    "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if shaded\n"
     "    }\n"
-    "    o_ssgi_light = vec4(max(ssgi_irradiance(v), 0.0), z); // #if shaded\n"
     "    ssgi_store(v); // #if !shaded\n"
-    "#endif\n"
-    "}\n" },
-/* ==== >>light: lights, senders, shading of coefficients ========================================================= */
-
-{ "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
-    "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
-{ "ssgi_light_at", __LINE__, "// row i of t_ssgi_lights, as it shines on P\n"
-    "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
-    "    ssgi_light s;\n"
-    "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
-    "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0);\n"
-    "    s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
-    "    s.l = s.at.w > 0.5 ? s.at.xyz - P : s.at.xyz;\n"
-    "    float dd = max(dot(s.l, s.l), 1e-30);\n"
-    "    s.d = sqrt(dd);\n"
-    "    s.l /= s.d;\n"
-    "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
-    "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
-    "    return s;\n"
-    "}\n" },
-{ "ssgi_segment", __LINE__, "// 1 if any point of a segment from the lifted receiver is occluded\n"
-    "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
-    "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
-    "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
-    "    return 0.0;\n"
-    "}\n" },
-{ "ssgi_shadow", __LINE__ + 1,
-    "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
-    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
-    "// returns how far along the ray to the light the map sees what may be the plane itself or an occluder that\n"
-    "// the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
-    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
-    "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
-    "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
-    "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
-    "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
-    "    bool flat_ = decode.w > 0.0;\n"
-    "    vec2 t = floor(flat_ ? q.xy : q.xy / q.z);\n"
-    "    contact = -1.0;\n"
-    "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
-    "    float size = flat_ ? patch_ : patch_ * q.z;\n"
-    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
-    "    float b = size * 0.70710678 * slope;\n"
-    "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
-    "    // plus the rounding of the map's depth and of P\n"
-    "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
-    "    contact = max(q.z - slack - z, 0.0) * length_;\n"
-    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
-    "}\n" },
-{ "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
-    "    vec3 sum = vec3(0.0), start = ssgi_lift(P, n);\n"
-    "#else\n"
-    "vec3 ssgi_lit(vec3 P, vec3 n) {\n"
-    "    vec3 sum = vec3(0.0);\n"
-    "#endif\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
-    "        ssgi_light s = ssgi_light_at(i, P);\n"
-    "        float cosine = dot(n, s.l), g = s.g * cosine;\n"
-    "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
-    "#endif\n"
-    "#if shadow == MAP || shadow == FILL\n"
-    "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
-    "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
-    "        if (contact < 0.0 && (wider > 0 || (s.at.w > 1.5 && s.at.w < 2.5))) continue;\n"
-    "        i += wider;\n"
-    "        if (shadow > 0.0) continue;\n"
-    "#endif\n"
-    "#if shadow == FILL\n"
-    "        // distances below a pixel are left to the map\n"
-    "        if (contact >= 0.0) reach = contact < ssgi_footprint(-P.z) ? 0.0 : min(reach, contact);\n"
-    "#endif\n"
-    "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "        g *= 1.0 - ssgi_segment(start, s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
-    "#endif\n"
-    "        sum += s.colour.xyz * g;\n"
-    "    }\n"
-    "    return sum;\n"
-    "}\n" },
-{ "main_lights", __LINE__, "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    float z = ssgi_depth(p); // #if !receiver\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
-    "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989;\n"
-    "#else\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n) * 0.31830989;\n"
-    "#endif\n"
-    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
-    "}\n" },
-{ "main_senders", __LINE__, "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    float z = ssgi_depth(p); // #if !receiver\n"
-    "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
-    "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 sum = vec3(0.0);\n"
-    "#if radiance != DIRECT && receiver\n"
-    "    sum += texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
-    "#elif radiance != DIRECT\n"
-    "    sum += texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
-    "#endif\n"
-    "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
-    "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
-    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
-    "}\n" },
-{ "ssgi_bent", __LINE__ + 1,
-    "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of a cone about it with\n"
-    "// the same spread: cosine-weighted directions in a cone of cosine c have a mean of length 2/3 (1 + c + c^2) /\n"
-    "// (1 + c) [SSBN11, for cosine weights].\n"
-    "vec4 ssgi_bent(ssgi_sh s) {\n"
-    "    vec3 m = s.a.wyz * 0.65147002;\n"
-    "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
-    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
-    "}\n" },
-{ "ssgi_light_harmonics", __LINE__ + 1,
-    "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
-    "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
-    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) // #if residual\n"
-    "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v) // #if !residual\n"
-    "{\n"
-    "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
-    "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
-    "    w *= u_ssgi_window;\n"
-    "    float open = 0.25 * w.x;\n"
-    "    open += 0.5 * w.y; // #if bands > 1\n"
-    "    open += 0.3125 * w.z; // #if bands > 2\n"
-    "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.l);\n"
-    "    vec3 e;\n"
-    "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
-    "#if residual\n"
-    "    e += ssgi_ambient(v) * (max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open);\n"
-    "#endif\n"
-    "    return s.colour.xyz * e * s.g;\n"
-    "}\n" },
-{ "main_shade", __LINE__, "void main() {\n"
-    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
-    "    float z = ssgi_depth(p);\n"
-    "#if shading == BENT\n"
-    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
-    "#else\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
-    "    if (z >= SSGI_FAR) return;\n"
-    "    ssgi_coefficients v = ssgi_load(ivec2(gl_FragCoord.xy));\n"
-    "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z)); // #if residual\n"
-    "    ssgi_residual = ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if residual\n"
-    "#if shading == HARMONICS\n"
-    "    vec3 sum = ssgi_irradiance(v);\n"
-    "#else\n"
-    "    vec4 bent = ssgi_bent(v.c[0]);\n"
-    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz, sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0));\n"
-    "#endif\n"
-    "#if shading == BENT_NORMAL\n"
-    "    sum *= ssgi_irradiance_map(axis, 0);\n"
-    "#elif shading == BENT_CONE\n"
-    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
-    "    float slice = min(bent.w * float(last + 1), float(last));\n"
-    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
-    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
-    "#endif\n"
-    "#if lights\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "#if residual\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
-    "#else\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v) * 0.31830989;\n"
-    "#endif\n"
-    "#endif\n"
-    "    o_ssgi_light.xyz = max(sum, 0.0);\n"
-    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
     "#endif\n"
     "}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
@@ -2283,8 +2299,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    float footprint = ssgi_footprint(z);\n"
+    "    vec3 n = ssgi_normal(p, P); // #if filter == BILATERAL || restore\n"
     "#if filter == BILATERAL\n"
-    "    vec3 n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "    vec3 plane = ssgi_plane(P, n);\n"
     "    float near = 1.0 / (0.05 * u_ssgi_radius + footprint);\n"
     "#endif\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
@@ -2338,6 +2355,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_store(sum);\n"
     "#elif colour == COLOUR\n"
     "    o_ssgi_light = vec4(z < SSGI_FAR && sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0), z);\n"
+    "    if (z >= SSGI_FAR) return; // #if restore\n"
+    "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if restore == RATIO\n"
+    "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open(P, n), 0.0); // #if restore == DIFFERENCE\n"
     "#else\n"
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
@@ -2560,7 +2580,7 @@ typedef struct ssgi_gl__field {
     { #field, offsetof(ssgi_gl_desc, field), most, values, "desc." #field ": must be " prefix "_ and one of " values }
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR SURVEY"),
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR STATISTICS"),
     SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"),
     SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
@@ -2576,7 +2596,8 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32, "0..32"),
     SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
     SSGI_GL__E(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT", "NONE SH MAP"),
-    SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"), SSGI_GL__B(two_sided),
+    SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"),
+    SSGI_GL__E(restore, SSGI_GL_RESTORE_DIFFERENCE, "SSGI_GL_RESTORE", "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
     SSGI_GL__E(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE", "LIGHT DIRECT BOTH ALBEDO"),
     SSGI_GL__E(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW", "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate),
     SSGI_GL__I(bands, 4, "0..4"), SSGI_GL__B(packed),
@@ -2647,6 +2668,10 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
     if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
         return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more");
+    if (desc->restore == SSGI_GL_RESTORE_RATIO && desc->transfer == SSGI_GL_TRANSFER_BOTH
+        && (desc->pass == SSGI_GL_SHADE || (desc->pass == SSGI_GL_S3HO && desc->shaded)))
+        return ssgi_gl__bad(why, "desc.restore: what blockers reflect may exceed unoccluded light: "
+                                 "SSGI_GL_RESTORE_DIFFERENCE");
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
     if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
@@ -2698,6 +2723,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         desc->directions = c->directions;
         desc->normal_rays = c->rays;
     }
+    if (desc->pass == SSGI_GL_SSDO && desc->environment) desc->restore = SSGI_GL_RESTORE_RATIO;
     desc->filter = SSGI_GL_BILATERAL;
     desc->filter_radius = 1;
     desc->noise = SSGI_GL_NOISE_GRADIENT;
@@ -2745,6 +2771,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
     const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
+    const int restores = blur && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce);
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_STATISTICS ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
@@ -2761,11 +2788,16 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!s3ho && !reads) d.transfer = 0;
     if (!ssdo) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
-    else if (!ssdo && !surfels) d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (reflected || !(ssdo ? d.environment == SSGI_GL_ENVIRONMENT_SH : s3ho ? d.shaded : shade && !d.shading))
+    else if (!ssdo && !surfels && !restores) d.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (!(shade || (restores && !d.shaded))) d.shading = 0;
+    if (reflected || d.shading == SSGI_GL_SHADING_BENT
+        || !(ssdo ? d.environment : restores || shade || (s3ho && d.shaded)))
+        d.restore = 0;
+    if (reflected || d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
+        || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
-    if (!shade || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
-    if (shade && d.shading && !d.lights && d.bands > 2) d.bands = 2;        /* a mean direction needs two bands */
+    if (!(shade || restores) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
+    if (d.shading && !d.lights && d.bands > 2) d.bands = 2;                 /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;

@@ -32,7 +32,7 @@ static const struct { view view; int boxes, quick; } scenes[] = {
 static const entry pair_entries[] = {
     { "ssdo-fast",                   "ssdo-fast", "bounce=none",                     0 },
     { "ssdo",                        "ssdo",      "bounce=none",                     1 },
-    { "ssdo",                        "ssdo",      "bounce=none,filter_normals=1",    1 },
+    { "ssdo, light filtered",        "ssdo",      "bounce=none,restore=none",        1 },
     { "ssdo, slabs",                 "ssdo",      "bounce=none,behind=slabs",        1 },
     { "ssdo-best",                   "ssdo-best", "bounce=none",                     0 },
     { "ssdo-best, slabs",            "ssdo-best", "bounce=none,behind=slabs",        0 },
@@ -40,11 +40,13 @@ static const entry pair_entries[] = {
     { "s3ho-fast",                   "s3ho-fast", "indirect=none",                   0 },
     { "s3ho",                        "s3ho",      "indirect=none",                   1 },
     { "s3ho, as published",          "s3ho",      "indirect=none,residual=0",        0 },
+    { "s3ho, slabs",                 "s3ho",      "indirect=none,behind=slabs",      0 },
     { "s3ho-best",                   "s3ho-best", "indirect=none",                   0 },
     { "ssbn",                        "ssbn",      "",                                1 },
+    { "ssbn, slabs",                 "ssbn",      "behind=slabs",                    0 },
     { "hsao-fast times irradiance",  "hsao-fast", "",                                0 },
     { "hsao times irradiance",       "hsao",      "",                                1 },
-    { "hsao-best times irradiance",  "hsao-best", "",                                0 }
+    { "hsao, slabs, times irradiance", "hsao",    "behind=slabs",                    0 }
 };
 enum { SCENES = COUNT(scenes), PROBES = COUNT(probes), PAIRS = SCENES * PROBES, BESIDE = 3 };
 static const char scalar_label[] = "true visibility times irradiance", open_label[] = "no occlusion",

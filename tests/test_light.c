@@ -412,6 +412,66 @@ static void slices_leave_planes_open(void)
     kit_image_free(&l.env);
 }
 
+/* A ridge under the lamps of a street: nothing is occluded, and light differs across the edge. Default filters leave it
+   as it is; the filter that smooths light does not. */
+static void creases_stay(void)
+{
+    static const struct { const char *method, *set; double most, least;
+    } row[] = { { "ssdo", "", 0.003, 0 },
+                { "ssdo", "environment=sh,", 0.003, 0 },
+                { "ssdo-best", "", 0.003, 0 },
+                { "ssdo-points", "half=1,", 0.003, 0 },
+                { "ssdo", "behind=slabs,restore=difference,", 0.003, 0 },
+                { "ssdo", "restore=none,", 1, 0.005 },
+                { "s3ho", "residual=1,", 0.003, 0 },
+                { "s3ho", "residual=1,bands=2,indirect=joint,", 0.003, 0 },
+                { "s3ho", "residual=1,bands=1,store=packed,lights=harmonics,", 0.003, 0 },
+                { "s3ho", "residual=1,restore=none,", 1, 0.005 },
+                { "ssbn", "", 0.003, 0 },
+                { "ssbn", "cone=normal,", 0.003, 0 } };
+    const kit_camera c = looking_along_z(161, 91, 0);
+    const double side[2][1][4] = { { { 0.6, 0.1, 0.79372539, -1.5 } }, { { -0.6, 0.1, 0.79372539, -1.5 } } };
+    kit_image frame, other;
+    kit_gbuffer g;
+    kit_lighting l;
+    static const char slabs[] = ",back.Z,front2.Z,back2.Z";
+    if (!lighten(&l, "street", "point:0.5,1,1,2,1,1") || !planes_seen(&frame, &c, side[0], 1, slabs)
+        || !planes_seen(&other, &c, side[1], 1, slabs))
+        return;
+    const size_t pixels = 161 * 91;
+    for (size_t i = 0; i < pixels; ++i)             /* the farther of the two */
+        for (size_t k = 4; other.data[i] > frame.data[i] && k > 0; --k)
+            frame.data[(k - 1) * pixels + i] = other.data[(k - 1) * pixels + i];
+    if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err))) return;
+    for (int m = 0; m < (int)(sizeof row / sizeof row[0]); ++m) {
+        const int map = row[m].method[3] == 'o' && row[m].method[1] == 's', lamp = strstr(row[m].set, "lights") != NULL;
+        const kit_lighting sky = { .env = l.env, .lights = lamp, .light = { l.light[0] } };
+        double sum = 0, square = 0;
+        char set[128], bare[128];
+        kit_image out, open;
+        snprintf(set, sizeof set, "blur=1,half=1,steps=4,%s%s", row[m].set, map ? "bounce=none" : "phase=0");
+        snprintf(bare, sizeof bare, "%s%s,blur=0,half=0,restore=none", row[m].set, map ? "bounce=none" : "phase=0");
+        if (!strcmp(row[m].method, "ssdo-best")) memcpy(strstr(set, "half=1"), "half=0", 6);
+        if (!lit(&out, &g, row[m].method, set, 0.1f, NULL, &sky)
+            || !lit(&open, &g, row[m].method, bare, 1e-6f, NULL, &sky))
+            return;
+        for (size_t i = 3 * pixels; i < 6 * pixels; ++i) {
+            const double off = (double)out.data[i] - (double)open.data[i];
+            sum += (double)open.data[i];
+            square += off * off;
+        }
+        const double rms = sqrt(square * 3 * (double)pixels) / sum;
+        CHECK(sum > 0 && rms <= row[m].most && rms >= row[m].least, "%s %s: %.4f of the mean", row[m].method, set, rms);
+        t_note("%s %s: %.5f of the mean", row[m].method, row[m].set, rms);
+        kit_image_free(&out);
+        kit_image_free(&open);
+    }
+    kit_gbuffer_free(&g);
+    kit_image_free(&frame);
+    kit_image_free(&other);
+    kit_image_free(&l.env);
+}
+
 /* Light that grows toward the wall of the corner, or away from it, and across: what slices block of it is what
    directions there bring. The corner upside down has the wall on the slices' other side. */
 static void slices_know_directions(void)
@@ -1017,6 +1077,7 @@ void test_light(void)
     RUN("open planes get the environment's cosine integral, without noise", open_planes);
     RUN("the corner darkens by its closed forms, for every falloff and number of steps", corner_darkens);
     RUN("slices leave bare planes open, exactly, whatever they collect", slices_leave_planes_open);
+    RUN("creases stay sharp where nothing is occluded, with the default filters", creases_stay);
     RUN("what slices block of light that has a direction is what comes from there", slices_know_directions);
     RUN("the corner's bounce is what each estimator's expectation is", corner_bounces);
     RUN("a frame's own radiance, which harmonics cannot carry, is refused", harmonics_refuse_direct);

@@ -1177,6 +1177,9 @@ static void defaults(void)
             .filter_radius = 2 },
           1 + 6 + 24 * 7 },
         ROW(1 + 9, (.pass = SSGI_GL_BLUR), (.filter_radius = 1)),
+        ROW(9 + 1 + 4,
+            (.pass = SSGI_GL_BLUR, .colour = 1, .restore = 1, .environment = SSGI_GL_ENVIRONMENT_MAP),
+            (.filter_radius = 1)),
         ROW(2 + 32, (.pass = SSGI_GL_STATISTICS), (.samples = 32)),
         ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2))
     };

@@ -28,7 +28,8 @@ GLuint    kit_keep(kit_run *run, GLuint texture);     /* becomes the run's own *
 /* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
 kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source,
                        GLuint array, int slice);
-int       kit_add_blur(kit_making *m, GLuint *texture);
+/* Filters *texture, which a pass of that desc draws. */
+int       kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture);
 
 /* ---- >>lights */
 

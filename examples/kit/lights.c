@@ -26,12 +26,12 @@ static int add_direct(kit_making *m, const kit_gbuffer *g, int v, int receiver, 
     /* depth gives the normals of what is seen alone */
     if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;
     gather.bounce = SSGI_GL_BOUNCE_NONE;
-    if (!picture) gather.half = 0;
+    if (!picture) gather.half = gather.restore = 0;     /* nothing filters it */
     if (gather.environment) {
         kit_pass *p = kit_add_pass(m, &gather, g, v < 0 ? 0 : 1 + 2 * v, 0, 0, 0);
         if (!p) return -1;
         *light = p->target[0];
-        if (picture && kit_add_blur(m, light)) return -1;
+        if (picture && kit_add_blur(m, &gather, light)) return -1;
     }
     if (m->rows[1 + v]) {
         kit_pass *p;
@@ -459,14 +459,14 @@ int kit_add_environment(kit_making *m)
     run->equirect = malloc(3 * pixels * sizeof *run->equirect);
     failed = !map || !four || !open || !run->equirect;
     for (size_t i = 0; !failed && i < 3 * pixels; ++i) run->equirect[i] = env->data[i % 3 * pixels + i / 3];
-    if (!failed && ((s3ho && !cones) || m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
+    if (!failed && (s3ho ? !cones : m->gather.environment == SSGI_GL_ENVIRONMENT_SH))
         failed = ssgi_sh_project_equirect(run->harmonics, m->gather.bands, run->equirect, env->width, env->height, &why)
                  != SSGI_OK;
     if (!failed && mapped)
         failed = ssgi_environment_map(map, SIZE, run->equirect, env->width, env->height,
                                       m->gather.samples ? (float)(2 * PI / m->gather.samples)
                                       : m->gather.directions
-                                          ? (float)(PI / (4 * m->gather.directions))
+                                          ? (float)(0.75 * PI / m->gather.directions)
                                           : (float)PI * run->frame.epsilon /* of surfels at the end of a shell */,
                                       &why)
                      != SSGI_OK
@@ -494,6 +494,10 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     const double fetches = run->fetches;
     kit_pass *p;
     gather.transfer = blur.transfer = shade.transfer = transfer;
+    /* blockers may send more than is missing; a bounce that is told apart by its difference wants both alike */
+    if (gather.restore && (aside || transfer)) gather.restore = SSGI_GL_RESTORE_DIFFERENCE;
+    if (vectors) gather.restore = SSGI_GL_RESTORE_NONE;
+    shade.restore = gather.restore;
     /* parts are told apart after the same rounding */
     gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;
     gather.shaded = !vectors && !shade.shading && !shade.lights;
@@ -505,7 +509,8 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     if (!p) return -1;
     p->lights = m->rows[0];
     *light = p->target[0];
-    if (!vectors && kit_add_blur(m, light)) return -1;
+    if (!vectors && kit_add_blur(m, gather.shaded ? &gather : &shade, light)) return -1;
+    run->pass[run->passes - 1].lights = m->rows[0];
     if (aside) run->fetches = fetches;
     for (int i = first; i < run->passes; ++i) run->pass[i].aside = aside;
     return 0;
@@ -605,14 +610,17 @@ static int add_harmonic_light(kit_making *m, int indirect, int harmonics, GLuint
 static int add_reused(kit_making *m, GLuint *light, GLuint *received)
 {
     kit_run *run = m->run;
+    ssgi_gl_desc bounce = m->gather;
     kit_pass *p, *senders;
+    bounce.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (add_senders(m, run->gbuffer, -1, 0, 1)) return -1;         /* its source is set below */
     senders = &run->pass[run->passes - 1];
     p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
     if (!p) return -1;
     *light = p->target[0];
     *received = p->target[1];
-    if (kit_add_blur(m, light) || kit_add_blur(m, received) || add_placed_lights(m, light)) return -1;
+    if (kit_add_blur(m, &m->gather, light) || kit_add_blur(m, &bounce, received) || add_placed_lights(m, light))
+        return -1;
     senders->source = *light;
     return 0;
 }
@@ -639,7 +647,7 @@ static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
     p = kit_add_pass(m, &d, g, 0, 0, 0, 0);
     if (!p) return -1;
     *received = p->target[0];
-    return kit_add_blur(m, received);
+    return kit_add_blur(m, &d, received);
 }
 
 static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16],
@@ -696,6 +704,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
     if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
     m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")]
                                                         : SSGI_GL_ENVIRONMENT_NONE;
+    if (s3ho) m->gather.environment = m->shade.environment = SSGI_GL_ENVIRONMENT_SH;
+    if (!m->blurred || !m->gather.environment) m->gather.restore = 0;
     if (lighting->env.data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
     if (kit_seen(g, &seen, m->err)) return -1;

@@ -148,11 +148,18 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
     return p;
 }
 
-int kit_add_blur(kit_making *m, GLuint *texture)
+int kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture)
 {
+    ssgi_gl_desc d = *of;
     kit_pass *p;
     if (!m->blurred) return 0;
-    p = kit_add_pass(m, &m->blur, m->run->gbuffer, 0, *texture, 0, 0);
+    d.pass = SSGI_GL_BLUR;
+    d.colour = m->blur.colour;
+    d.filter = m->blur.filter;
+    d.filter_radius = m->blur.filter_radius;
+    d.filter_normals = m->blur.filter_normals;
+    d.half = m->blur.half;
+    p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
     if (!p) return -1;
     *texture = p->target[0];
     return 0;
@@ -405,7 +412,7 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
         p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
         failed = !p;
         if (p) run->light = p->target[0];
-        failed = failed || kit_add_blur(m, &run->light);
+        failed = failed || kit_add_blur(m, &m->gather, &run->light);
     }
     if (m->gather.kernel) {
         const int sets = (int)kit_method_value(m->method, "sets");

@@ -42,6 +42,8 @@ ROW(offset_row, "offset", "lift of the receiver along its normal, in half pixels
 ROW(blur_row, "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1, PLAN, 0)
 ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, BLUR, DESC(filter))
 ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, BLUR, DESC(filter_normals))
+ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
+    "none ratio difference", 1, 0, 2, 1, GATHER | BLUR, DESC(restore))
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -165,12 +167,13 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
     { \
         __VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, &distance_clamp_row, \
             &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, \
-            &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row \
+            &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, &compare_row, \
+            &margin_row \
     }
 #define VECTORS(...) \
     __VA_ARGS__, &store_row, &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, \
-        &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, \
-        &margin_row
+        &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
+        &compare_row, &margin_row
 #define S3HO(...) { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(__VA_ARGS__) }
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
