@@ -80,7 +80,8 @@
       splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's
                  three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
                  With tessellate patches as above: nothing is kept. Culling off
-      unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the image
+      unshuffle  over all levels; then smooth along x and along y (over all levels), sum over the image. With span sum
+                 reads hsao's or ssdo's (one target, hard, blurred) of that span; the bounce's splat reads senders too
 
    ROOMS        search for ">>"
       >>desc       what you choose               >>emit    text out
@@ -1249,8 +1250,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
 { "ssgi_span", __LINE__, "float ssgi_span; // how far slices see what surfels do not, view units\n" },
-{ "ssgi_near", __LINE__, "// share that slices see of what is at a distance\n"
-    "vec2 ssgi_near(vec2 d) {\n"
+{ "ssgi_near", __LINE__, "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
     "}\n" },
 { "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
