@@ -81,7 +81,9 @@
       splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's
                  three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
                  With tessellate patches as above: nothing is kept. Culling off
-      unshuffle  over all levels; then smooth along x, smooth along y (both over all levels), sum over the image
+      unshuffle  over all levels; then smooth along x and along y (over all levels), sum over the image. With span sum
+                 reads hsao's or ssdo's (one target, hard; light as restore RATIO, blurred without restore) of that
+                 span; the bounce's splat reads senders too
 
    ROOMS        search for ">>"
       >>desc       what you choose               >>emit    text out
@@ -253,7 +255,7 @@ typedef struct ssgi_gl_desc {
 
     /* hsao */
     int normal_rays;     /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
-    int hard;            /* hsao, splat   1: no attenuation, all within the radius occludes fully */
+    int hard;            /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
 
     /* ssdo, and lights */
     int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
@@ -294,6 +296,8 @@ typedef struct ssgi_gl_desc {
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
                             320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
+    int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  slices
+                            see what is as near as that, surfels the rest and what is hidden; 0: no such share */
     int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
@@ -674,8 +678,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_noise", __LINE__, "#if noise == GRADIENT\n"
     "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence over\n"
     "// the image\n"
@@ -690,8 +693,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
     "    vec4 j = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0);\n"
     "    return fract(vec2(j.w, j.z + 0.5) + u_ssgi_phase);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
     "mat3 ssgi_basis(vec3 n) {\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
@@ -894,8 +896,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "#endif\n"
     "    return max(found, 0.0);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_blocked", __LINE__, "#if !(layers > 1 || views)\n"
     "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
@@ -925,8 +926,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
@@ -1044,8 +1044,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "uint ssgi_pack_half(vec2 v) {\n"
     "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_unpack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
     "vec2 ssgi_unpack_half(uint u) {\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
@@ -1056,8 +1055,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "vec2 ssgi_unpack_half(uint u) {\n"
     "    return unpackHalf2x16(u);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_unpack", __LINE__, "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
     "    s.a = vec4(ssgi_unpack_half(u.x).x, 0.0, 0.0, 0.0);\n"
@@ -1328,11 +1326,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_kept", __LINE__, "// what is written of a receiver's light: desc.restore\n"
     "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) {\n"
-    "    vec3 open = ssgi_open(P, n); // #if restore || environment == MAP\n"
-    "    light += open; // slices give what is missing // #if environment == MAP\n"
     "    return max(light, 0.0); // #if !restore\n"
-    "    return clamp(light / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return light - open; // #if restore == DIFFERENCE\n"
+    "    return clamp(light / max(ssgi_open(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
+    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n"
     "}\n" },
 { "main_shade", __LINE__, "void main() {\n"
     "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
@@ -1440,10 +1436,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // the unoccluded share of the samples' light: exact without occlusion\n"
     "    o_ssgi_light.xyz = 1.0 - dark / max(all, 1e-30);\n"
     "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if !restore\n"
+    "    o_ssgi_light.xyz = (o_ssgi_light.xyz - 1.0) * ssgi_open(P, n); // #if restore == DIFFERENCE\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
+{ "ssgi_surfel_radius", __LINE__, "float ssgi_surfel_radius(float depth) {\n"
+    "    return u_ssgi_surfel.x; // #if orthographic\n"
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
+    "}\n" },
+{ "ssgi_span", __LINE__, "float ssgi_span; // how far slices see what surfels do not, view units\n" },
+{ "ssgi_near", __LINE__, "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
+    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
+    "}\n" },
 { "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
     "float ssgi_attenuation(float d) {\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
@@ -1529,8 +1533,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "vec2 ssgi_count(uvec2 m) {\n"
     "    return vec2(bitCount(m));\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_slice", __LINE__ + 1,
     "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the normal over the length of\n"
     "// its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share of the hemisphere per\n"
@@ -1580,6 +1583,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
+    "    fresh *= ssgi_near(d); // #if span\n"
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
     "}\n" },
 { "ssgi_second", __LINE__ + 1,
@@ -1635,6 +1639,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
     "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // #if span\n"
+    "    pixels *= share; // #if span\n"
     "    vec2 last = vec2(0.0);\n"
     "#if behind != SOLID\n"
     "    vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
@@ -1663,6 +1669,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        w = ssgi_fresh(mask, ssgi_between(vec2(0.0), to), 0.5 * (far + last)) * s.share;\n"
     "#else\n"
     "        vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: from tap to tap\n"
+    "        gap *= share; // #if span\n"
     "        before = u;\n"
     "#if behind == CONSTANT\n"
     "        vec2 from = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), to);\n"
@@ -1705,10 +1712,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if environment\n"
     "    ssgi_blocked_by(got, s, parts);\n"
     "#endif\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_walk", __LINE__, "#if search == SLICES\n"
     "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
+    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
@@ -1719,16 +1726,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
     "    }\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_got got;\n"
     "    got.all = 0.0;\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
     "    return got.all;\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSDO && search == SLICES\n"
     "// what is blocked, taken from what the open pixel gets; what senders bring where it is\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1738,7 +1743,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    got.bounce = vec3(0.0); // #if bounce\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
     "#if environment == MAP\n"
-    "    o_ssgi_light.xyz = ssgi_kept(-got.dark, P, n);\n"
+    "    vec3 open = ssgi_open(P, n); // #if restore != DIFFERENCE\n"
+    "    o_ssgi_light.xyz = max(open - got.dark, 0.0); // #if !restore\n"
+    "    o_ssgi_light.xyz = clamp(1.0 - got.dark / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
+    "    o_ssgi_light.xyz = -got.dark; // #if restore == DIFFERENCE\n"
     "#elif environment == SH\n"
     "    ssgi_coefficients v;\n"
     "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
@@ -1746,8 +1754,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
     "#endif\n"
     "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == S3HO && search == SLICES\n"
     "// the cosine lobe less what is blocked of it, and the lobes of what blocks\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
@@ -1761,8 +1768,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
     "#endif\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1779,8 +1785,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    }\n"
     "    return sum / float(SSGI_DIRECTIONS);\n"
-    "}\n"
-    "#endif\n" },
+    "}\n#endif\n" },
 { "main_gather", __LINE__, "#if half\n"
     "void main() { // one pixel of every 2x2\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
@@ -1930,9 +1935,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
     "}\n" },
-/* ==== >>splat: surfels and their effect on pixels =============================================================== */
-
-/* Twins of >>surfels in ssgi.h. */
+/* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
 
 { "main_patch", __LINE__, "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
@@ -1954,10 +1957,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
     "    return vec3(n - down, down - across, across) / float(n);\n"
-    "}\n" },
-{ "ssgi_surfel_radius", __LINE__, "float ssgi_surfel_radius(float depth) {\n"
-    "    return u_ssgi_surfel.x; // #if orthographic\n"
-    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
 { "ssgi_outside", __LINE__, "// distance outside the frustum\n"
     "float ssgi_outside(vec3 P) {\n"
@@ -2023,11 +2022,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n"
     "}\n" },
-{ "ssgi_surfel_light", __LINE__, "// irradiance over pi of a surfel, unoccluded\n"
-    "vec3 ssgi_surfel_light(vec3 P, vec3 n) {\n"
+{ "ssgi_surfel_sent", __LINE__, "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
+    "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
+    "    return colour; // #if sends == COLOUR\n"
+    "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
+    "#if sends == LIGHTS\n"
     "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
     "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
-    "    return sum;\n"
+    "    return colour * sum;\n"
+    "#endif\n"
     "}\n" },
 { "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
@@ -2043,30 +2046,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec3 place = uvec3(max(w * v_ssgi_patch.y - ring / 1.5 + 0.5, 0.0));\n"
     "    uint h = ssgi_hash((uint(v_ssgi_patch.z) << 16) | uint(v_ssgi_patch.w));\n"
     "    h = ssgi_hash(h + (place.x | (place.y << 7) | (uint(ring) << 14)));\n"
-    "#if sends == LIGHTS\n"
-    "    colour *= ssgi_surfel_light(P, n);\n"
-    "#elif sends == CUSTOM\n"
-    "    colour = ssgi_custom_surfel(P, n, colour);\n"
-    "#endif\n"
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
     "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 affects nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
-    "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
     "}\n" },
 { "main_buffer", __LINE__, "void main() {\n"
-    "    vec3 P = a_ssgi_surfel0.xyz, n = a_ssgi_surfel1.xyz, colour = a_ssgi_surfel2.xyz;\n"
-    "#if sends == LIGHTS\n"
-    "    colour *= ssgi_surfel_light(P, n);\n"
-    "#elif sends == CUSTOM\n"
-    "    colour = ssgi_custom_surfel(P, n, colour);\n"
-    "#endif\n"
     "    v_ssgi_surfel0 = a_ssgi_surfel0;\n"
     "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
-    "    v_ssgi_surfel2 = vec4(colour, 0.0);\n"
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
     "}\n" },
 { "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
-    "void main() {\n"
-    "}\n" },
+    "void main() {\n}\n" },
 { "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
@@ -2103,17 +2094,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_shell", __LINE__, "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
+    "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty if it covers none\n"
-    "#if effect > LIGHT\n"
-    "    float most = max(sent.x, max(sent.y, sent.z));\n"
-    "#if effect == SPECULAR\n"
-    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe\n"
+    "#if span\n"
+    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
+    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
+    "#if effect == BOUNCE\n"
+    "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as what is seen\n"
+    "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
     "#endif\n"
-    "    most /= u_ssgi_epsilon * u_ssgi_sent;\n"
-    "    float reach = at.w * sqrt(max(most - 1.0, 0.0)), block = exp2(float(l));\n"
-    "#else\n"
-    "    float reach = at.w * sqrt(max(1.0 / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
     "#endif\n"
+    "    float most = 1.0; // #if effect < BOUNCE\n"
+    "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT\n"
+    "    most *= 0.5 * (u_ssgi_exponent + 1.0); // of the lobe // #if effect == SPECULAR\n"
+    "    float reach = at.w * sqrt(max(most / u_ssgi_epsilon - 1.0, 0.0)), block = exp2(float(l));\n"
     "    float inner = l > 0 ? reach * 0.5 * block : -1.0, outer = min(reach * block, u_ssgi_radius);\n"
     "    if (!(outer > max(inner, 0.0))) return vec4(0.0);\n"
     "    vec4 b = clamp(ssgi_sphere(vec4(at.xyz, outer)), vec4(0.0), vec2(u_ssgi_size).xyxy);\n"
@@ -2151,30 +2145,39 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            if (corner == 3) EndPrimitive();\n"
     "        }\n"
     "}\n" },
+{ "ssgi_gloss", __LINE__, "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
+{ "ssgi_disc", __LINE__, "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
+    "    float dd = max(dot(v, v), 1e-30);\n"
+    "#if effect == SPECULAR\n"
+    "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
+    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, over pi\n"
+    "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
+    "#endif\n"
+    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
+    "}\n" },
 { "ssgi_form", __LINE__ + 1,
     "// form factor of a disc without its area, weight and cosine; v: vector to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
-    "    float dd = dot(v, v);\n"
     "#if near_samples > 1\n"
     "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
-    "    if (dd < 16.0 * rr) {\n"
+    "    if (dot(v, v) < 16.0 * rr) {\n"
     "        vec3 a = normalize(abs(m.z) < 0.7 ? vec3(m.y, -m.x, 0.0) : vec3(0.0, m.z, -m.y)), b = cross(m, a);\n"
     "        vec2 turn = vec2(1.0, 0.0);\n"
-    "        float form = 0.0;\n"
+    "        float form = 0.0, part = 1.0 / float(SSGI_NEAR_SAMPLES);\n"
     "        for (int i = 0; i < SSGI_NEAR_SAMPLES; ++i) {\n"
-    "            vec2 o = turn * sqrt((float(i) + 0.5) / float(SSGI_NEAR_SAMPLES) * rr);\n"
-    "            vec3 w = v + a * o.x + b * o.y;\n"
-    "            float ww = dot(w, w);\n"
-    "            form += max(dot(w, n), 0.0) / (max(ww, 1e-30) * (ww + rr / float(SSGI_NEAR_SAMPLES)));\n"
+    "            vec2 o = turn * sqrt((float(i) + 0.5) * part * rr);\n"
+    "            form += ssgi_disc(v + a * o.x + b * o.y, n, rr * part);\n"
     "            turn = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888) * turn; // by the golden angle\n"
     "        }\n"
-    "        return form / float(SSGI_NEAR_SAMPLES);\n"
+    "        ssgi_gloss *= part; // #if effect == SPECULAR\n"
+    "        return form * part;\n"
     "    }\n"
     "#endif\n"
-    "    return max(dot(v, n), 0.0) / (max(dd, 1e-30) * (dd + rr));\n"
+    "    return ssgi_disc(v, n, rr);\n"
     "}\n" },
 { "main_splat", __LINE__, "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
+    "flat in float v_ssgi_seen; // #if span\n"
     "void main() {\n"
     "    uvec4 t = texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0);\n"
     "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
@@ -2190,11 +2193,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
     "    float away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w;\n"
-    "#if two_sided\n"
-    "    away = abs(away);\n"
-    "#else\n"
-    "    if (!(away > 0.0)) discard; // front faces only: with back faces closed meshes would count twice\n"
-    "#endif\n"
+    "    away = abs(away); // #if two_sided\n"
+    "    if (!(away > 0.0)) discard; // with back faces closed meshes would count twice // #if !two_sided\n"
+    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
+    "    away *= 1.0 - v_ssgi_seen * ssgi_near(vec2(sqrt(dd))).x; // #if span\n"
+    "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
     "    float form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * v_ssgi_turned.w * rr * away;\n"
     "    if (!(form > 0.0)) discard;\n"
     "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && !hard\n"
@@ -2205,10 +2208,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#elif effect == BOUNCE\n"
     "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0);\n"
     "#else\n"
-    "    float d = inversesqrt(max(dd, 1e-30)), mirrored = max(dot(v, reflect(-ssgi_toward(P), n)), 1e-20) * d;\n"
-    "    // normalised lobe over pi, times the disc's solid angle\n"
-    "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent);\n"
-    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (lobe * v_ssgi_turned.w * rr * away * d / (dd + rr)), form);\n"
+    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away), form);\n"
     "#endif\n"
     "#endif\n"
     "}\n" },
@@ -2261,17 +2261,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += texelFetch(t_ssgi_levels, p + ivec2(0, l * u_ssgi_level.y), 0);\n"
     "#if effect == OCCLUSION\n"
     "    o_ssgi_ao = vec2(1.0 - sum.x * ssgi_once(sum.x), z);\n"
+    "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x; // #if span\n"
     "#elif effect == LIGHT\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_once(sum.w), 0.0);\n"
-    "#elif effect == BOUNCE\n"
-    "    o_ssgi_bounce = vec4(sum.xyz * ssgi_once(sum.w), z);\n"
-    "#elif effect == SPECULAR\n"
-    "    o_ssgi_specular = vec4(sum.xyz * ssgi_once(sum.w), z);\n"
+    "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if span\n"
     "#else\n"
-    "    o_ssgi_scatter = vec4(sum.xyz, z);\n"
+    "    sum.xyz *= ssgi_once(sum.w); // #if effect != SCATTER\n"
+    "    sum += texelFetch(t_ssgi_light, p + u_ssgi_target, 0); // #if span\n"
+    "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
+    "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
+    "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
     "#endif\n"
     "}\n" },
 { "main_blur", __LINE__, "void main() {\n"
@@ -2424,7 +2426,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__C("SSGI_NORMAL_RAYS", normal_rays), SSGI_GL__C("SSGI_LAYERS", layers), SSGI_GL__C("SSGI_VIEWS", views),
     SSGI_GL__C("SSGI_VIEW_LAYERS", view_layers), SSGI_GL__C("SSGI_RECEIVER", receiver),
     SSGI_GL__C("SSGI_LEVELS", levels), SSGI_GL__C("SSGI_NEAR_SAMPLES", near_samples), SSGI_GL__C("SSGI_AXIS", axis),
-    SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius),
+    SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius), SSGI_GL__C("SSGI_SPAN", span),
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
@@ -2609,7 +2611,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
     SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
     SSGI_GL__E(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS", "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
+    SSGI_GL__I(span, 64, "0..64"), SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
     SSGI_GL__B(filter_normals)
@@ -2800,6 +2802,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (d.shading && !d.lights && d.bands > 2) d.bands = 2;                 /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
+    if (!slices && ((!splat && pass != SSGI_GL_SUM) || d.effect > SSGI_GL_EFFECT_BOUNCE)) d.span = 0;
     if (splat && !(d.tessellate && d.effect > SSGI_GL_EFFECT_LIGHT)) d.sends = SSGI_GL_SENDS_COLOUR;
     return d;
 }

@@ -1175,11 +1175,11 @@ static double hidden(const deep *d, const ssgi_surfel *s, size_t count, int leve
 static void as_brute_force(void)
 {
     static const struct { const char *set; int levels, orthographic, hard; float radius;
-    } row[] = { { "levels=1,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1", 1, 0, 1, 0 },
-                { "levels=1,smooth=0,size=0.05,epsilon=0.05,near_samples=1", 1, 1, 0, 0.4f },
-                { "levels=4,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1", 4, 0, 1, 0 },
-                { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1", 4, 0, 0, 0.6f },
-                { "levels=3,smooth=0,size=0.04,epsilon=0.02,near_samples=1,way=direct", 3, 1, 0, 0.6f } };
+    } row[] = { { "levels=1,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 1, 0, 1, 0 },
+                { "levels=1,smooth=0,size=0.05,epsilon=0.05,near_samples=1,span=0", 1, 1, 0, 0.4f },
+                { "levels=4,hard=1,smooth=0,size=0.05,epsilon=0.02,near_samples=1,span=0", 4, 0, 1, 0 },
+                { "levels=4,smooth=1,size=0.04,epsilon=0.02,near_samples=1,span=0", 4, 0, 0, 0.6f },
+                { "levels=3,smooth=0,size=0.04,epsilon=0.02,near_samples=1,span=0,way=direct", 3, 1, 0, 0.6f } };
     for (int m = 0; m < COUNT(row); ++m) {
         deep d;
         kit_image out;
@@ -1272,7 +1272,7 @@ static void unseen(void)
                          { 11, -5 },
                          m ? KIT_DEPTH_REVERSED : KIT_DEPTH_INFINITE };
         if (!dive(&d, "plane", &block, 1, &c, 96, 54, "dss",
-                  "levels=1,hard=1,smooth=0,epsilon=0.003,near_samples=1,near_depth=0", 0, NULL))
+                  "levels=1,hard=1,smooth=0,epsilon=0.003,near_samples=1,span=0,near_depth=0", 0, NULL))
             return;
         const struct { const char *where; ssgi_surfel s; double least;
         } row[] = { { "off screen", placed(&d, -2.6f, 0.7f, 0, 0.8f, -0.6f, 0, 0.3f, 0), 0.002 },
@@ -1322,8 +1322,8 @@ static void shells(void)
     deep d;
     int wrong = 0, blocks[4] = { 0 }, missed = 0, hits[4] = { 0 };
     double bias[4] = { 0 };
-    if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1", 0,
-              NULL))
+    if (!dive(&d, "plane", NULL, 0, NULL, 160, 90, "dss", "levels=4,hard=1,smooth=0,epsilon=0.05,near_samples=1,span=0",
+              0, NULL))
         return;
     for (int k = 0; k < 4; ++k) {
         static unsigned char met[90][160], level[90][160];
@@ -1381,7 +1381,9 @@ static void overlap(void)
     deep d;
     kit_image out;
     double worst = 0, most = 0;
-    if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", "levels=1,hard=1,smooth=0,near_samples=1", 0, NULL)) return;
+    if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", "levels=1,hard=1,smooth=0,near_samples=1,span=0", 0,
+              NULL))
+        return;
     const ssgi_surfel s[3] = { placed(&d, 0, 0.4f, 0, 0, -1, 0, 0.6f, 0), placed(&d, 0, 0.3f, 0, 0, -1, 0, 0.5f, 0.5f),
                                placed(&d, 0.1f, 0.3f, 0, 0, -1, 0, 0.5f, 0.9f) };
     if (!of_these(&out, &d, s, 3)) return;
@@ -1454,7 +1456,7 @@ static void near_samples(void)
         deep d;
         kit_image out;
         int n = 0;
-        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,epsilon=0.01,near_samples=%d", 1 << 2 * m);
+        snprintf(set, sizeof set, "levels=1,hard=1,smooth=0,epsilon=0.01,near_samples=%d,span=0", 1 << 2 * m);
         if (!dive(&d, "plane", NULL, 0, NULL, 96, 54, "dss", set, 0, NULL)) return;
         const ssgi_surfel s = placed(&d, 0, 0.2f, 0, 0.6f, -0.8f, 0, 0.3f, 0);
         for (int i = 0; i < 4000; ++i) {
@@ -1503,7 +1505,8 @@ static void against_truth(void)
     surface(&d);
     kit_image_free(&truth);
     kit_image_free(&none);
-    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "", 0.8f, &l)
+    if (!lighten(&l, "sky", "sun:1,2,0.5,2,2,2") || !dive(&d, "boxes", NULL, 0, NULL, 96, 54, "dss-lit", "sky=1", 0.8f,
+                                                             &l)
         || !drawn(&out, &d.run)
         || !TRY(kit_truth_lit(&truth, &d.scene, &d.g.camera, &l, 0.8f, KIT_ATTENUATION_NONE, 1, 64, 1, &err))
         || !TRY(kit_image_new(&none, 96, 54, KIT_LIT_CHANNELS, &err)))
@@ -1521,6 +1524,39 @@ static void against_truth(void)
     kit_image_free(&none);
     kit_image_free(&l.env);
     surface(&d);
+}
+
+/* Floor within a surfel's radius of a wall: surfels alone leave it too bright, slices see the wall. */
+static void creases(void)
+{
+    double rmse[2];
+    int pixels = 0;
+    for (int k = 0; k < 2; ++k) {
+        double squares = 0;
+        deep d;
+        kit_image out;
+        if (!dive(&d, "corner", NULL, 0, NULL, 160, 90, "dss", k ? "size=0.05" : "size=0.05,span=0", 0.8f, NULL)
+            || !drawn(&out, &d.run))
+            return;
+        pixels = 0;
+        for (int i = 0; i < 160 * 90; ++i) {
+            const double z = (double)d.frame.data[i];
+            float p[3];
+            if (!(z > 0)) continue;
+            kit_camera_point(&d.g.camera, i % 160, i / 160, z, p);
+            if (fabsf(p[1]) > 1e-3f || p[0] < 1e-3f || (double)p[0] > radius_of(&d.view, 0.05, z)) continue;
+            const double c = (double)p[0] / 0.8, s = sqrt(1 - c * c),
+                         dark = (acos(c) + c * s - 2 * c * log((1 + s) / c)) / pi;     /* of it by a wall, linearly */
+            squares += pow(1 - dark - (double)out.data[i], 2);
+            ++pixels;
+        }
+        rmse[k] = sqrt(squares / pixels);
+        kit_image_free(&out);
+        surface(&d);
+    }
+    CHECK(pixels > 20 && rmse[1] < 0.09 && rmse[1] < 0.5 * rmse[0], "%d pixels: RMSE %.4f, surfels alone %.4f", pixels,
+          rmse[1], rmse[0]);
+    t_note("%d pixels: RMSE %.4f, of surfels alone %.4f", pixels, rmse[1], rmse[0]);
 }
 
 /* The bounce of a point light, and of a lobe, by its intensity; of the sky by its brightness. */
@@ -1584,6 +1620,7 @@ void test_surfels(void)
     RUN("overlap: shares of what is left", overlap);
     RUN("a disc at hand, looked at more near_samples", near_samples);
     RUN("a scattering plane is as bright as its dipole's total", scattering);
+    RUN("beside a wall slices see what surfels are too coarse for", creases);
     RUN("a bounce is linear in its light, from 0.1 to 100", linear);
     RUN("occlusion, light and bounce against rays", against_truth);
     kit_gl_close();

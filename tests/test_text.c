@@ -33,7 +33,7 @@ static const choice choices[] = {
     CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
-    CHOICE(axis, 2, 0, 1)
+    CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -976,7 +976,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
              INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
-             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1)
+             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),
+             INT(restore, 2),       INT(span, 64)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 

@@ -67,15 +67,43 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
     return sorted;
 }
 
-/* splat .. sum of one effect; *out: what comes out. */
-static int add_splats(kit_making *m, const kit_pass *from, int effect, GLuint *out)
+/* What slices find within the span, filtered: the number of its last pass; -1 = failed. */
+static int add_near(kit_making *m, int effect)
+{
+    ssgi_gl_desc d = m->gather, blur = m->blur;
+    const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
+    kit_pass *p;
+    d.pass = lit ? SSGI_GL_SSDO : SSGI_GL_HSAO;
+    d.directions = 2;
+    d.steps = 4;
+    d.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+    d.bounce = bounce;
+    d.restore = SSGI_GL_RESTORE_RATIO;                      /* of light: sum multiplies by it */
+    d.hard |= lit;                                          /* light does not fade */
+    p = kit_add_pass(m, &d, m->run->gbuffer, 0, 0, 0, 0);
+    if (!p) return -1;
+    blur.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
+    blur.filter_radius = 1;
+    blur.filter_normals = bounce;
+    p = kit_add_pass(m, &blur, m->run->gbuffer, 0, p->target[0], 0, 0);
+    return p ? m->run->passes - 1 : -1;
+}
+
+/* splat .. sum of one effect; seen: the light of what is seen, 0 = none; *out: what comes
+   out. */
+static int add_splats(kit_making *m, const kit_pass *from, int effect, GLuint seen, GLuint *out)
 {
     kit_run *run = m->run;
     ssgi_gl_desc d = m->gather;
     kit_pass *p;
     GLuint levels;
+    int near = 0;
     d.effect = effect;
+    if (effect > SSGI_GL_EFFECT_BOUNCE || (effect == SSGI_GL_EFFECT_BOUNCE && !seen)) d.span = 0;
     if (effect == SSGI_GL_EFFECT_OCCLUSION || effect == SSGI_GL_EFFECT_LIGHT) d.sends = SSGI_GL_SENDS_COLOUR;
+    if (d.span && effect == SSGI_GL_EFFECT_BOUNCE && kit_add_seen_senders(m, seen)) return -1;
+    near = d.span ? add_near(m, effect) : 0;
+    if (near < 0) return -1;
     p = kit_add_pass(m, &d, run->gbuffer, 0, 0, 0, 0);
     if (!p) return -1;
     p->lights = m->rows[0];
@@ -91,6 +119,7 @@ static int add_splats(kit_making *m, const kit_pass *from, int effect, GLuint *o
             if (!p) return -1;
             levels = p->target[0];
         }
+    if (d.span) p->vectors = near;
     *out = levels;
     return 0;
 }
@@ -196,7 +225,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     if (vertices && !failed) failed = ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK;
     if (lit && !failed && vertices) {
         float sky[3] = { 0, 0, 0 };
-        if (m->gather.environment) mean_of(sky, &lighting->env);
+        if (lighting->env.data && (m->gather.environment || m->gather.span)) mean_of(sky, &lighting->env);
         failed = !rows || ssgi_gl_sent_set(&run->frame, surfels, run->surfels, rows, direct, sky, &why) != SSGI_OK;
     }
     free(rows);
@@ -243,7 +272,7 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         run->shuffled = p->target[0];
     }
     if (effect == SSGI_GL_EFFECT_LIGHT) {
-        if (lighting->env.data && add_splats(m, &from, SSGI_GL_EFFECT_LIGHT, &light)) return -1;
+        if (lighting->env.data && add_splats(m, &from, SSGI_GL_EFFECT_LIGHT, 0, &light)) return -1;
         if (direct) {
             ssgi_gl_desc lights = m->lights;
             lights.accumulate = light != 0;
@@ -252,14 +281,14 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
             p->lights = m->rows[0];
             light = p->target[0];
         }
-        if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, &bounce)) return -1;
+        if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, light, &bounce)) return -1;
     } else if (effect == SSGI_GL_EFFECT_SCATTER) {
         const kit_material *material = kit_material_of((int)kit_method_value(m->method, "material"));
         ssgi_dipole dipole;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);
-        failed = add_splats(m, &from, effect, &light);
-    } else failed = add_splats(m, &from, effect, &light);
+        failed = add_splats(m, &from, effect, 0, &light);
+    } else failed = add_splats(m, &from, effect, 0, &light);
     run->light = light;
     run->bounce = bounce;
     return failed ? -1 : 0;

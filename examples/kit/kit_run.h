@@ -59,6 +59,8 @@ GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, co
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */
 int       kit_add_environment(kit_making *m);
+/* what the picture shows sends what lights it */
+int       kit_add_seen_senders(kit_making *m, GLuint light);
 int       kit_open_lit(kit_making *m, const float picture[16]);
 int       kit_open_field(kit_making *m, const float picture[16]);
 

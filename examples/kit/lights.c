@@ -627,6 +627,15 @@ static int add_reused(kit_making *m, GLuint *light, GLuint *received)
 
 /* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
    out. */
+int kit_add_seen_senders(kit_making *m, GLuint light)
+{
+    kit_run *run = m->run;
+    const kit_gbuffer *g = run->gbuffer;
+    run->senders = kit_keep(run, kit_texture_array(g->viewport[2], g->viewport[3], 1, GL_RG32UI, NULL));
+    if (!g->albedo) add_grey(m);
+    return add_senders(m, g, -1, 0, light);
+}
+
 static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
 {
     kit_gbuffer *g = m->run->gbuffer;

@@ -131,6 +131,10 @@ ROW(way_row, "way", "surfels made on the CPU, captured from tessellation, or spl
     "cpu capture direct", 0, 0, 2, 1, PLAN, 0)
 ROW(near_row, "near_samples", "points over a surfel for pixels within 4 of its radii; 1: its centre",
     NULL, 4, 1, 16, 1, GATHER, DESC(near_samples))
+ROW(span_row, "span", "slices see what is as near as that, in radii of surfels; surfels the rest and what is hidden",
+    NULL, 4, 0, 64, 1, GATHER, DESC(span))
+ROW(hidden_sky_row, "sky", "1: --env lights surfels that the picture does not show, too, unoccluded",
+    NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(offscreen_growth_row, "offscreen_growth", "radius added per distance outside the frustum",
     NULL, 0.1, 0, 1, 0, PLAN, 0)
 ROW(near_depth_row, "near_depth", "splats end at: 1: the frame's minimum depth, 0: the near plane",
@@ -178,7 +182,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
         &both_row, &smooth_row, &likeness_row, &normal_row
-#define LIT_SURFELS &sky_row, &shadows_d_row, &shadow_row, &max_slope_row
+#define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
       "point samples in the hemisphere",
@@ -228,25 +232,25 @@ static const plan plans[] = {
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row } },
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row, &span_row } },
     { "dss-lit",
       "the same: directional occlusion of --env, --light with shadow maps, one bounce",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_LIGHT,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS } },
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hidden_sky_row, LIT_SURFELS, &span_row } },
     { "dss-gloss",
       "the same: one specular bounce; irradiance: radiance of the lobe",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_SPECULAR,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), LIT_SURFELS, &exponent_row } },
+      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &sky_row, LIT_SURFELS, &exponent_row } },
     { "dss-scatter",
       "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_SCATTER,
       SSGI_GL_BALANCED,
-      { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), LIT_SURFELS, &material_row, &unit_row } },
+      { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), &sky_row, LIT_SURFELS, &material_row, &unit_row } },
     { "aof",
       "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
       SSGI_GL_FIELD,
