@@ -601,6 +601,16 @@ static int add_harmonic_light(kit_making *m, int indirect, int harmonics, GLuint
     return harmonics ? 0 : add_placed_lights(m, light);
 }
 
+/* The filter of the bounce, which differs across creases more than what arrives at once. */
+static int add_bounce_blur(kit_making *m, GLuint *received)
+{
+    const ssgi_gl_desc blur = m->blur;
+    if (kit_method_value(m->method, "bounce_normals") > 0) m->blur.filter_normals = 1;
+    const int failed = kit_add_blur(m, received);
+    m->blur = blur;
+    return failed;
+}
+
 /* ssdo: environment and bounce in one gather; senders shine with the last frame's light. */
 static int add_reused(kit_making *m, GLuint *light, GLuint *received)
 {
@@ -612,7 +622,7 @@ static int add_reused(kit_making *m, GLuint *light, GLuint *received)
     if (!p) return -1;
     *light = p->target[0];
     *received = p->target[1];
-    if (kit_add_blur(m, light) || kit_add_blur(m, received) || add_placed_lights(m, light)) return -1;
+    if (kit_add_blur(m, light) || add_bounce_blur(m, received) || add_placed_lights(m, light)) return -1;
     senders->source = *light;
     return 0;
 }
@@ -639,7 +649,7 @@ static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
     p = kit_add_pass(m, &d, g, 0, 0, 0, 0);
     if (!p) return -1;
     *received = p->target[0];
-    return kit_add_blur(m, received);
+    return add_bounce_blur(m, received);
 }
 
 static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16],

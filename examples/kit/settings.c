@@ -42,6 +42,7 @@ ROW(offset_row, "offset", "lift of the receiver along its normal, in half pixels
 ROW(blur_row, "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1, PLAN, 0)
 ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, BLUR, DESC(filter))
 ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, BLUR, DESC(filter_normals))
+ROW(like_row, "bounce_normals", "1: the filter of the bounce compares normals", NULL, 1, 0, 1, 1, PLAN, 0)
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -150,7 +151,13 @@ ROW(material_row, "material", "published scattering constants",
         PLAN, 0)
 ROW(unit_row, "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0, PLAN, 0)
 
-typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
+/* set: what the method sets beyond the preset, or NULL */
+typedef struct plan {
+    const char *name, *about;
+    int pass, search, preset;
+    const row *rows[KIT_MAX_SETTINGS];
+    const char *set;
+} plan;
 #define SLICES \
     { \
         &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
@@ -197,11 +204,14 @@ static const plan plans[] = {
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
         &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
-      SSGI_GL_BALANCED, SSDO(WALK) },
-    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
-    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST, SSDO(WALK) },
+      SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
+    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK, &like_row) },
+    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST, SSDO(WALK, &like_row) },
     { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
       SSDO(POINTS) },
+    { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
+      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK, &like_row),
+      "directions=1,steps=16,behind=slabs,reuse=1" },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
       SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
     { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
@@ -278,6 +288,7 @@ int kit_method_at(kit_method *method, int i)
         if (value) m.setting[m.count].value = value;
         if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
     }
+    if (plans[i].set && kit_method_set(&m, plans[i].set, NULL)) return 0;
     *method = m;
     return 1;
 }
