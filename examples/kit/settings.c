@@ -151,13 +151,7 @@ ROW(material_row, "material", "published scattering constants",
         PLAN, 0)
 ROW(unit_row, "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0, PLAN, 0)
 
-/* set: what the method sets beyond the preset, or NULL */
-typedef struct plan {
-    const char *name, *about;
-    int pass, search, preset;
-    const row *rows[KIT_MAX_SETTINGS];
-    const char *set;
-} plan;
+typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
 #define SLICES \
     { \
         &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
@@ -210,8 +204,7 @@ static const plan plans[] = {
     { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
       SSDO(POINTS) },
     { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
-      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK, &like_row),
-      "directions=1,steps=16,behind=slabs,reuse=1" },
+      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
       SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
     { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
@@ -263,6 +256,7 @@ static const plan plans[] = {
         &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
+static const char bounce_settings[] = "directions=1,steps=16,behind=slabs,reuse=1";  /* instead of the preset's */
 
 int kit_method_at(kit_method *method, int i)
 {
@@ -288,7 +282,7 @@ int kit_method_at(kit_method *method, int i)
         if (value) m.setting[m.count].value = value;
         if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
     }
-    if (plans[i].set && kit_method_set(&m, plans[i].set, NULL)) return 0;
+    if (!strcmp(m.name, "ssdo-bounce") && kit_method_set(&m, bounce_settings, NULL)) return 0;
     *method = m;
     return 1;
 }
