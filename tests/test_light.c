@@ -715,8 +715,6 @@ static void backs_are_dark(void)
     kit_scene_free(&scene);
 }
 
-/* ---- units ------------------------------------------------------------------------------------------------------- */
-
 /* One pixel of a shining plane turned to look along it, as slivers at thin edges are: all senders are edge-on, whatever
    the rounding of their normals. */
 static void edge_on_is_dark(void)
@@ -741,6 +739,8 @@ static void edge_on_is_dark(void)
     }
     CHECK(worst < 0.01, "a receiver in the plane of its senders gets %.3f", worst);
 }
+
+/* ---- units ------------------------------------------------------------------------------------------------------- */
 
 static void units_do_not_matter(void)
 {
