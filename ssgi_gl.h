@@ -253,8 +253,8 @@ typedef struct ssgi_gl_desc {
     int environment;     /* SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;          /* SSGI_GL_BOUNCE_NONE ..; one of the two must not be NONE; both share the visibility, two
                             targets */
-    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides. splat   surfels occlude from both sides: for
-                            sheets and leaves */
+    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
+                            the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
@@ -1425,9 +1425,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "}\n" },
 { "ssgi_sends", __LINE__ + 1,
-    "// Adds what the surface at pixel q, at an offset d, sends to the receiver. Of sides that are not seen it is a\n"
-    "// guess, as measured: a quarter of what the side seen sends, half of it from the slab behind. Edge-on, within the\n"
-    "// rounding of o, the receiver may lie in the sender's plane.\n"
+    "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen sides send is a guess,\n"
+    "// by measurement: a quarter of what the seen one sends, a slab behind it half. Edge-on, within the rounding of o,\n"
+    "// the receiver may lie in the sender's plane.\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
