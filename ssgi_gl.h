@@ -1426,8 +1426,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 { "ssgi_sends", __LINE__ + 1,
     "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen sides send is a guess,\n"
-    "// by measurement: a quarter of what the seen one sends, a slab behind it half. Edge-on, within the rounding of o,\n"
-    "// the receiver may lie in the sender's plane.\n"
+    "// by measurement: a quarter of what the seen one sends, a slab behind it half. Edge-on, within the rounding\n"
+    "// of o, the receiver may lie in the sender's plane.\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
