@@ -264,8 +264,8 @@ typedef struct ssgi_gl_desc {
     int restore;         /* and s3ho shaded, shade, blur   SSGI_GL_RESTORE_NONE ..: o_ssgi_light is not light before
                             blur with this desc and colour = 1. Blur restores nothing of a bounce without an
                             environment */
-    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides. splat   surfels occlude from both sides: for
-                            sheets and leaves */
+    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
+                            the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
@@ -1625,11 +1625,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
     "    }\n"
     "}\n" },
-{ "ssgi_sends", __LINE__, "// adds what the surface at pixel q, at an offset d, sends to the receiver\n"
-    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) {\n"
+{ "ssgi_sends", __LINE__ + 1,
+    "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen sides send is a guess\n"
+    "// that measurements support: a quarter of what the seen one sends, a second slab half. Edge-on, within the\n"
+    "// rounding of o, a sender counts as in the receiver's plane.\n"
+    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
+    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
-    "    if (dot(o, d) >= 0.0) w = 0.0; // #if !two_sided\n"
+    "#if !two_sided\n"
+    "    float facing = -dot(o, d), edge = 0.03 * length(d);\n"
+    "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0;\n"
+    "#endif\n"
+    "    w += 0.5 * second; // #if behind == SLABS\n"
     "#if pass == SSDO\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w;\n"
     "#else\n"
@@ -1701,12 +1709,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        lowc = c;\n"
     "        lows = h;\n"
     "#endif\n"
-    "        ssgi_sends(got, q0, d0, w.x); // #if bounce\n"
-    "        ssgi_sends(got, q1, d1, w.y); // #if bounce\n"
     "#if behind == SLABS\n"
+    "        vec2 first = w; // #if bounce\n"
     "        w = ssgi_second(s, x, y, z, back0.yz, back1.yz, gap, in_, mask) * s.share;\n"
     "        got.all += w.x + w.y; // #if pass == HSAO\n"
     "        ssgi_part(parts, x, max(y, 0.0), w); // #if environment\n"
+    "        ssgi_sends(got, q0, d0, first.x, w.x); // #if bounce\n"
+    "        ssgi_sends(got, q1, d1, first.y, w.y); // #if bounce\n"
+    "#elif bounce\n"
+    "        ssgi_sends(got, q0, d0, w.x);\n"
+    "        ssgi_sends(got, q1, d1, w.y);\n"
     "#endif\n"
     "    }\n"
     "#if environment\n"

@@ -58,6 +58,8 @@ static const entry deep_entries[] = {       /* rows of one label make one curve;
     { "slices, two slabs",   "ssdo-fast", "behind=slabs",                           0 },
     { "slices, two slabs",   "ssdo", "behind=slabs",                                1 },
     { "slices, two slabs",   "ssdo-best", "behind=slabs",                           0 },
+    { "slices, for a bounce", "ssdo-bounce", "",                                    1 },
+    { "slices, for a bounce", "ssdo-bounce", "margin=0.25",                         1 },
     { "1 layer",             "ssdo-points", "",                                     1 },
     { "1 layer",             "ssdo-points", "samples=8",                                   0 },
     { "1 layer",             "ssdo-points", "samples=16",                                  1 },
@@ -90,7 +92,11 @@ static const entry extension_entries[] = {
     { "2 layers, 4 cameras of 2 layers",     "ssdo-points", "layers=2,views=4,view_layers=2", 1 },
     { "harmonics, slices",                   "s3ho", "",                               1 },
     { "harmonics, two slabs",                "s3ho", "behind=slabs",                   1 },
-    { "slices, a margin",                    "ssdo", "margin=0.25",                    1 }
+    { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
+    { "slices, for a bounce",                "ssdo-bounce", "",                        1 },
+    { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 },
+    { "1 layer, half size",                  "ssdo-points", "half=1",                  0 },
+    { "1 camera, half size",                 "ssdo-points", "half=1,views=1",          1 }
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },

@@ -152,7 +152,7 @@ static void furnace(void)
                 { "ssdo", "columns", "reuse=1,two_sided=1,behind=back", EXACT },
                 { "ssdo", "columns", "reuse=1,two_sided=1,behind=slabs", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
-                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1,bounce_normals=0", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=1", EXACT },
                 { "s3ho", "columns", "two_sided=1,bands=2,behind=solid", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=3,behind=back", EXACT },
@@ -187,7 +187,7 @@ static void furnace(void)
             off += fabs(v - 1) > within;
         }
         CHECK(mean(&out, "bounce.G") > 0.02 && off <= allowed[kind] && most <= 1 + within + (kind == TWICE ? 0.125 : 0)
-                  && (kind == ONE_SIDED) == (least < 0.8),
+                  && (kind == ONE_SIDED) == (least < 0.9),
               "%s %s %s: %.6f to %.6f, %d pixels off", row[i].method, row[i].scene, row[i].set, least, most, off);
         worst[kind] = fmax(worst[kind], kind == TWICE ? off : fmax(most - 1, 1 - least));
         kit_run_close(&run); kit_image_free(&out); kit_gbuffer_free(&g); kit_scene_free(&scene);
@@ -775,6 +775,31 @@ static void backs_are_dark(void)
     kit_scene_free(&scene);
 }
 
+/* One pixel of a shining plane turned to look along it, as slivers at thin edges are: all senders are edge-on, whatever
+   the rounding of their normals. */
+static void edge_on_is_dark(void)
+{
+    const kit_lighting dark = { .lights = 0 };
+    double worst = 0;
+    for (int k = 0; k < 12; ++k) {
+        const double a = (30 + 4.3 * k) * pi / 180, b = 1 + 0.7 * k,
+                     n[1][4] = { { sin(a) * cos(b), sin(a) * sin(b), cos(a), -cos(a) } };
+        const kit_camera c = looking_along_z(81, 45, 0);
+        const int middle = 22 * 81 + 40;
+        kit_image frame, out;
+        kit_gbuffer g;
+        if (!planes_seen(&frame, &c, n, 1, ",direct.R,direct.G,direct.B")) return;
+        for (int i = 0; i < 3 * 81 * 45; ++i) kit_image_channel(&frame, "direct.R")[i] = 1;
+        kit_image_channel(&frame, "N.X")[middle] = (float)(-cos(a) * cos(b));
+        kit_image_channel(&frame, "N.Y")[middle] = (float)(-cos(a) * sin(b));
+        kit_image_channel(&frame, "N.Z")[middle] = (float)sin(a);
+        if (!TRY(kit_gbuffer_from_frame(&g, &frame, &c, &err)) || !lit(&out, &g, "ssdo", "", 0.3f, NULL, &dark)) return;
+        worst = fmax(worst, (double)kit_image_channel(&out, "bounce.G")[middle]);
+        kit_image_free(&frame); kit_image_free(&out); kit_gbuffer_free(&g);
+    }
+    CHECK(worst < 0.01, "a receiver in the plane of its senders gets %.3f", worst);
+}
+
 /* ---- units ------------------------------------------------------------------------------------------------------- */
 
 static void units_do_not_matter(void)
@@ -1085,6 +1110,7 @@ void test_light(void)
     RUN("extra cameras add what the picture lacks, and take back what it gets wrong", cameras_know_more);
     RUN("a segment ends at its light", segments_end_at_lights);
     RUN("a sender seen from behind is dark, unless both sides shine", backs_are_dark);
+    RUN("a sender seen edge-on is dark", edge_on_is_dark);
     RUN("units do not matter", units_do_not_matter);
     RUN("with a margin the picture is the middle of a larger one, drawn alone", margins);
     RUN("a plane does not shadow itself in a map", planes_do_not_shadow_themselves);

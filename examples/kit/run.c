@@ -159,6 +159,8 @@ int kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture)
     d.filter_radius = m->blur.filter_radius;
     d.filter_normals = m->blur.filter_normals;
     d.half = m->blur.half;
+    /* a bounce differs across creases, and nothing restores it */
+    if (of->bounce && !of->environment && kit_method_value(m->method, "bounce_normals") > 0) d.filter_normals = 1;
     p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
     if (!p) return -1;
     *texture = p->target[0];

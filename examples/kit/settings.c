@@ -44,6 +44,7 @@ ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, BL
 ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, BLUR, DESC(filter_normals))
 ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
     "none ratio difference", 1, 0, 2, 1, GATHER | BLUR, DESC(restore))
+ROW(like_row, "bounce_normals", "1: the filter of the bounce compares normals", NULL, 1, 0, 1, 1, PLAN, 0)
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -204,11 +205,14 @@ static const plan plans[] = {
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
         &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
-      SSGI_GL_BALANCED, SSDO(WALK) },
-    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
-    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST, SSDO(WALK) },
+      SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
+    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK, &like_row) },
+    { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST,
+      SSDO(WALK, &like_row) },
     { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
       SSDO(POINTS) },
+    { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
+      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
       SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
     { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
@@ -260,6 +264,7 @@ static const plan plans[] = {
         &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
+static const char bounce_settings[] = "directions=1,steps=16,behind=slabs,reuse=1";  /* instead of the preset's */
 
 int kit_method_at(kit_method *method, int i)
 {
@@ -285,6 +290,7 @@ int kit_method_at(kit_method *method, int i)
         if (value) m.setting[m.count].value = value;
         if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
     }
+    if (!strcmp(m.name, "ssdo-bounce") && kit_method_set(&m, bounce_settings, NULL)) return 0;
     *method = m;
     return 1;
 }
