@@ -42,6 +42,7 @@
                 splat    each surfel's effect on the pixels around it, added up
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur     edge-preserving filter of what the others wrote
+                history  averages what they wrote over frames; before blur
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
@@ -69,6 +70,11 @@
                GL_ZERO (or GL_ZERO, GL_SRC_COLOR), and draw all at once, one rectangle each around its sphere of
                influence: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders); culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
+
+   OVER FRAMES, before blur: two sets of targets that change places. ssgi_gl_frame_init means a first frame or a cut;
+   ssgi_gl_frame_history, that there is a last one; frame.phase = ssgi_gl_phase(frame number)
+      history  reads t_ssgi_ao or t_ssgi_light of this frame, and what it wrote for the last one, at half size or full;
+               blur reads its first target as it read theirs. Clear targets that may hold anything but numbers
 
    DEEP SCREEN SPACE, which also counts what is hidden or off screen; all levels lie below each other in textures of
    frame.level[0] x (levels * frame.level[1])
@@ -107,7 +113,7 @@ extern "C" {
 
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };                                /* desc.pass */
+       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };               /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES,
        SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
@@ -199,7 +205,7 @@ enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
                                       the environment, open, if desc.environment */
        SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view
                                       space */
-/* desc.colour: what blur filters: ambient visibility; light, three channels; coefficients of s3ho */
+/* desc.colour: what blur and history filter: ambient visibility; light, three channels; coefficients of s3ho */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
@@ -217,8 +223,8 @@ typedef struct ssgi_gl_desc {
     int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, blur   1: gathers draw one pixel of every 2x2, into targets of half size,
-                            rounded up; blur brings it to full size */
+    int half;            /* gathers, shade, history, blur   1: all but blur draw one pixel of every 2x2, into targets of
+                            half size, rounded up; blur brings it to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
@@ -289,8 +295,9 @@ typedef struct ssgi_gl_desc {
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
 
-    /* blur */
-    int colour;          /* SSGI_GL_GREY .. */
+    /* blur, history */
+    int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
+    int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
     int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half is 1: 1 is
                             3x3 */
@@ -414,14 +421,27 @@ typedef struct ssgi_gl_frame {
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends over `sent` (times the lobe's peak) */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float   gap_;
+    float   history;     /* frames that history averages at most; 0: there is no last one, all starts anew [limit: >= 0]
+                            [default: 0; 16 from ssgi_gl_frame_history] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float   last_from[16]; /* and back: ssgi_gl_frame_history */
 } ssgi_gl_frame;
 
 /* Fills a frame: the view, the image at the origin of textures and targets, defaults everywhere else. radius [units:
    view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
+
+/* Sets history, last_to and last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all;
+   its field of view may differ, its kind of projection must not. Both matrices are rigid. A history of another size is
+   refused, and there is none after a cut: leave frame.history 0. */
+SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why);
+
+/* frame.phase of frame number k, so that the noise of any few frames in a row is spread evenly. */
+SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets what surfels are made with: view, desc (with frame.radius in place of most) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
@@ -2342,6 +2362,88 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
     "}\n" },
+{ "ssgi_luminance", __LINE__, "float ssgi_luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }\n" },
+{ "SSGI_STEP", __LINE__, "const int SSGI_STEP = 2; // #if half\n"
+    "const int SSGI_STEP = 1; // #if !half\n" },
+{ "ssgi_before", __LINE__ + 1,
+    "// where a pixel's point was seen in the last frame, in pixels; how far off its plane others may be\n"
+    "vec3 ssgi_before(ivec2 p, vec3 P) {\n"
+    "    vec4 q = u_ssgi_last_to * vec4(P, 1.0);\n"
+    "    vec2 at = q.xy; // #if orthographic\n"
+    "    vec2 at = q.xy / max(q.z, 1e-30); // #if !orthographic\n"
+    "    float slack = q.z > 0.0 && u_ssgi_history > 1.0 ? float(2 * SSGI_STEP) : -SSGI_FAR;\n"
+    "#if motion\n"
+    "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
+    "    slack += max(distance(at, by) - 0.5, 0.0); // what moves sideways may come closer as far\n"
+    "    at = by;\n"
+    "#endif\n"
+    "    return vec3(at, slack * ssgi_footprint(-P.z));\n"
+    "}\n" },
+{ "ssgi_last", __LINE__ + 1,
+    "// of the last frame's four texels about a place, those that show this plane and hold numbers: result, means;\n"
+    "// how much of the four\n"
+    "float ssgi_last(vec3 before, vec3 P, vec3 n, ivec2 first, ivec2 size, out vec4 result, out vec4 means) {\n"
+    "    vec2 at = (before.xy - 0.5) / float(SSGI_STEP);\n"
+    "    float total = 0.0;\n"
+    "    result = means = vec4(0.0);\n"
+    "    if (!all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2)))) return 0.0; // nor where it is no number\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        ivec2 q = ivec2(floor(at)) + ivec2(k & 1, k >> 1);\n"
+    "        if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, size))) continue;\n"
+    "        vec4 t = texelFetch(t_ssgi_history, first + q, 0), m = texelFetch(t_ssgi_means, first + q, 0);\n"
+    "        vec2 pixel = vec2(q * SSGI_STEP) + 0.5, share = 1.0 - abs(at - vec2(q));\n"
+    "        float z = t.w; // #if colour == COLOUR\n"
+    "        float z = t.y; // #if colour == GREY\n"
+    "        vec3 Q = (u_ssgi_last_from * vec4(pixel, z, 1.0)).xyz; // #if orthographic\n"
+    "        vec3 Q = (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n"
+    "        if (!(abs(dot(n, Q - P)) < before.z && m.z >= 1.0 && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
+    "        result += share.x * share.y * t;\n"
+    "        means += share.x * share.y * m;\n"
+    "        total += share.x * share.y;\n"
+    "    }\n"
+    "    result /= max(total, 1e-6);\n"
+    "    means /= max(total, 1e-6);\n"
+    "    return total;\n"
+    "}\n" },
+{ "main_history", __LINE__, "void main() {\n"
+    "    ivec2 h = ivec2(gl_FragCoord.xy) - u_ssgi_target / SSGI_STEP, p = h * SSGI_STEP;\n"
+    "    ivec2 first = ivec2(gl_FragCoord.xy) - h, size = (u_ssgi_size + SSGI_STEP - 1) / SSGI_STEP;\n"
+    "#if colour == COLOUR\n"
+    "    vec4 now = texelFetch(t_ssgi_light, first + h, 0), last, means;\n"
+    "    float v = ssgi_luminance(now.xyz), z = now.w;\n"
+    "    o_ssgi_light = now;\n"
+    "#else\n"
+    "    vec4 now = texelFetch(t_ssgi_ao, first + h, 0), last, means;\n"
+    "    float v = now.x, z = now.y;\n"
+    "    o_ssgi_ao = now.xy;\n"
+    "#endif\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 0.0);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
+    "    vec3 sum = vec3(v, v * v, 1.0);\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(SSGI_STEP) * ssgi_footprint(z));\n"
+    "    for (int k = 0; k < 9; ++k) { // mean and spread of what blur will see\n"
+    "        ivec2 o = ivec2(k % 3, k / 3) - 1, q = h + o;\n"
+    "        if (k == 4 || any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, size))) continue;\n"
+    "        vec4 t = texelFetch(t_ssgi_light, first + q, 0); // #if colour == COLOUR\n"
+    "        vec2 s = vec2(ssgi_luminance(t.xyz), t.w); // #if colour == COLOUR\n"
+    "        vec2 s = texelFetch(t_ssgi_ao, first + q, 0).xy; // #if colour == GREY\n"
+    "        float w = max(1.0 - ssgi_off_plane(plane, vec2(o * SSGI_STEP), P, s.y) * near, 0.0);\n"
+    "        sum += w * vec3(s.x, s.x * s.x, 1.0);\n"
+    "    }\n"
+    "    sum /= sum.z;\n"
+    "    float known = ssgi_last(ssgi_before(p, P), P, n, first, size, last, means);\n"
+    "    float frames = known > 0.01 ? min(means.z + 1.0, u_ssgi_history) : 1.0;\n"
+    "    float quick = mix(means.x, sum.x, 1.0 / min(frames, 4.0)), mean = mix(means.y, sum.x, 1.0 / frames);\n"
+    "    // Where light or an occluder moved the average must follow: that of the pixels around is kept close to one of\n"
+    "    // a few frames, whose noise is a tenth of a pixel's.\n"
+    "    float range = 0.25 * sqrt(max(sum.y - sum.x * sum.x, 0.0)) + 0.005;\n"
+    "    float by = quick - mean - clamp(quick - mean, -range, range);\n"
+    "    last = mix(last, now, 1.0 / frames);\n"
+    "    o_ssgi_light.xyz = max(last.xyz + by * last.xyz / max(mean, 1e-6), 0.0); // #if colour == COLOUR\n"
+    "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
+    "    o_ssgi_means = vec4(quick, mean + by, frames, 0.0);\n"
+    "}\n" },
 /* ==== >>statistics: how depth is distributed around pixels ====================================================== */
 
 { "main_statistics", __LINE__ + 1,
@@ -2432,8 +2534,11 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(sent, "float", "what counts as bright"),
     SSGI_GL__P(epsilon, "float", ""),
     SSGI_GL__P(exponent, "float", ""),
+    SSGI_GL__P(history, "float", "frames"),
     SSGI_GL__P(level, "ivec2", "texels of a level"),
     SSGI_GL__P(window, "vec4", "a band"),
+    SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
+    SSGI_GL__P(last_from, "mat4", "and back"),
     SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"),
     SSGI_GL__V(from, "mat4[4]", "and back"),
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
@@ -2465,13 +2570,17 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
-    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao or hsao wrote"),
+    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
+    SSGI_GL__T("history", 2, NULL, "sampler2D", "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
+    SSGI_GL__T("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__T("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
     SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
                "R16F if nothing filters"),
     SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
+    SSGI_GL__O("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
     SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
     SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
@@ -2531,6 +2640,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     { SSGI_GL_SMOOTH, "smooth", NULL, SSGI_GL__PLAIN("main_smooth") },
     { SSGI_GL_SUM, "sum", NULL, SSGI_GL__PLAIN("main_sum") },
     { SSGI_GL_BLUR, "blur", NULL, SSGI_GL__PLAIN("main_blur") },
+    { SSGI_GL_HISTORY, "history", NULL, SSGI_GL__PLAIN("main_history") },
     { SSGI_GL_STATISTICS, "statistics", NULL, SSGI_GL__PLAIN("main_statistics") }
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
@@ -2560,7 +2670,7 @@ typedef struct ssgi_gl__field {
     { #field, offsetof(ssgi_gl_desc, field), most, values, "desc." #field ": must be " prefix "_ and one of " values }
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR SURVEY"),
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY STATISTICS"),
     SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"),
     SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
@@ -2591,7 +2701,7 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
-    SSGI_GL__B(filter_normals)
+    SSGI_GL__B(filter_normals), SSGI_GL__B(motion)
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
@@ -2640,6 +2750,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         return ssgi_gl__bad(why, "desc.world_normals: normals from depth are in view space");
     if (desc->half && desc->pass == SSGI_GL_BLUR && desc->filter == SSGI_GL_GAUSSIAN)
         return ssgi_gl__bad(why, "desc.filter: only SSGI_GL_BILATERAL brings half size to full");
+    if (desc->pass == SSGI_GL_HISTORY && desc->colour == SSGI_GL_COEFFICIENTS)
+        return ssgi_gl__bad(why, "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first");
     if (desc->pass == SSGI_GL_SSDO && !desc->environment && !desc->bounce)
         return ssgi_gl__bad(why, "desc.environment: ssdo needs an environment, a bounce or both");
     if (desc->transfer && !desc->packed && ((desc->pass == SSGI_GL_S3HO && !desc->shaded) || desc->pass == SSGI_GL_SHADE
@@ -2755,7 +2867,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.levels) d.levels = 5;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
-    if (!points && pass != SSGI_GL_HSAO && !shade && !blur) d.half = 0;
+    if (!points && pass != SSGI_GL_HSAO && !shade && !blur && pass != SSGI_GL_HISTORY) d.half = 0;
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
     if (!points || slices) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
@@ -3457,6 +3569,27 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
     views->size[i][2] = 2.0f * ssgi_pixel_footprint(view, 1.0f);
     views->size[i][3] = 0.0f;
     return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why)
+{
+    ssgi_result r;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    r = ssgi_gl__check_camera(view, main_world_to_view, last_world_to_view, "last_world_to_view: must not be NULL",
+                              why);
+    if (r != SSGI_OK) return r;
+    if (view->width != frame->size[0] || view->height != frame->size[1])
+        return ssgi_gl__bad(why, "view: must have this frame's size; a history of another size is none");
+    ssgi_gl__to_pixels(frame->last_to, frame->last_from, view, main_world_to_view, last_world_to_view);
+    frame->history = 16.0f;
+    return SSGI_OK;
+}
+
+SSGI_DEF float ssgi_gl_phase(uint32_t k)
+{
+    return (float)((k * 2654435769u) >> 8) / 16777216.0f;       /* the golden ratio's multiples, less the whole */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,

@@ -598,6 +598,7 @@ void kit_gbuffer_free(kit_gbuffer *gbuffer)
     layers_free(gbuffer);
     glDeleteTextures(1, &gbuffer->back);
     glDeleteTextures(1, &gbuffer->slabs);
+    glDeleteTextures(1, &gbuffer->motion);
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);
