@@ -2362,50 +2362,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
     "}\n" },
-{ "ssgi_luminance", __LINE__, "float ssgi_luminance(vec3 c) {\n"
-    "    return dot(c, vec3(0.2126, 0.7152, 0.0722));\n"
-    "}\n" },
-{ "ssgi_step", __LINE__, "// pixels of the image a texel\n"
-    "int ssgi_step() {\n"
-    "    return 2; // #if half\n"
-    "    return 1; // #if !half\n"
-    "}\n" },
-{ "ssgi_before", __LINE__ + 1,
-    "// where a pixel's point was seen in the last frame, in pixels; how far off its plane others may be\n"
-    "vec3 ssgi_before(ivec2 p, vec3 P) {\n"
-    "    vec4 q = u_ssgi_last_to * vec4(P, 1.0);\n"
-    "    vec2 at = q.xy; // #if orthographic\n"
-    "    vec2 at = q.xy / max(q.z, 1e-30); // #if !orthographic\n"
-    "    float slack = q.z > 0.0 && u_ssgi_history > 1.0 ? float(2 * ssgi_step()) : -SSGI_FAR;\n"
+{ "ssgi_last", __LINE__ + 1,
+    "// What the last frame's texel held whose contents were seen closest to P, of the four about its place that show\n"
+    "// this plane and hold numbers; how far off it was, in texels; z: 0 if there is none. Interpolated frame by\n"
+    "// frame contents would blur: each is kept whole and carries its offset, in sixteenths of a texel, as x * 32 + y.\n"
+    "vec3 ssgi_last(ivec2 p, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first, out vec4 result, out vec4 means) {\n"
+    "    vec4 to = u_ssgi_last_to * vec4(P, 1.0);\n"
+    "    vec2 at = to.xy; // #if orthographic\n"
+    "    vec2 at = to.xy / max(to.z, 1e-30); // #if !orthographic\n"
+    "    float slack = to.z > 0.0 && u_ssgi_history > 1.0 ? 2.0 * wide : -SSGI_FAR, least = 8.0;\n"
     "#if motion\n"
     "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
     "    slack += max(distance(at, by) - 0.5, 0.0); // what moves sideways may come closer as far\n"
     "    at = by;\n"
     "#endif\n"
-    "    return vec3(at, slack * ssgi_footprint(-P.z));\n"
-    "}\n" },
-{ "ssgi_last", __LINE__ + 1,
-    "// Of the last frame's four texels about a place, of those that show this plane and hold numbers, the one whose\n"
-    "// contents were seen closest to it; how far off, in texels; z: 0 if there is none. Interpolated frame by frame\n"
-    "// contents would blur, so each is kept whole and carries its offset, in sixteenths of a texel, as x * 32 + y.\n"
-    "vec3 ssgi_last(vec3 before, vec3 P, vec3 n, ivec2 first, ivec2 size, out vec4 result, out vec4 means) {\n"
-    "    vec2 at = (before.xy - 0.5) / float(ssgi_step());\n"
+    "    at = (at - 0.5) / wide;\n"
     "    vec3 best = vec3(0.0);\n"
-    "    float least = 8.0;\n"
     "    result = means = vec4(0.0);\n"
     "    if (!all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2)))) return best; // nor where it is no number\n"
     "    for (int k = 0; k < 4; ++k) {\n"
-    "        ivec2 q = ivec2(floor(at)) + ivec2(k & 1, k >> 1);\n"
-    "        if (any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, size))) continue;\n"
+    "        ivec2 q = clamp(ivec2(floor(at)) + ivec2(k & 1, k >> 1), ivec2(0), size - 1);\n"
     "        vec4 t = texelFetch(t_ssgi_history, first + q, 0), m = texelFetch(t_ssgi_means, first + q, 0);\n"
-    "        vec2 pixel = vec2(q * ssgi_step()) + 0.5;\n"
     "        float z = t.w; // #if colour == COLOUR\n"
     "        float z = t.y; // #if colour == GREY\n"
+    "        vec2 pixel = vec2(q) * wide + 0.5;\n"
     "        vec3 Q = (u_ssgi_last_from * vec4(pixel, z, 1.0)).xyz; // #if orthographic\n"
     "        vec3 Q = (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n"
     "        vec2 off = vec2(q) - at + vec2(floor(m.w / 32.0), mod(m.w, 32.0)) / 16.0 - 1.0;\n"
-    "        bool right = abs(dot(n, Q - P)) < before.z && all(lessThan(abs(m) + abs(t), vec4(1e9))) && m.z >= 1.0;\n"
-    "        if (!(right && dot(off, off) < least)) continue;\n"
+    "        bool near = abs(dot(n, Q - P)) < slack * ssgi_footprint(-P.z) && dot(off, off) < least && m.z >= 1.0;\n"
+    "        if (!(near && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
     "        least = dot(off, off);\n"
     "        best = vec3(off, 1.0);\n"
     "        result = t;\n"
@@ -2414,42 +2399,36 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return best;\n"
     "}\n" },
 { "main_history", __LINE__, "void main() {\n"
-    "    ivec2 h = ivec2(gl_FragCoord.xy) - u_ssgi_target / ssgi_step(), p = h * ssgi_step();\n"
-    "    ivec2 first = ivec2(gl_FragCoord.xy) - h, size = (u_ssgi_size + ssgi_step() - 1) / ssgi_step();\n"
-    "#if colour == COLOUR\n"
-    "    vec4 now = texelFetch(t_ssgi_light, first + h, 0), last, means;\n"
-    "    float v = ssgi_luminance(now.xyz), z = now.w;\n"
-    "    o_ssgi_light = now;\n"
-    "#else\n"
-    "    vec4 now = texelFetch(t_ssgi_ao, first + h, 0), last, means;\n"
-    "    float v = now.x, z = now.y;\n"
-    "    o_ssgi_ao = now.xy;\n"
-    "#endif\n"
+    "    int wide = 1; // #if !half\n"
+    "    int wide = 2; // #if half\n"
+    "    ivec2 h = ivec2(gl_FragCoord.xy) - u_ssgi_target / wide, p = h * wide, first = ivec2(gl_FragCoord.xy) - h;\n"
+    "    ivec2 size = (u_ssgi_size + wide - 1) / wide;\n"
+    "    vec4 now = texelFetch(t_ssgi_light, first + h, 0), last, means; // #if colour == COLOUR\n"
+    "    vec4 now = texelFetch(t_ssgi_ao, first + h, 0), last, means; // #if colour == GREY\n"
+    "    float z = now.w, v = dot(now.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
+    "    float z = now.y, v = now.x; // #if colour == GREY\n"
+    "    o_ssgi_light = now; // #if colour == COLOUR\n"
+    "    o_ssgi_ao = now.xy; // #if colour == GREY\n"
     "    o_ssgi_means = vec4(v, v, 1.0, 528.0);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
-    "    vec3 sum = vec3(v, v * v, 1.0);\n"
-    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(ssgi_step()) * ssgi_footprint(z));\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(wide) * ssgi_footprint(z)), frames = 1.0;\n"
     "    for (int k = 0; k < 9; ++k) { // mean and spread of what blur will see\n"
-    "        ivec2 o = ivec2(k % 3, k / 3) - 1, q = h + o;\n"
-    "        if (k == 4 || any(lessThan(q, ivec2(0))) || any(greaterThanEqual(q, size))) continue;\n"
+    "        ivec2 q = clamp(h + ivec2(k % 3, k / 3) - 1, ivec2(0), size - 1);\n"
     "        vec4 t = texelFetch(t_ssgi_light, first + q, 0); // #if colour == COLOUR\n"
-    "        vec2 s = vec2(ssgi_luminance(t.xyz), t.w); // #if colour == COLOUR\n"
+    "        vec2 s = vec2(dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)), t.w); // #if colour == COLOUR\n"
     "        vec2 s = texelFetch(t_ssgi_ao, first + q, 0).xy; // #if colour == GREY\n"
-    "        if (s.y >= SSGI_FAR) continue;\n"
-    "        float w = max(1.0 - ssgi_off_plane(plane, vec2(o * ssgi_step()), P, s.y) * near, 0.0);\n"
-    "        sum += w * vec3(s.x, s.x * s.x, 1.0);\n"
+    "        float w = 1.0 - ssgi_off_plane(plane, vec2((q - h) * wide), P, s.y) * near;\n"
+    "        if (s.y < SSGI_FAR && w > 0.0) sum += w * vec3(s.x, s.x * s.x, 1.0);\n"
     "    }\n"
-    "    float few = 9.0 / sum.z, frames = 1.0;\n"
+    "    float few = 9.0 / sum.z;\n"
     "    sum /= sum.z;\n"
-    "    vec3 off = ssgi_last(ssgi_before(p, P), P, n, first, size, last, means);\n"
+    "    vec3 off = ssgi_last(p, P, n, float(wide), size, first, last, means);\n"
     "    if (off.z > 0.0) frames = min(means.z + 1.0, u_ssgi_history);\n"
     "    // Where light or an occluder moved the average must follow. 3x3 pixels of a frame or two are compared,\n"
     "    // with noise of a quarter to a seventh of their spread, more where few of the nine are of this surface.\n"
-    "    float unit = 1.0; // #if colour == GREY\n"
-    "    float unit = sum.x; // #if colour == COLOUR\n"
-    "    float spread = sqrt((max(sum.y - sum.x * sum.x, 0.0) + 0.01 * unit * unit * (few - 1.0)) * few);\n"
-    "    float jump = 0.7 * spread + 0.02 * unit, drift = 0.2 * spread + 0.005 * unit + 1e-9;\n"
+    "    float spread = sqrt((max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0)) * few);\n"
+    "    float jump = 0.7 * spread + 0.02 * sum.x, drift = 0.2 * spread + 0.005 * sum.x + 1e-9;\n"
     "    float mean = mix(means.y, sum.x, 1.0 / frames), quick = mix(means.x, sum.x, 1.0 / min(frames, 2.0));\n"
     "    quick = clamp(quick, sum.x - jump, sum.x + jump);\n"
     "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
@@ -2527,37 +2506,24 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
-    SSGI_GL__P(decode, "vec4", "window depth to view depth"),
-    SSGI_GL__P(origin, "ivec2", "texels"),
-    SSGI_GL__P(size, "ivec2", "pixels"),
-    SSGI_GL__P(target, "ivec2", "texels"),
-    SSGI_GL__P(radius, "float", "view units"),
-    SSGI_GL__P(offset, "float", "half pixels"),
-    SSGI_GL__P(thickness, "float", "view units"),
-    SSGI_GL__P(phase, "float", "turns"),
-    SSGI_GL__P(fade, "float", "view units"),
-    SSGI_GL__P(distance_clamp, "float", "radii"),
-    SSGI_GL__P(gain, "float", ""),
-    SSGI_GL__P(max_slope, "float", "tan"),
-    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"),
-    SSGI_GL__P(lambda, "float", "per radius"),
+    SSGI_GL__P(decode, "vec4", "window depth to view depth"), SSGI_GL__P(origin, "ivec2", "texels"),
+    SSGI_GL__P(size, "ivec2", "pixels"), SSGI_GL__P(target, "ivec2", "texels"),
+    SSGI_GL__P(radius, "float", "view units"), SSGI_GL__P(offset, "float", "half pixels"),
+    SSGI_GL__P(thickness, "float", "view units"), SSGI_GL__P(phase, "float", "turns"),
+    SSGI_GL__P(fade, "float", "view units"), SSGI_GL__P(distance_clamp, "float", "radii"),
+    SSGI_GL__P(gain, "float", ""), SSGI_GL__P(max_slope, "float", "tan"),
+    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"), SSGI_GL__P(lambda, "float", "per radius"),
     SSGI_GL__P(rotation, "mat3", "world to view"),
     SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
     SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
-    SSGI_GL__P(mesh, "mat4", "mesh to view"),
-    SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
+    SSGI_GL__P(mesh, "mat4", "mesh to view"), SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
     SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
-    SSGI_GL__P(near_depth, "float", "view units"),
-    SSGI_GL__P(sent, "float", "what counts as bright"),
-    SSGI_GL__P(epsilon, "float", ""),
-    SSGI_GL__P(exponent, "float", ""),
-    SSGI_GL__P(history, "float", "frames"),
-    SSGI_GL__P(level, "ivec2", "texels of a level"),
-    SSGI_GL__P(window, "vec4", "a band"),
+    SSGI_GL__P(near_depth, "float", "view units"), SSGI_GL__P(sent, "float", "what counts as bright"),
+    SSGI_GL__P(epsilon, "float", ""), SSGI_GL__P(exponent, "float", ""), SSGI_GL__P(history, "float", "frames"),
+    SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
     SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
     SSGI_GL__P(last_from, "mat4", "and back"),
-    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"),
-    SSGI_GL__V(from, "mat4[4]", "and back"),
+    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
@@ -2624,12 +2590,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
     SSGI_GL__A("position", "vec3", "mesh space"),
     SSGI_GL__A("normal", "vec3", "mesh space, any length; 0 0 0: the triangle's own"),
-    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"),
-    SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__A("surfel1", "vec4", "normal, seed"),
-    SSGI_GL__A("surfel2", "vec4", "colour"),
-    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__K("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
+    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
     SSGI_GL__K("surfel2", "vec4", "colour")
 };
 
@@ -2722,11 +2685,11 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
-typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings, tessellation; } ssgi_gl__dialect;
+typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings; } ssgi_gl__dialect;
 static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", 0, 0, 0 }, { "410", "#version 410 core\n", 0, 0, 1 },
-    { "450", "#version 450 core\n", 0, 1, 1 }, { "300es", "#version 300 es\n", 1, 0, 0 },
-    { "310es", "#version 310 es\n", 1, 1, 0 }, { "320es", "#version 320 es\n", 1, 1, 1 }
+    { "330", "#version 330 core\n", 0, 0 }, { "410", "#version 410 core\n", 0, 0 },
+    { "450", "#version 450 core\n", 0, 1 }, { "300es", "#version 300 es\n", 1, 0 },
+    { "310es", "#version 310 es\n", 1, 1 }, { "320es", "#version 320 es\n", 1, 1 }
 };
 
 static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
@@ -2736,6 +2699,38 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
     return value;
 }
 
+static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+
+/* What does not go together, as in #if lines. */
+#define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
+static const char *const ssgi_gl__rules[][2] = {
+    { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
+    { "(pass == SSDO || pass == S3HO) && search == MARCH",
+      "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
+    { "pass == HSAO && search == SLICES && normal_rays",
+      "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
+    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
+      "need SSGI_GL_POINTS or _MARCH" },
+    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras need "
+      "SSGI_GL_POINTS or _MARCH" },
+    { "pass == SSDO && search == SLICES && bounce == PATCH",
+      "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
+    { "(behind == BACK || behind == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.behind: back faces are "
+      "those of one layer and camera; layers and views want SSGI_GL_BEHIND_CONSTANT or _SOLID" },
+    { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
+    { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
+    { "pass == HISTORY && colour == COEFFICIENTS",
+      "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
+    { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
+    { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || (pass == BLUR && colour == COEFFICIENTS))",
+      "desc.packed: three vectors need it: more floats than there are targets" },
+    { "pass == SHADE && shading && (bands == 1 || transfer)",
+      "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more" },
+    { "receiver && normal == FROM_DEPTH", "desc.receiver: hidden layers need their normals" },
+    { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect != 320ES",
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES" }
+};
+
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 {
     int i;
@@ -2744,45 +2739,12 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
         if (value < 0 || value > ssgi_gl__fields[i].most) return ssgi_gl__bad(why, ssgi_gl__fields[i].sentence);
     }
-    if (desc->pass == SSGI_GL_HSAO && desc->search == SSGI_GL_POINTS)
-        return ssgi_gl__bad(why, "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's");
-    if ((desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO) && desc->search == SSGI_GL_MARCH)
-        return ssgi_gl__bad(why, "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS");
-    if (desc->pass >= SSGI_GL_HSAO && desc->pass <= SSGI_GL_S3HO && desc->search == SSGI_GL_SLICES) {
-        if (desc->normal_rays && desc->pass == SSGI_GL_HSAO)
-            return ssgi_gl__bad(why, "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon");
-        if (desc->layers > 1)
-            return ssgi_gl__bad(why, "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
-                                     "need SSGI_GL_POINTS or _MARCH");
-        if (desc->views)
-            return ssgi_gl__bad(why, "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras "
-                                     "need SSGI_GL_POINTS or _MARCH");
-        if (desc->bounce == SSGI_GL_BOUNCE_PATCH && desc->pass == SSGI_GL_SSDO)
-            return ssgi_gl__bad(why, "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE");
+    for (i = 0; i < (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules); ++i) {
+        const char *when = ssgi_gl__rules[i][0];
+        if (ssgi_gl__any(&when, desc)) return ssgi_gl__bad(why, ssgi_gl__rules[i][1]);
     }
-    if (desc->behind >= SSGI_GL_BEHIND_BACK && desc->pass <= SSGI_GL_LIGHTS && (desc->layers > 1 || desc->views))
-        return ssgi_gl__bad(why, "desc.behind: back faces are those of one layer and camera; layers and views want "
-                                 "SSGI_GL_BEHIND_CONSTANT or _SOLID");
-    if (desc->world_normals && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
-        return ssgi_gl__bad(why, "desc.world_normals: normals from depth are in view space");
-    if (desc->half && desc->pass == SSGI_GL_BLUR && desc->filter == SSGI_GL_GAUSSIAN)
-        return ssgi_gl__bad(why, "desc.filter: only SSGI_GL_BILATERAL brings half size to full");
-    if (desc->pass == SSGI_GL_HISTORY && desc->colour == SSGI_GL_COEFFICIENTS)
-        return ssgi_gl__bad(why, "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first");
-    if (desc->pass == SSGI_GL_SSDO && !desc->environment && !desc->bounce)
-        return ssgi_gl__bad(why, "desc.environment: ssdo needs an environment, a bounce or both");
-    if (desc->transfer && !desc->packed && ((desc->pass == SSGI_GL_S3HO && !desc->shaded) || desc->pass == SSGI_GL_SHADE
-                                            || (desc->pass == SSGI_GL_BLUR && desc->colour == SSGI_GL_COEFFICIENTS)))
-        return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
-    if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
-        return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more");
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
-    if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
-        return ssgi_gl__bad(why, "desc.receiver: hidden layers need their normals");
-    if (desc->tessellate && (desc->pass == SSGI_GL_SURFELS || desc->pass == SSGI_GL_SPLAT)
-        && !ssgi_gl__dialects[desc->dialect].tessellation)
-        return ssgi_gl__bad(why, "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES");
     if (!desc->fetch && desc->sends == SSGI_GL_SENDS_CUSTOM)
         return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_surfel when sends is CUSTOM");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM
@@ -2807,15 +2769,10 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST)
         return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    switch (desc->pass) {
-    case SSGI_GL_SSAO: row = 0; break;
-    case SSGI_GL_LIGHTS: row = 4; break;
-    case SSGI_GL_HSAO: case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: case SSGI_GL_SENDERS:
-    case SSGI_GL_BLUR:
-        row = desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
-        break;
-    default: return SSGI_OK;            /* these have no quality settings in the shader */
-    }
+    if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
+        return SSGI_OK;                 /* these have no quality settings in the shader */
+    row = desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
+        : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
     c = &table[row][preset];
     desc->half = c->half;
     desc->steps = c->steps;
@@ -2941,8 +2898,6 @@ static int ssgi_gl__value(const ssgi_gl__field *field, const char *name, size_t 
     return length ? -1 : value;
 }
 
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
-
 static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
 {
     const ssgi_gl__field *field;
@@ -2971,25 +2926,15 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
 
-static int ssgi_gl__all(const char **s, const ssgi_gl_desc *d)
-{
-    int value = ssgi_gl__operand(s, d);
-    for (;;) {
-        ssgi_gl__word(s);
-        if (**s != '&') return value;
-        *s += 2;
-        value &= ssgi_gl__operand(s, d);
-    }
-}
-
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 {
-    int value = ssgi_gl__all(s, d);
+    int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
-        ssgi_gl__word(s);
-        if (**s != '|') return value;
+        const char sign = (char)(ssgi_gl__word(s), **s);
+        if (sign != '&' && sign != '|') return any | all;
         *s += 2;
-        value |= ssgi_gl__all(s, d);
+        if (sign == '|') any |= all;
+        all = ssgi_gl__operand(s, d) & (sign == '|' || all);
     }
 }
 
@@ -3297,36 +3242,38 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return ssgi_gl__end(&t);
 }
 
+/* Functions alone, and the samplers that they read. */
+static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
+{
+    ssgi_gl__stage stage;
+    ssgi_gl__text t = { out, capacity, 0, 0 };
+    int i;
+    ssgi_gl__link(&stage, d, roots);
+    for (i = 0; i < SSGI_GL__ROWS; ++i) {
+        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
+        if (stage.row[i]) ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io->type, io->name, io->format);
+    }
+    ssgi_gl__print_codes(&t, &stage, d);
+    return ssgi_gl__end(&t);
+}
+
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
 {
     ssgi_gl_desc d;
-    ssgi_gl__stage stage;
-    ssgi_gl__text t = { out, capacity, 0, 0 };
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
     d.bands = bands;
-    ssgi_gl__link(&stage, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
-    ssgi_gl__print_codes(&t, &stage, &d);
-    return ssgi_gl__end(&t);
+    return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d;
-    ssgi_gl__stage stage;
-    ssgi_gl__text t = { out, capacity, 0, 0 };
-    int i;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
     d.pass = SSGI_GL_FIELD;
     d.lines = 0;
-    ssgi_gl__link(&stage, &d, "ssgi_field_visibility");
-    for (i = 0; i < SSGI_GL__ROWS; ++i) {
-        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (stage.row[i]) ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io->type, io->name, io->format);
-    }
-    ssgi_gl__print_codes(&t, &stage, &d);
-    return ssgi_gl__end(&t);
+    return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
@@ -3512,19 +3459,13 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
 /* a * b of two rigid world-to-view matrices: a after the inverse of b */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
-    int r, c, k;
-    for (c = 0; c < 4; ++c)
-        for (r = 0; r < 4; ++r) {
-            double sum = c == 3 ? (double)a[12 + r] : 0.0;
-            for (k = 0; k < 3; ++k) {
-                double inverse = 0.0;               /* of b: the transposed rotation, and that times -t */
-                int i;
-                if (c < 3) inverse = (double)b[4 * k + c];
-                else for (i = 0; i < 3; ++i) inverse -= (double)b[4 * k + i] * (double)b[12 + i];
-                sum += (double)a[4 * k + r] * inverse;
-            }
-            out[4 * c + r] = sum;
-        }
+    int c, r, k;
+    memset(out, 0, 16 * sizeof *out);
+    for (c = 0; c < 3; ++c)             /* of b: the transposed rotation, and that times -t */
+        for (r = 0; r < 3; ++r)
+            for (k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (r = 0; r < 3; ++r)
+        for (c = 0, out[12 + r] = (double)a[12 + r]; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
 }
 
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
@@ -3552,6 +3493,13 @@ static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *vi
     }
 }
 
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
+{
+    memcpy(decode, view->depth, sizeof view->depth);
+    decode[2] = view->clear;
+    decode[3] = (float)view->orthographic;
+}
+
 static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *main_view, const float *other,
                                          const char *name, const char **why)
 {
@@ -3577,10 +3525,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
                               why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view);
-    views->decode[i][0] = view->depth[0];
-    views->decode[i][1] = view->depth[1];
-    views->decode[i][2] = view->clear;
-    views->decode[i][3] = (float)view->orthographic;
+    ssgi_gl__decode(views->decode[i], view);
     views->size[i][0] = (float)view->width;
     views->size[i][1] = (float)view->height;
     views->size[i][2] = 2.0f * ssgi_pixel_footprint(view, 1.0f);
@@ -3625,10 +3570,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     for (i = 0; i < 3; ++i)
         for (k = 0; k < 4; ++k) light->map[i][k] = to[4 * k + i];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
-    light->decode[0] = view->depth[0];
-    light->decode[1] = view->depth[1];
-    light->decode[2] = view->clear;
-    light->decode[3] = (float)view->orthographic;
+    ssgi_gl__decode(light->decode, view);
     light->tile[0] = (float)x;
     light->tile[1] = (float)y;
     light->tile[2] = (float)view->width;

@@ -1061,7 +1061,8 @@ static void sentences(void)
             ssgi_result r = ssgi_gl_preset(&d, preset, &why),
                         want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
             CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:"))
-                      && ((r == SSGI_OK && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR))
+                      && ((r == SSGI_OK
+                           && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR || d.pass == SSGI_GL_HISTORY))
                           || !memcmp(&d, &variant[v], sizeof d)),
                   "preset %d: \"%s\"", preset, why);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset,
