@@ -71,10 +71,10 @@
                influence: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders); culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
 
-   OVER FRAMES, before blur: two sets of targets that change places. ssgi_gl_frame_init means a first frame or a cut;
-   ssgi_gl_frame_history, that there is a last one; frame.phase = ssgi_gl_phase(frame number)
-      history  reads t_ssgi_ao or t_ssgi_light of this frame, and what it wrote for the last one, at half size or full;
-               blur reads its first target as it read theirs. Clear targets that may hold anything but numbers
+   OVER FRAMES
+      history  before blur, which reads its first target, at half size or full: t_ssgi_ao or t_ssgi_light, and what it
+               wrote last; two sets of targets change places. frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history
+               but after a cut or a change of size
 
    DEEP SCREEN SPACE, which also counts what is hidden or off screen; all levels lie below each other in textures of
    frame.level[0] x (levels * frame.level[1])
@@ -561,13 +561,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
     "}\n" },
 { "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
-    "#if orthographic\n"
-    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
-    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
-    "#else\n"
     "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
-    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR;\n"
-    "#endif\n"
+    "    return d != u_ssgi_decode.z && w > 0.0 && w < SSGI_FAR ? w : SSGI_FAR; // #if orthographic\n"
+    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n"
     "}\n" },
 { "ssgi_depth", __LINE__, "// view depth at a pixel\n"
     "float ssgi_depth(ivec2 p) {\n"
@@ -686,22 +682,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
     "}\n"
     "#endif\n" },
-{ "ssgi_noise", __LINE__, "#if noise == GRADIENT\n"
-    "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence over\n"
-    "// the image\n"
+{ "ssgi_noise", __LINE__, "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
-    "    vec2 q = vec2(p);\n"
-    "    float gradient = 52.9829189 * fract(dot(q, vec2(0.06711056, 0.00583715)));\n"
-    "    return fract(vec2(gradient, dot(q, vec2(0.75487767, 0.56984029))) + u_ssgi_phase);\n"
-    "}\n"
+    "#if noise == GRADIENT\n"
+    "    // interleaved gradient noise, evenly spread over every 3x3 block; the R2 sequence over the image\n"
+    "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
+    "    vec2 xi = vec2(gradient, dot(vec2(p), vec2(0.75487767, 0.56984029)));\n"
     "#else\n"
-    "// in [0,1): x turns the directions, y offsets the steps\n"
-    "vec2 ssgi_noise(ivec2 p) {\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
-    "    vec4 j = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0);\n"
-    "    return fract(vec2(j.w, j.z + 0.5) + u_ssgi_phase);\n"
-    "}\n"
-    "#endif\n" },
+    "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
+    "#endif\n"
+    "    return fract(xi + u_ssgi_phase);\n"
+    "}\n" },
 { "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
     "mat3 ssgi_basis(vec3 n) {\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
@@ -2365,7 +2357,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_last", __LINE__ + 1,
     "// What the last frame's texel held whose contents were seen closest to P, of the four about its place that show\n"
     "// this plane and hold numbers; how far off it was, in texels; z: 0 if there is none. Interpolated frame by\n"
-    "// frame contents would blur: each is kept whole and carries its offset, in sixteenths of a texel, as x * 32 + y.\n"
+    "// frame contents would blur: each is kept whole and carries its offset, sixteenths of a texel, as x * 32 + y.\n"
     "vec3 ssgi_last(ivec2 p, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first, out vec4 result, out vec4 means) {\n"
     "    vec4 to = u_ssgi_last_to * vec4(P, 1.0);\n"
     "    vec2 at = to.xy; // #if orthographic\n"
@@ -2391,10 +2383,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 off = vec2(q) - at + vec2(floor(m.w / 32.0), mod(m.w, 32.0)) / 16.0 - 1.0;\n"
     "        bool near = abs(dot(n, Q - P)) < slack * ssgi_footprint(-P.z) && dot(off, off) < least && m.z >= 1.0;\n"
     "        if (!(near && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
-    "        least = dot(off, off);\n"
-    "        best = vec3(off, 1.0);\n"
-    "        result = t;\n"
-    "        means = m;\n"
+    "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
     "    }\n"
     "    return best;\n"
     "}\n" },
@@ -2429,9 +2418,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // with noise of a quarter to a seventh of their spread, more where few of the nine are of this surface.\n"
     "    float spread = sqrt((max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0)) * few);\n"
     "    float jump = 0.7 * spread + 0.02 * sum.x, drift = 0.2 * spread + 0.005 * sum.x + 1e-9;\n"
-    "    float mean = mix(means.y, sum.x, 1.0 / frames), quick = mix(means.x, sum.x, 1.0 / min(frames, 2.0));\n"
-    "    quick = clamp(quick, sum.x - jump, sum.x + jump);\n"
-    "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
+    "    float quick = clamp(mix(means.x, sum.x, 1.0 / min(frames, 2.0)), sum.x - jump, sum.x + jump);\n"
+    "    float mean = mix(means.y, sum.x, 1.0 / frames), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
     "    frames = max(frames * (1.0 - 0.85 * min(abs(by) / drift, 1.0)), 1.0);\n"
     "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR\n"
     "    last = mix(last, now, 1.0 / frames);\n"
@@ -2600,28 +2588,22 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
 
-#define SSGI_GL__PLAIN(main) { "main_triangle", main, NULL, NULL, NULL }
+#define SSGI_GL__PLAIN(pass, name, main) \
+    { SSGI_GL_##pass, name, NULL, { "main_triangle", "main_" #main, NULL, NULL, NULL } }
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    { SSGI_GL_SSAO, "ssao", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_HSAO, "hsao", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_SSDO, "ssdo", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_S3HO, "s3ho", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_LIGHTS, "lights", NULL, SSGI_GL__PLAIN("main_lights") },
-    { SSGI_GL_SENDERS, "senders", NULL, SSGI_GL__PLAIN("main_senders") },
-    { SSGI_GL_SHADE, "shade", NULL, SSGI_GL__PLAIN("main_shade") },
+    SSGI_GL__PLAIN(SSAO, "ssao", gather), SSGI_GL__PLAIN(HSAO, "hsao", gather), SSGI_GL__PLAIN(SSDO, "ssdo", gather),
+    SSGI_GL__PLAIN(S3HO, "s3ho", gather), SSGI_GL__PLAIN(LIGHTS, "lights", lights),
+    SSGI_GL__PLAIN(SENDERS, "senders", senders), SSGI_GL__PLAIN(SHADE, "shade", shade),
     { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
-    { SSGI_GL_SHUFFLE, "shuffle", NULL, SSGI_GL__PLAIN("main_shuffle") },
+    SSGI_GL__PLAIN(SHUFFLE, "shuffle", shuffle),
     { SSGI_GL_SPLAT, "splat", "!tessellate", { "main_quad", "main_splat", NULL, NULL, NULL } },
     { SSGI_GL_SPLAT, "splat", "tessellate",
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
-    { SSGI_GL_UNSHUFFLE, "unshuffle", NULL, SSGI_GL__PLAIN("main_unshuffle") },
-    { SSGI_GL_SMOOTH, "smooth", NULL, SSGI_GL__PLAIN("main_smooth") },
-    { SSGI_GL_SUM, "sum", NULL, SSGI_GL__PLAIN("main_sum") },
-    { SSGI_GL_BLUR, "blur", NULL, SSGI_GL__PLAIN("main_blur") },
-    { SSGI_GL_HISTORY, "history", NULL, SSGI_GL__PLAIN("main_history") },
-    { SSGI_GL_STATISTICS, "statistics", NULL, SSGI_GL__PLAIN("main_statistics") }
+    SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle", unshuffle), SSGI_GL__PLAIN(SMOOTH, "smooth", smooth),
+    SSGI_GL__PLAIN(SUM, "sum", sum), SSGI_GL__PLAIN(BLUR, "blur", blur), SSGI_GL__PLAIN(HISTORY, "history", history),
+    SSGI_GL__PLAIN(STATISTICS, "statistics", statistics)
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
@@ -2636,11 +2618,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 }
 
 /* Every int of ssgi_gl_desc: 0 .. most. values: their names in #if lines, in order from 0. */
-typedef struct ssgi_gl__field {
-    const char *name;
-    size_t offset;
-    int most;
-    const char *values, *sentence;
+typedef struct ssgi_gl__field { const char *name; size_t offset; int most; const char *values, *sentence;
 } ssgi_gl__field;
 
 #define SSGI_GL__I(field, most, text) \
@@ -2651,27 +2629,25 @@ typedef struct ssgi_gl__field {
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
                "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY STATISTICS"),
-    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"),
-    SSGI_GL__B(orthographic),
+    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"), SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
     SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
-    SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64, "0..64"), SSGI_GL__I(steps, 64, "0..64"),
+    SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"), SSGI_GL__I(samples, 64, "0..64"),
+    SSGI_GL__I(steps, 64, "0..64"),
     SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
     SSGI_GL__E(falloff, SSGI_GL_FALLOFF_SQUARE, "SSGI_GL_FALLOFF", "LINEAR SQUARE"), SSGI_GL__B(kernel),
     SSGI_GL__E(fade, SSGI_GL_FADE_LAMBDA, "SSGI_GL_FADE", "NONE SMOOTH LAMBDA"), SSGI_GL__B(range),
     SSGI_GL__I(layers, 8, "0..8"), SSGI_GL__I(views, 4, "0..4"), SSGI_GL__I(view_layers, 8, "0..8"),
-    SSGI_GL__I(receiver, 7, "0..7"),
-    SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32, "0..32"),
-    SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
+    SSGI_GL__I(receiver, 7, "0..7"), SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
+    SSGI_GL__I(directions, 32, "0..32"), SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
     SSGI_GL__E(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT", "NONE SH MAP"),
     SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"), SSGI_GL__B(two_sided),
     SSGI_GL__E(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE", "LIGHT DIRECT BOTH ALBEDO"),
     SSGI_GL__E(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW", "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate),
     SSGI_GL__I(bands, 4, "0..4"), SSGI_GL__B(packed),
-    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"),
-    SSGI_GL__B(shaded), SSGI_GL__B(residual),
+    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
+    SSGI_GL__B(residual),
     SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
     SSGI_GL__B(lights), SSGI_GL__B(albedo),
     SSGI_GL__E(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS", "NONE TEXTURE CUSTOM"),
@@ -2745,11 +2721,9 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     }
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
-    if (!desc->fetch && desc->sends == SSGI_GL_SENDS_CUSTOM)
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_surfel when sends is CUSTOM");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM
-                         || desc->objects == SSGI_GL_OBJECTS_CUSTOM))
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object when they are CUSTOM");
+                         || desc->objects == SSGI_GL_OBJECTS_CUSTOM || desc->sends == SSGI_GL_SENDS_CUSTOM))
+        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
     return SSGI_OK;
 }
 
@@ -3050,10 +3024,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
-typedef struct ssgi_gl__program {
-    ssgi_gl_desc d;
-    const ssgi_gl__pass *pass;
-    ssgi_gl__stage stage[SSGI_GL_STAGES];
+typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
@@ -3069,8 +3040,7 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     }
     if (stage < SSGI_GL_STAGES && !p->pass->mains[stage]) return 0;
     memset(p->stage, 0, sizeof p->stage);
-    for (i = 0; i < SSGI_GL_STAGES; ++i)
-        if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
+    for (i = 0; i < SSGI_GL_STAGES; ++i) if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
     return 1;
 }
 
@@ -3560,15 +3530,14 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 {
     float to[16], from[16];
     ssgi_result r;
-    int i, k;
+    int i;
     if (!light) return ssgi_gl__bad(why, "light: must not be NULL");
     if (x < 0 || y < 0) return ssgi_gl__bad(why, "x: the tile must lie in the atlas, x and y >= 0");
     r = ssgi_gl__check_camera(view, main_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
                               why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view);
-    for (i = 0; i < 3; ++i)
-        for (k = 0; k < 4; ++k) light->map[i][k] = to[4 * k + i];
+    for (i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
     ssgi_gl__decode(light->decode, view);
     light->tile[0] = (float)x;
