@@ -332,9 +332,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* ==== >>emit ====================================================================================================== */
 
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
-   capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. A desc that
-   ssgi_gl_check refuses, or a stage that is none or that the pass does not have, returns 0 and writes nothing (but the
-   0 in the last case). A pure function: the same desc gives the same bytes, whatever the locale. */
+   capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. 0 for a bad desc or
+   stage, and nothing is written; for a stage that the pass has not, the 0. The same desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and
@@ -346,8 +345,7 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), the same for
-   every desc that ssgi_gl_check accepts; the samplers t_ssgi_occluders and t_ssgi_fields are declared in it. float
+/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc. float
    ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
    0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
    GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
@@ -433,9 +431,8 @@ typedef struct ssgi_gl_frame {
    view] [limit: > 0, finite]. */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to and last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all;
-   its field of view may differ, its kind of projection must not. Both matrices are rigid. A history of another size is
-   refused, and there is none after a cut: leave frame.history 0. */
+/* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
+   kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
@@ -1849,8 +1846,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 f = clamp(floor(s), 0.0, at.x);\n"
     "    ivec3 p = ivec3(f.x, f.y + face * (at.x + 2.0), at.y);\n"
     "    f = s - f;\n"
-    "    a = vec4(0.0);\n"
-    "    b = vec4(0.0);\n"
+    "    a = b = vec4(0.0);\n"
     "    ssgi_field_texel(p, (1.0 - f.x) * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
@@ -1909,10 +1905,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return visibility;\n"
     "}\n" },
-{ "ssgi_object", __LINE__, "uint ssgi_object(ivec2 p) {\n"
-    "    return ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
-    "    return texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
-    "}\n" },
 { "main_field", __LINE__, "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1921,7 +1913,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
     "#if objects\n"
-    "    uint object = ssgi_object(p);\n"
+    "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
+    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
@@ -2390,7 +2383,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "main_history", __LINE__, "void main() {\n"
     "    int wide = 1; // #if !half\n"
     "    int wide = 2; // #if half\n"
-    "    ivec2 h = ivec2(gl_FragCoord.xy) - u_ssgi_target / wide, p = h * wide, first = ivec2(gl_FragCoord.xy) - h;\n"
+    "    ivec2 first = u_ssgi_target / wide, h = ivec2(gl_FragCoord.xy) - first, p = h * wide;\n"
     "    ivec2 size = (u_ssgi_size + wide - 1) / wide;\n"
     "    vec4 now = texelFetch(t_ssgi_light, first + h, 0), last, means; // #if colour == COLOUR\n"
     "    vec4 now = texelFetch(t_ssgi_ao, first + h, 0), last, means; // #if colour == GREY\n"
@@ -2835,7 +2828,6 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
 /* ==== >>emit (implementation) ===================================================================================== */
 
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
-
 static int ssgi_gl__letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -2861,13 +2853,9 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *name, size_t lengt
 static int ssgi_gl__value(const ssgi_gl__field *field, const char *name, size_t length)     /* -1: there is none */
 {
     const char *s = field->values;
+    size_t n;
     int value = 0;
-    for (;; ++value) {
-        const size_t n = ssgi_gl__word(&s);
-        if (!n) break;
-        if (n == length && !memcmp(s, name, n)) return value;
-        s += n;
-    }
+    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n) if (n == length && !memcmp(s, name, n)) return value;
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
     return length ? -1 : value;
 }
@@ -2913,12 +2901,8 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 }
 
 /* ---- the lines of a function that a desc keeps */
-
-typedef struct ssgi_gl__reader {
-    const char *at;
-    const ssgi_gl_desc *d;
-    int line, depth;
-    char state[8];                              /* of each #if around: '+' kept, '-' not yet, '.' no more */
+/* state: of each #if around: '+' kept, '-' not yet, '.' no more */
+typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
 } ssgi_gl__reader;
 
 static ssgi_gl__reader ssgi_gl__read(const ssgi_gl__code *code, const ssgi_gl_desc *d)
@@ -2960,7 +2944,6 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: what is named in what is kept */
-
 typedef struct ssgi_gl__names { const char *at[512]; unsigned char length[512], custom; } ssgi_gl__names;
 
 static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
@@ -2996,20 +2979,15 @@ typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL_
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     ssgi_gl__names names;
+    size_t n;
     int i;
     memset(stage, 0, sizeof *stage);
     memset(&names, 0, sizeof names);
-    for (;;) {
-        const size_t n = ssgi_gl__word(&roots);
-        if (!n) break;
-        ssgi_gl__named(&names, roots, n, 1);
-        roots += n;
-    }
+    for (; (n = ssgi_gl__word(&roots)) != 0; roots += n) ssgi_gl__named(&names, roots, n, 1);
     for (i = SSGI_GL__CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *code = &ssgi_gl__library[i];
         ssgi_gl__reader r;
         const char *line;
-        size_t n;
         if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0)) continue;
         for (r = ssgi_gl__read(code, d); (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1)
             ssgi_gl__scan(&names, line, line + n);
@@ -3067,7 +3045,6 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 }
 
 /* ---- printing */
-
 /* A sink that writes, measures and hashes. */
 typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
 
@@ -3431,9 +3408,8 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
 {
     int c, r, k;
     memset(out, 0, 16 * sizeof *out);
-    for (c = 0; c < 3; ++c)             /* of b: the transposed rotation, and that times -t */
-        for (r = 0; r < 3; ++r)
-            for (k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (c = 0; c < 3; ++c) for (r = 0; r < 3; ++r) for (k = 0; k < 3; ++k)
+        out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
     for (r = 0; r < 3; ++r)
         for (c = 0, out[12 + r] = (double)a[12 + r]; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
 }
