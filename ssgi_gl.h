@@ -42,6 +42,7 @@
                 splat    each surfel's effect on the pixels around it, added up
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur     edge-preserving filter of what the others wrote
+                history  averages what they wrote over frames; before blur
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
@@ -70,6 +71,11 @@
                GL_ZERO (or GL_ZERO, GL_SRC_COLOR), and draw all at once, one rectangle each around its sphere of
                influence: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders); culling off. No noise, no filter
       In your own forward shader: ssgi_gl_field, the same functions as text
+
+   OVER FRAMES
+      history  before blur, which reads its first target, at half size or full: t_ssgi_ao or t_ssgi_light, and what it
+               wrote last; two sets of targets change places. frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history
+               but after a cut or a change of size
 
    DEEP SCREEN SPACE, which also counts what is hidden or off screen; all levels lie below each other in textures of
    frame.level[0] x (levels * frame.level[1])
@@ -110,7 +116,7 @@ extern "C" {
 
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };                                /* desc.pass */
+       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };               /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES,
        SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
@@ -129,8 +135,7 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
        SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 /* desc.noise: the pattern that decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets the steps, w in [0,1) turns the
-                                      directions; 1 more fetch */
+       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
 /* desc.search */
 enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked in screen space, both sides at once */
        SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
@@ -146,8 +151,7 @@ enum { SSGI_GL_BEHIND_CONSTANT = 0,/* frame.thickness */
 enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
        SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
                                       (ssgi_gl_light.min_distance = radius) */
-/* desc.fade: occluder weight as a function of the distance d, in radii, from the receiver to the surface that the depth
-   buffer shows */
+/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows */
 enum { SSGI_GL_FADE_NONE = 0,
        SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
        SSGI_GL_FADE_LAMBDA };      /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
@@ -157,15 +161,12 @@ enum { SSGI_GL_ENVIRONMENT_NONE = 0,
        SSGI_GL_ENVIRONMENT_MAP };  /* world space, a look-up a direction: ssgi_environment_map */
 /* desc.bounce: estimator of what an occluded direction receives */
 enum { SSGI_GL_BOUNCE_NONE = 0,
-       SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: no scale, never brighter than
-                                      it */
-       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp radii
-                                      [SSDO09 section 3] */
+       SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never brighter than it */
+       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
 /* desc.shadow: how a light's visibility is tested */
 enum { SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
        SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
-       SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over the distance that the bias skips [SSDO09 section 5];
-                                      without a map, SEGMENT */
+       SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over what the bias skips [SSDO09 5]; without a map, SEGMENT */
        SSGI_GL_SHADOW_NONE };
 /* desc.radiance: what senders send */
 enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
@@ -175,8 +176,7 @@ enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wr
 /* desc.transfer: what the coefficients of s3ho hold */
 enum { SSGI_GL_TRANSFER_DIRECT = 0,  /* one set: the transfer of unoccluded directions */
        SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: only what occluders reflect. Targets: 6 with 3 or 4 bands (GLES
-                                        has 4) */
+       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
 /* desc.shading: how the coefficients are shaded */
 enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12 2.2] */
        SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
@@ -184,25 +184,20 @@ enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12
        SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
 /* desc.objects: which object a pixel shows, so that no occluder shades itself */
 enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders darken every pixel in reach */
-       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; ssgi_gl_occluder.object leaves its own pixels
-                                      alone */
+       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
        SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.effect: what surfels do to pixels */
 enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-       SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels occlude of the environment
-                                      */
+       SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels block of the environment */
        SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
-       SSGI_GL_EFFECT_SPECULAR,    /* radiance of the lobe cos^frame.exponent about the mirrored view direction,
-                                      normalised */
-       SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole over what surfels receive
-                                      */
+       SSGI_GL_EFFECT_SPECULAR,    /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
+       SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
 enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
        SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
                                       the environment, open, if desc.environment */
-       SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour), view
-                                      space */
-/* desc.colour: what blur filters: ambient visibility; light, three channels; coefficients of s3ho */
+       SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+/* desc.colour: what blur and history filter: ambient visibility; light, three channels; coefficients of s3ho */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
 /* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
    creases: blur puts it back unfiltered, at full size */
@@ -211,8 +206,7 @@ enum { SSGI_GL_RESTORE_NONE = 0,
        SSGI_GL_RESTORE_DIFFERENCE }; /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
 /* desc.filter */
 enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
-       SSGI_GL_GAUSSIAN };         /* the paper's: Gaussian, weighted by the inverse of the depth difference [HSAO08
-                                      4.1.3] */
+       SSGI_GL_GAUSSIAN };         /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
    and what is off leaves no text behind. A comment begins with the passes that look at the field; the others ignore it,
@@ -225,33 +219,27 @@ typedef struct ssgi_gl_desc {
     int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, blur   1: gathers draw one pixel of every 2x2, into targets of half size,
-                            rounded up; blur brings it to full size */
+    int half;            /* gathers, shade, history, blur   1: all but blur draw one pixel of every 2x2, into targets of
+                            half size, rounded up; blur brings it to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
     int search;          /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
     int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int samples;         /* points   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; points on
-                            a segment */
-    int steps;           /* [limit: 0..64] [default: 6; points 1]  per direction: N_s; of points, the first
-                            occluded one counts */
+    int samples;         /* points   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; on a segment */
+    int steps;           /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
     int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
     int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;          /* points   0: one set in the text, rotated by the noise; 1: M sets in a texture, chosen by
-                            the noise */
+    int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
     int fade;            /* points   SSGI_GL_FADE_NONE .. */
-    int range;           /* points   1: ignore surfaces beyond the radius or below the receiver's plane
-                            [S3HO12 2.1] */
+    int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
     int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
                             one to the next; an odd last one as behind says */
     int views;           /* all but slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
-                            in front of its depth; occluded if none does and at least one finds it inside solid geometry
-                            */
+                            in front of its depth; occluded if none does and one finds it inside a solid */
     int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
-    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the layer that is lit, for hidden
-                            layers that send light */
+    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
 
     /* hsao */
     int normal_rays;     /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
@@ -273,11 +261,9 @@ typedef struct ssgi_gl_desc {
     /* s3ho, shade, blur of coefficients */
     int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  1, 4, 9, 16 coefficients; bent
                             normals read 2 */
-    int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two a
-                            vector */
+    int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed */
-    int shaded;          /* s3ho   1: stores no coefficients, shades with frame.harmonics at once; shade is not
-                            drawn */
+    int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
     int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds the
                             residual of unoccluded irradiance (t_ssgi_irradiance: ssgi_sh_residual) times ambient
                             visibility */
@@ -291,10 +277,8 @@ typedef struct ssgi_gl_desc {
 
     /* surfels, shuffle, splat, unshuffle, smooth, sum */
     int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach; smoothing of the last takes 2^(levels -
-                            1) + 1 taps */
-    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: from patches of triangles, in 410, 450,
-                            320es */
+    int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
+    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches of triangles: 410, 450, 320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  slices
                             see what is as near as that, surfels the rest and what is hidden; 0: no such share */
@@ -302,11 +286,11 @@ typedef struct ssgi_gl_desc {
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
 
-    /* blur */
-    int colour;          /* SSGI_GL_GREY .. */
+    /* blur, history */
+    int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
+    int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
     int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half is 1: 1 is
-                            3x3 */
+    int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
     int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
 
     /* your own text */
@@ -315,22 +299,20 @@ typedef struct ssgi_gl_desc {
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
-   for accuracy (and the filter's, so that the same desc serves blur; with restore RATIO for ssdo's environment, so that
-   it must), leaves the others alone.
+   for accuracy (and the filter's, so that the same desc serves blur; with restore for ssdo's environment, so
+   that it must), leaves the others alone.
      slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
      hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
      ssao          8, 16, 32 points
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points), range, fade
    desc.behind stays as it is: BACK or SLABS where the scene is of closed solids and the passes that draw them are
-   affordable.
-   Bad input leaves desc as it is. */
+   affordable. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
    the rest of desc stays. ssdo and s3ho have POINTS; s3ho becomes shaded and residual; ssdo without an environment gets
-   MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or a plan of NOTHING: desc stays
-   as it is. */
+   MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
@@ -339,9 +321,8 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 /* ==== >>emit ====================================================================================================== */
 
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
-   capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. A desc that
-   ssgi_gl_check refuses, or a stage that is none or that the pass does not have, returns 0 and writes nothing (but the
-   0 in the last case). A pure function: the same desc gives the same bytes, whatever the locale. */
+   capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. 0 for a bad desc or
+   stage, and nothing is written; for a stage that the pass has not, the 0. The same desc gives the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and
@@ -353,8 +334,7 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders (forward, or wherever a position and a normal are at hand), the same for
-   every desc that ssgi_gl_check accepts; the samplers t_ssgi_occluders and t_ssgi_fields are declared in it. float
+/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc. float
    ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
    0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
    GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
@@ -382,7 +362,7 @@ typedef struct ssgi_gl_io {
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, in the order of the text, at most capacity of them; returns how many there
+/* Writes the rows of a pass in this variant, in the order of the text, at most capacity; returns how many there
    are, 0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
@@ -400,21 +380,17 @@ typedef struct ssgi_gl_frame {
     int32_t target[2];   /* [units: texels]  first texel of the image in the targets, and in textures that earlier
                             passes wrote; half of it in those of half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
-    float   offset;      /* [units: half pixels] [default: 1.5]  lift of the receiver along its normal, for nearest
-                            fetches: all that test points */
+    float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
     float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces,
                             where desc.behind has no other; 1 radius suits ssao, 0.5 march */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade (desc.fade SMOOTH); the
-                            radius: nowhere */
+    float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade; the radius: nowhere */
     float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   max_slope;   /* [default: 20]  slope, tan of the angle between light and normal, up to which the bias of
-                            shadow maps follows */
+    float   max_slope;   /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
     int32_t lights;      /* rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12]; /* world to view, 3 columns padded to 4 (desc.world_normals, ENVIRONMENT_MAP, desc.residual,
-                             bent normals); identity by default */
+    float   rotation[12]; /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
     float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
                               ssgi_gl_harmonics_set; black by default */
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
@@ -428,14 +404,25 @@ typedef struct ssgi_gl_frame {
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends over `sent` (times the lobe's peak) */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float   gap_;
+    float   history;     /* frames that history averages at most; 0: there is no last one, all starts anew [limit: >= 0]
+                            [default: 0; 16 from ssgi_gl_frame_history] */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float   last_from[16]; /* and back: ssgi_gl_frame_history */
 } ssgi_gl_frame;
 
-/* Fills a frame: the view, the image at the origin of textures and targets, defaults everywhere else. radius [units:
-   view] [limit: > 0, finite]. */
+/* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
+
+/* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
+   kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
+SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why);
+
+/* frame.phase of frame number k, so that the noise of any few frames in a row is spread evenly. */
+SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
 /* Sets what surfels are made with: view, desc (with frame.radius in place of most) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
@@ -446,8 +433,7 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
 /* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
-/* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (NULL: in view
-   space already). */
+/* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (may be NULL). */
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
@@ -455,16 +441,14 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
    slices of one array texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use
    a part of it. */
 typedef struct ssgi_gl_views {
-    float   to[4][16];   /* view space to x, y, z, 1: pixels (times z when perspective) and view depth of that camera;
-                            column-major */
+    float   to[4][16];   /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
     float   from[4][16]; /* back */
     float   decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
     float   size[4][4];  /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
                             the open, at depth 1 when perspective; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3. Both matrices are rigid, world to view: of the main camera, and of the extra one
-   whose projection `view` decodes. */
+/* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
@@ -483,8 +467,7 @@ typedef struct ssgi_gl_light {
     float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
                             light's camera: rows */
     float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
-    float tile[4];       /* [units: texels]  x, y, width, height of the map in the atlas t_ssgi_shadow; width 0: no map
-                            */
+    float tile[4];       /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
 /* Gives a light its shadow map: drawn by a camera (rigid world to view, projection decoded as `view`) into texels x, y
@@ -501,8 +484,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why);
 
-/* An occluder: one row of the texture t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by
-   ssgi_gl_occluder_set. */
+/* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
     float at[3], radius; /* the sphere that it darkens, view space */
     float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
@@ -555,13 +537,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
     "}\n" },
 { "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
-    "#if orthographic\n"
-    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
-    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
-    "#else\n"
     "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
-    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR;\n"
-    "#endif\n"
+    "    return d != u_ssgi_decode.z && w > 0.0 && w < SSGI_FAR ? w : SSGI_FAR; // #if orthographic\n"
+    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n"
     "}\n" },
 { "ssgi_depth", __LINE__, "// view depth at a pixel\n"
     "float ssgi_depth(ivec2 p) {\n"
@@ -679,21 +657,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
     "}\n#endif\n" },
-{ "ssgi_noise", __LINE__, "#if noise == GRADIENT\n"
-    "// in [0,1): x interleaved gradient noise, evenly spread over every 3x3 block, y the R2 sequence over\n"
-    "// the image\n"
+{ "ssgi_noise", __LINE__, "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
-    "    vec2 q = vec2(p);\n"
-    "    float gradient = 52.9829189 * fract(dot(q, vec2(0.06711056, 0.00583715)));\n"
-    "    return fract(vec2(gradient, dot(q, vec2(0.75487767, 0.56984029))) + u_ssgi_phase);\n"
-    "}\n"
+    "#if noise == GRADIENT\n"
+    "    // interleaved gradient noise, evenly spread over every 3x3 block; the R2 sequence over the image\n"
+    "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
+    "    vec2 xi = vec2(gradient, dot(vec2(p), vec2(0.75487767, 0.56984029)));\n"
     "#else\n"
-    "// in [0,1): x turns the directions, y offsets the steps\n"
-    "vec2 ssgi_noise(ivec2 p) {\n"
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
-    "    vec4 j = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0);\n"
-    "    return fract(vec2(j.w, j.z + 0.5) + u_ssgi_phase);\n"
-    "}\n#endif\n" },
+    "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
+    "#endif\n"
+    "    return fract(xi + u_ssgi_phase);\n"
+    "}\n" },
 { "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
     "mat3 ssgi_basis(vec3 n) {\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
@@ -1340,8 +1315,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "    vec3 n = ssgi_normal(p, P); // #if residual || restore\n"
-    "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore)\n"
+    "    vec3 n = ssgi_normal(p, P); // #if residual || restore && (bands > 1 || shading)\n"
+    "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore && (bands > 1 || shading))\n"
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n), P, n);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
     "#endif\n"
@@ -1633,16 +1608,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
-    "#if !two_sided\n"
-    "    float facing = -dot(o, d), edge = 0.03 * length(d);\n"
-    "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0;\n"
-    "#endif\n"
+    "    float facing = -dot(o, d), edge = 0.03 * length(d); // #if !two_sided\n"
+    "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0; // #if !two_sided\n"
     "    w += 0.5 * second; // #if behind == SLABS\n"
-    "#if pass == SSDO\n"
-    "    got.bounce += ssgi_unpack_radiance(s.x) * w;\n"
-    "#else\n"
-    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w);\n"
-    "#endif\n"
+    "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
+    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n"
     "}\n" },
 { "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
     "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
@@ -1721,9 +1691,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_sends(got, q1, d1, w.y);\n"
     "#endif\n"
     "    }\n"
-    "#if environment\n"
-    "    ssgi_blocked_by(got, s, parts);\n"
-    "#endif\n"
+    "    ssgi_blocked_by(got, s, parts); // #if environment\n"
     "}\n#endif\n" },
 { "ssgi_walk", __LINE__, "#if search == SLICES\n"
     "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
@@ -1870,8 +1838,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 f = clamp(floor(s), 0.0, at.x);\n"
     "    ivec3 p = ivec3(f.x, f.y + face * (at.x + 2.0), at.y);\n"
     "    f = s - f;\n"
-    "    a = vec4(0.0);\n"
-    "    b = vec4(0.0);\n"
+    "    a = b = vec4(0.0);\n"
     "    ssgi_field_texel(p, (1.0 - f.x) * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
@@ -1930,10 +1897,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return visibility;\n"
     "}\n" },
-{ "ssgi_object", __LINE__, "uint ssgi_object(ivec2 p) {\n"
-    "    return ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
-    "    return texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
-    "}\n" },
 { "main_field", __LINE__, "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1942,7 +1905,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
     "#if objects\n"
-    "    uint object = ssgi_object(p);\n"
+    "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
+    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
     "#endif\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
@@ -2314,10 +2278,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    float footprint = ssgi_footprint(z);\n"
     "    vec3 n = ssgi_normal(p, P); // #if filter == BILATERAL || restore\n"
-    "#if filter == BILATERAL\n"
-    "    vec3 plane = ssgi_plane(P, n);\n"
-    "    float near = 1.0 / (0.05 * u_ssgi_radius + footprint);\n"
-    "#endif\n"
+    "    vec3 plane = ssgi_plane(P, n); // #if filter == BILATERAL\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + footprint); // #if filter == BILATERAL\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
     "#if half\n"
@@ -2375,6 +2337,84 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "#endif\n"
+    "}\n" },
+{ "ssgi_last", __LINE__ + 1,
+    "// What the last frame's texel held whose contents were seen closest to P, of the four about its place that show\n"
+    "// this plane and hold numbers; how far off it was, in texels; z: 0 if there is none. Interpolated frame by\n"
+    "// frame contents would blur: each is kept whole and carries its offset, sixteenths of a texel, as x * 32 + y.\n"
+    "vec3 ssgi_last(ivec2 p, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first, out vec4 result, out vec4 means) {\n"
+    "    vec4 to = u_ssgi_last_to * vec4(P, 1.0);\n"
+    "    vec2 at = to.xy; // #if orthographic\n"
+    "    vec2 at = to.xy / max(to.z, 1e-30); // #if !orthographic\n"
+    "    float slack = to.z > 0.0 && u_ssgi_history > 1.0 ? 2.0 * wide : -SSGI_FAR, least = 8.0;\n"
+    "#if motion\n"
+    "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
+    "    slack += max(distance(at, by) - 0.5, 0.0); // what moves sideways may come closer as far\n"
+    "    at = by;\n"
+    "#endif\n"
+    "    at = (at - 0.5) / wide;\n"
+    "    vec3 best = vec3(0.0);\n"
+    "    result = means = vec4(0.0);\n"
+    "    if (!all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2)))) return best; // nor where it is no number\n"
+    "    for (int k = 0; k < 4; ++k) {\n"
+    "        ivec2 q = clamp(ivec2(floor(at)) + ivec2(k & 1, k >> 1), ivec2(0), size - 1);\n"
+    "        vec4 t = texelFetch(t_ssgi_history, first + q, 0), m = texelFetch(t_ssgi_means, first + q, 0);\n"
+    "        float z = t.w; // #if colour == COLOUR\n"
+    "        float z = t.y; // #if colour == GREY\n"
+    "        vec2 pixel = vec2(q) * wide + 0.5;\n"
+    "        vec3 Q = (u_ssgi_last_from * vec4(pixel, z, 1.0)).xyz; // #if orthographic\n"
+    "        vec3 Q = (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n"
+    "        vec2 off = vec2(q) - at + vec2(floor(m.w / 32.0), mod(m.w, 32.0)) / 16.0 - 1.0;\n"
+    "        bool near = abs(dot(n, Q - P)) < slack * ssgi_footprint(-P.z) && dot(off, off) < least && m.z >= 1.0;\n"
+    "        if (!(near && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
+    "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n" },
+{ "main_history", __LINE__, "void main() {\n"
+    "    int wide = 1; // #if !half\n"
+    "    int wide = 2; // #if half\n"
+    "    ivec2 first = u_ssgi_target / wide, h = ivec2(gl_FragCoord.xy) - first, p = h * wide;\n"
+    "    ivec2 size = (u_ssgi_size + wide - 1) / wide;\n"
+    "    vec4 now = texelFetch(t_ssgi_light, first + h, 0), last, means; // #if colour == COLOUR\n"
+    "    vec4 now = texelFetch(t_ssgi_ao, first + h, 0), last, means; // #if colour == GREY\n"
+    "    float z = now.w, v = dot(now.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
+    "    float z = now.y, v = now.x; // #if colour == GREY\n"
+    "    o_ssgi_light = now; // #if colour == COLOUR\n"
+    "    o_ssgi_ao = now.xy; // #if colour == GREY\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 528.0);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(wide) * ssgi_footprint(z)), frames = 1.0;\n"
+    "    for (int k = 0; k < 9; ++k) { // mean and spread of what blur will see\n"
+    "        ivec2 q = clamp(h + ivec2(k % 3, k / 3) - 1, ivec2(0), size - 1);\n"
+    "        vec4 t = texelFetch(t_ssgi_light, first + q, 0); // #if colour == COLOUR\n"
+    "        vec2 s = vec2(dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)), t.w); // #if colour == COLOUR\n"
+    "        vec2 s = texelFetch(t_ssgi_ao, first + q, 0).xy; // #if colour == GREY\n"
+    "        float w = 1.0 - ssgi_off_plane(plane, vec2((q - h) * wide), P, s.y) * near;\n"
+    "        if (s.y < SSGI_FAR && w > 0.0) sum += w * vec3(s.x, s.x * s.x, 1.0);\n"
+    "    }\n"
+    "    float few = 9.0 / sum.z;\n"
+    "    sum /= sum.z;\n"
+    "    vec3 off = ssgi_last(p, P, n, float(wide), size, first, last, means);\n"
+    "    if (off.z > 0.0) frames = min(means.z + 1.0, u_ssgi_history);\n"
+    "    // Where light or an occluder moved the average must follow. 3x3 pixels of a frame or two are compared,\n"
+    "    // with noise of a quarter to a seventh of their spread, more where few of the nine are of this surface.\n"
+    "    float spread = sqrt((max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0)) * few);\n"
+    "    float jump = 0.7 * spread + 0.02 * abs(sum.x), drift = 0.2 * spread + 0.005 * abs(sum.x) + 1e-9;\n"
+    "    float quick = clamp(mix(means.x, sum.x, 1.0 / min(frames, 2.0)), sum.x - jump, sum.x + jump);\n"
+    "    float mean = mix(means.y, sum.x, 1.0 / frames), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
+    "    frames = max(frames * (1.0 - 0.85 * min(abs(by) / drift, 1.0)), 1.0);\n"
+    "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR && restore != DIFFERENCE\n"
+    "    last = mix(last, now, 1.0 / frames);\n"
+    "#if colour == COLOUR && restore == DIFFERENCE\n"
+    "    o_ssgi_light.xyz = last.xyz + by;\n"
+    "#elif colour == COLOUR\n"
+    "    o_ssgi_light.xyz = max(last.xyz * (frames > 1.0 ? 1.0 + by / mean : 1.0), 0.0);\n"
+    "#endif\n"
+    "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
+    "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
+    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n"
     "}\n" },
 /* ==== >>statistics: how depth is distributed around pixels ====================================================== */
 
@@ -2442,34 +2482,24 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
-    SSGI_GL__P(decode, "vec4", "window depth to view depth"),
-    SSGI_GL__P(origin, "ivec2", "texels"),
-    SSGI_GL__P(size, "ivec2", "pixels"),
-    SSGI_GL__P(target, "ivec2", "texels"),
-    SSGI_GL__P(radius, "float", "view units"),
-    SSGI_GL__P(offset, "float", "half pixels"),
-    SSGI_GL__P(thickness, "float", "view units"),
-    SSGI_GL__P(phase, "float", "turns"),
-    SSGI_GL__P(fade, "float", "view units"),
-    SSGI_GL__P(distance_clamp, "float", "radii"),
-    SSGI_GL__P(gain, "float", ""),
-    SSGI_GL__P(max_slope, "float", "tan"),
-    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"),
-    SSGI_GL__P(lambda, "float", "per radius"),
+    SSGI_GL__P(decode, "vec4", "window depth to view depth"), SSGI_GL__P(origin, "ivec2", "texels"),
+    SSGI_GL__P(size, "ivec2", "pixels"), SSGI_GL__P(target, "ivec2", "texels"),
+    SSGI_GL__P(radius, "float", "view units"), SSGI_GL__P(offset, "float", "half pixels"),
+    SSGI_GL__P(thickness, "float", "view units"), SSGI_GL__P(phase, "float", "turns"),
+    SSGI_GL__P(fade, "float", "view units"), SSGI_GL__P(distance_clamp, "float", "radii"),
+    SSGI_GL__P(gain, "float", ""), SSGI_GL__P(max_slope, "float", "tan"),
+    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"), SSGI_GL__P(lambda, "float", "per radius"),
     SSGI_GL__P(rotation, "mat3", "world to view"),
     SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
     SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
-    SSGI_GL__P(mesh, "mat4", "mesh to view"),
-    SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
+    SSGI_GL__P(mesh, "mat4", "mesh to view"), SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
     SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
-    SSGI_GL__P(near_depth, "float", "view units"),
-    SSGI_GL__P(sent, "float", "what counts as bright"),
-    SSGI_GL__P(epsilon, "float", ""),
-    SSGI_GL__P(exponent, "float", ""),
-    SSGI_GL__P(level, "ivec2", "texels of a level"),
-    SSGI_GL__P(window, "vec4", "a band"),
-    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"),
-    SSGI_GL__V(from, "mat4[4]", "and back"),
+    SSGI_GL__P(near_depth, "float", "view units"), SSGI_GL__P(sent, "float", "what counts as bright"),
+    SSGI_GL__P(epsilon, "float", ""), SSGI_GL__P(exponent, "float", ""), SSGI_GL__P(history, "float", "frames"),
+    SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
+    SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
+    SSGI_GL__P(last_from, "mat4", "and back"),
+    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
@@ -2499,13 +2529,17 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
-    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao or hsao wrote"),
+    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
+    SSGI_GL__T("history", 2, NULL, "sampler2D", "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
+    SSGI_GL__T("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__T("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
     SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
                "R16F if nothing filters"),
     SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
+    SSGI_GL__O("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
     SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
     SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
     SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
@@ -2532,12 +2566,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
     SSGI_GL__A("position", "vec3", "mesh space"),
     SSGI_GL__A("normal", "vec3", "mesh space, any length; 0 0 0: the triangle's own"),
-    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"),
-    SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__A("surfel1", "vec4", "normal, seed"),
-    SSGI_GL__A("surfel2", "vec4", "colour"),
-    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__K("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
+    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
     SSGI_GL__K("surfel2", "vec4", "colour")
 };
 
@@ -2545,27 +2576,22 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
 
-#define SSGI_GL__PLAIN(main) { "main_triangle", main, NULL, NULL, NULL }
+#define SSGI_GL__PLAIN(pass, name, main) \
+    { SSGI_GL_##pass, name, NULL, { "main_triangle", "main_" #main, NULL, NULL, NULL } }
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    { SSGI_GL_SSAO, "ssao", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_HSAO, "hsao", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_SSDO, "ssdo", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_S3HO, "s3ho", NULL, SSGI_GL__PLAIN("main_gather") },
-    { SSGI_GL_LIGHTS, "lights", NULL, SSGI_GL__PLAIN("main_lights") },
-    { SSGI_GL_SENDERS, "senders", NULL, SSGI_GL__PLAIN("main_senders") },
-    { SSGI_GL_SHADE, "shade", NULL, SSGI_GL__PLAIN("main_shade") },
+    SSGI_GL__PLAIN(SSAO, "ssao", gather), SSGI_GL__PLAIN(HSAO, "hsao", gather), SSGI_GL__PLAIN(SSDO, "ssdo", gather),
+    SSGI_GL__PLAIN(S3HO, "s3ho", gather), SSGI_GL__PLAIN(LIGHTS, "lights", lights),
+    SSGI_GL__PLAIN(SENDERS, "senders", senders), SSGI_GL__PLAIN(SHADE, "shade", shade),
     { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
-    { SSGI_GL_SHUFFLE, "shuffle", NULL, SSGI_GL__PLAIN("main_shuffle") },
+    SSGI_GL__PLAIN(SHUFFLE, "shuffle", shuffle),
     { SSGI_GL_SPLAT, "splat", "!tessellate", { "main_quad", "main_splat", NULL, NULL, NULL } },
     { SSGI_GL_SPLAT, "splat", "tessellate",
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
-    { SSGI_GL_UNSHUFFLE, "unshuffle", NULL, SSGI_GL__PLAIN("main_unshuffle") },
-    { SSGI_GL_SMOOTH, "smooth", NULL, SSGI_GL__PLAIN("main_smooth") },
-    { SSGI_GL_SUM, "sum", NULL, SSGI_GL__PLAIN("main_sum") },
-    { SSGI_GL_BLUR, "blur", NULL, SSGI_GL__PLAIN("main_blur") },
-    { SSGI_GL_STATISTICS, "statistics", NULL, SSGI_GL__PLAIN("main_statistics") }
+    SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle", unshuffle), SSGI_GL__PLAIN(SMOOTH, "smooth", smooth),
+    SSGI_GL__PLAIN(SUM, "sum", sum), SSGI_GL__PLAIN(BLUR, "blur", blur), SSGI_GL__PLAIN(HISTORY, "history", history),
+    SSGI_GL__PLAIN(STATISTICS, "statistics", statistics)
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
@@ -2580,11 +2606,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 }
 
 /* Every int of ssgi_gl_desc: 0 .. most. values: their names in #if lines, in order from 0. */
-typedef struct ssgi_gl__field {
-    const char *name;
-    size_t offset;
-    int most;
-    const char *values, *sentence;
+typedef struct ssgi_gl__field { const char *name; size_t offset; int most; const char *values, *sentence;
 } ssgi_gl__field;
 
 #define SSGI_GL__I(field, most, text) \
@@ -2594,29 +2616,27 @@ typedef struct ssgi_gl__field {
     { #field, offsetof(ssgi_gl_desc, field), most, values, "desc." #field ": must be " prefix "_ and one of " values }
 static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR STATISTICS"),
-    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"),
-    SSGI_GL__B(orthographic),
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY STATISTICS"),
+    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"), SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
     SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
-    SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64, "0..64"), SSGI_GL__I(steps, 64, "0..64"),
+    SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"), SSGI_GL__I(samples, 64, "0..64"),
+    SSGI_GL__I(steps, 64, "0..64"),
     SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
     SSGI_GL__E(falloff, SSGI_GL_FALLOFF_SQUARE, "SSGI_GL_FALLOFF", "LINEAR SQUARE"), SSGI_GL__B(kernel),
     SSGI_GL__E(fade, SSGI_GL_FADE_LAMBDA, "SSGI_GL_FADE", "NONE SMOOTH LAMBDA"), SSGI_GL__B(range),
     SSGI_GL__I(layers, 8, "0..8"), SSGI_GL__I(views, 4, "0..4"), SSGI_GL__I(view_layers, 8, "0..8"),
-    SSGI_GL__I(receiver, 7, "0..7"),
-    SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32, "0..32"),
-    SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
+    SSGI_GL__I(receiver, 7, "0..7"), SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
+    SSGI_GL__I(directions, 32, "0..32"), SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
     SSGI_GL__E(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT", "NONE SH MAP"),
     SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"),
     SSGI_GL__E(restore, SSGI_GL_RESTORE_DIFFERENCE, "SSGI_GL_RESTORE", "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
     SSGI_GL__E(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE", "LIGHT DIRECT BOTH ALBEDO"),
     SSGI_GL__E(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW", "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate),
     SSGI_GL__I(bands, 4, "0..4"), SSGI_GL__B(packed),
-    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"),
-    SSGI_GL__B(shaded), SSGI_GL__B(residual),
+    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
+    SSGI_GL__B(residual),
     SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
     SSGI_GL__B(lights), SSGI_GL__B(albedo),
     SSGI_GL__E(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS", "NONE TEXTURE CUSTOM"),
@@ -2626,15 +2646,15 @@ static const ssgi_gl__field ssgi_gl__fields[] = {
     SSGI_GL__I(span, 64, "0..64"), SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
-    SSGI_GL__B(filter_normals)
+    SSGI_GL__B(filter_normals), SSGI_GL__B(motion)
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
-typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings, tessellation; } ssgi_gl__dialect;
+typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings; } ssgi_gl__dialect;
 static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", 0, 0, 0 }, { "410", "#version 410 core\n", 0, 0, 1 },
-    { "450", "#version 450 core\n", 0, 1, 1 }, { "300es", "#version 300 es\n", 1, 0, 0 },
-    { "310es", "#version 310 es\n", 1, 1, 0 }, { "320es", "#version 320 es\n", 1, 1, 1 }
+    { "330", "#version 330 core\n", 0, 0 }, { "410", "#version 410 core\n", 0, 0 },
+    { "450", "#version 450 core\n", 0, 1 }, { "300es", "#version 300 es\n", 1, 0 },
+    { "310es", "#version 310 es\n", 1, 1 }, { "320es", "#version 320 es\n", 1, 1 }
 };
 
 static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
@@ -2644,6 +2664,40 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
     return value;
 }
 
+static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+
+/* What does not go together, as in #if lines. */
+#define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
+static const char *const ssgi_gl__rules[][2] = {
+    { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
+    { "(pass == SSDO || pass == S3HO) && search == MARCH",
+      "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
+    { "pass == HSAO && search == SLICES && normal_rays",
+      "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
+    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
+      "need SSGI_GL_POINTS or _MARCH" },
+    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras need "
+      "SSGI_GL_POINTS or _MARCH" },
+    { "pass == SSDO && search == SLICES && bounce == PATCH",
+      "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
+    { "(behind == BACK || behind == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.behind: back faces are "
+      "those of one layer and camera; layers and views want SSGI_GL_BEHIND_CONSTANT or _SOLID" },
+    { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
+    { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
+    { "pass == HISTORY && colour == COEFFICIENTS",
+      "desc.colour: history has SSGI_GL_GREY and _COLOUR; coefficients are shaded first" },
+    { "pass == SSDO && !environment && !bounce", "desc.environment: ssdo needs an environment, a bounce or both" },
+    { "transfer && !packed && ((pass == S3HO && !shaded) || pass == SHADE || (pass == BLUR && colour == COEFFICIENTS))",
+      "desc.packed: three vectors need it: more floats than there are targets" },
+    { "pass == SHADE && shading && (bands == 1 || transfer)",
+      "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more" },
+    { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
+      "desc.restore: what blockers reflect may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+    { "receiver && normal == FROM_DEPTH", "desc.receiver: hidden layers need their normals" },
+    { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect != 320ES",
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES" }
+};
+
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 {
     int i;
@@ -2652,52 +2706,15 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
         int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
         if (value < 0 || value > ssgi_gl__fields[i].most) return ssgi_gl__bad(why, ssgi_gl__fields[i].sentence);
     }
-    if (desc->pass == SSGI_GL_HSAO && desc->search == SSGI_GL_POINTS)
-        return ssgi_gl__bad(why, "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's");
-    if ((desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_S3HO) && desc->search == SSGI_GL_MARCH)
-        return ssgi_gl__bad(why, "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS");
-    if (desc->pass >= SSGI_GL_HSAO && desc->pass <= SSGI_GL_S3HO && desc->search == SSGI_GL_SLICES) {
-        if (desc->normal_rays && desc->pass == SSGI_GL_HSAO)
-            return ssgi_gl__bad(why, "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon");
-        if (desc->layers > 1)
-            return ssgi_gl__bad(why, "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
-                                     "need SSGI_GL_POINTS or _MARCH");
-        if (desc->views)
-            return ssgi_gl__bad(why, "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras "
-                                     "need SSGI_GL_POINTS or _MARCH");
-        if (desc->bounce == SSGI_GL_BOUNCE_PATCH && desc->pass == SSGI_GL_SSDO)
-            return ssgi_gl__bad(why, "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE");
+    for (i = 0; i < (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules); ++i) {
+        const char *when = ssgi_gl__rules[i][0];
+        if (ssgi_gl__any(&when, desc)) return ssgi_gl__bad(why, ssgi_gl__rules[i][1]);
     }
-    if (desc->behind >= SSGI_GL_BEHIND_BACK && desc->pass <= SSGI_GL_LIGHTS && (desc->layers > 1 || desc->views))
-        return ssgi_gl__bad(why, "desc.behind: back faces are those of one layer and camera; layers and views want "
-                                 "SSGI_GL_BEHIND_CONSTANT or _SOLID");
-    if (desc->world_normals && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
-        return ssgi_gl__bad(why, "desc.world_normals: normals from depth are in view space");
-    if (desc->half && desc->pass == SSGI_GL_BLUR && desc->filter == SSGI_GL_GAUSSIAN)
-        return ssgi_gl__bad(why, "desc.filter: only SSGI_GL_BILATERAL brings half size to full");
-    if (desc->pass == SSGI_GL_SSDO && !desc->environment && !desc->bounce)
-        return ssgi_gl__bad(why, "desc.environment: ssdo needs an environment, a bounce or both");
-    if (desc->transfer && !desc->packed && ((desc->pass == SSGI_GL_S3HO && !desc->shaded) || desc->pass == SSGI_GL_SHADE
-                                            || (desc->pass == SSGI_GL_BLUR && desc->colour == SSGI_GL_COEFFICIENTS)))
-        return ssgi_gl__bad(why, "desc.packed: three vectors need it: more floats than there are targets");
-    if (desc->pass == SSGI_GL_SHADE && desc->shading && (desc->bands == 1 || desc->transfer))
-        return ssgi_gl__bad(why, "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more");
-    if (desc->restore == SSGI_GL_RESTORE_RATIO && desc->transfer == SSGI_GL_TRANSFER_BOTH
-        && (desc->pass == SSGI_GL_SHADE || (desc->pass == SSGI_GL_S3HO && desc->shaded)))
-        return ssgi_gl__bad(why, "desc.restore: what blockers reflect may exceed unoccluded light: "
-                                 "SSGI_GL_RESTORE_DIFFERENCE");
     if (desc->receiver && desc->receiver >= desc->layers)
         return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
-    if (desc->receiver && desc->normal == SSGI_GL_NORMAL_FROM_DEPTH)
-        return ssgi_gl__bad(why, "desc.receiver: hidden layers need their normals");
-    if (desc->tessellate && (desc->pass == SSGI_GL_SURFELS || desc->pass == SSGI_GL_SPLAT)
-        && !ssgi_gl__dialects[desc->dialect].tessellation)
-        return ssgi_gl__bad(why, "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES");
-    if (!desc->fetch && desc->sends == SSGI_GL_SENDS_CUSTOM)
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_surfel when sends is CUSTOM");
     if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM
-                         || desc->objects == SSGI_GL_OBJECTS_CUSTOM))
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal or _object when they are CUSTOM");
+                         || desc->objects == SSGI_GL_OBJECTS_CUSTOM || desc->sends == SSGI_GL_SENDS_CUSTOM))
+        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
     return SSGI_OK;
 }
 
@@ -2717,15 +2734,10 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     if (r != SSGI_OK) return r;
     if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST)
         return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
-    switch (desc->pass) {
-    case SSGI_GL_SSAO: row = 0; break;
-    case SSGI_GL_LIGHTS: row = 4; break;
-    case SSGI_GL_HSAO: case SSGI_GL_SSDO: case SSGI_GL_S3HO: case SSGI_GL_SHADE: case SSGI_GL_SENDERS:
-    case SSGI_GL_BLUR:
-        row = desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
-        break;
-    default: return SSGI_OK;            /* these have no quality settings in the shader */
-    }
+    if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
+        return SSGI_OK;                 /* these have no quality settings in the shader */
+    row = desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
+        : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
     c = &table[row][preset];
     desc->half = c->half;
     desc->steps = c->steps;
@@ -2785,7 +2797,8 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     const int surfels = pass == SSGI_GL_SURFELS || splat, reads = shade || (blur && d.colour == SSGI_GL_COEFFICIENTS);
     const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
-    const int restores = blur && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce);
+    const int averages = blur || pass == SSGI_GL_HISTORY;
+    const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce);
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_STATISTICS ? 32 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
@@ -2796,7 +2809,7 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
     if (!d.levels) d.levels = 5;
     if (!d.layers) d.layers = 1;
     if (!d.view_layers) d.view_layers = 1;
-    if (!points && pass != SSGI_GL_HSAO && !shade && !blur) d.half = 0;
+    if (!points && pass != SSGI_GL_HSAO && !shade && !averages) d.half = 0;
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
     if (!points || slices) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
@@ -2822,7 +2835,6 @@ static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
 /* ==== >>emit (implementation) ===================================================================================== */
 
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
-
 static int ssgi_gl__letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -2848,18 +2860,12 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *name, size_t lengt
 static int ssgi_gl__value(const ssgi_gl__field *field, const char *name, size_t length)     /* -1: there is none */
 {
     const char *s = field->values;
+    size_t n;
     int value = 0;
-    for (;; ++value) {
-        const size_t n = ssgi_gl__word(&s);
-        if (!n) break;
-        if (n == length && !memcmp(s, name, n)) return value;
-        s += n;
-    }
+    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n) if (n == length && !memcmp(s, name, n)) return value;
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
     return length ? -1 : value;
 }
-
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 
 static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
 {
@@ -2889,35 +2895,21 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
 
-static int ssgi_gl__all(const char **s, const ssgi_gl_desc *d)
-{
-    int value = ssgi_gl__operand(s, d);
-    for (;;) {
-        ssgi_gl__word(s);
-        if (**s != '&') return value;
-        *s += 2;
-        value &= ssgi_gl__operand(s, d);
-    }
-}
-
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 {
-    int value = ssgi_gl__all(s, d);
+    int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
-        ssgi_gl__word(s);
-        if (**s != '|') return value;
+        const char sign = (char)(ssgi_gl__word(s), **s);
+        if (sign != '&' && sign != '|') return any | all;
         *s += 2;
-        value |= ssgi_gl__all(s, d);
+        if (sign == '|') any |= all;
+        all = ssgi_gl__operand(s, d) & (sign == '|' || all);
     }
 }
 
 /* ---- the lines of a function that a desc keeps */
-
-typedef struct ssgi_gl__reader {
-    const char *at;
-    const ssgi_gl_desc *d;
-    int line, depth;
-    char state[8];                              /* of each #if around: '+' kept, '-' not yet, '.' no more */
+/* state: of each #if around: '+' kept, '-' not yet, '.' no more */
+typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
 } ssgi_gl__reader;
 
 static ssgi_gl__reader ssgi_gl__read(const ssgi_gl__code *code, const ssgi_gl_desc *d)
@@ -2959,7 +2951,6 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: what is named in what is kept */
-
 typedef struct ssgi_gl__names { const char *at[512]; unsigned char length[512], custom; } ssgi_gl__names;
 
 static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
@@ -2995,20 +2986,15 @@ typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL_
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     ssgi_gl__names names;
+    size_t n;
     int i;
     memset(stage, 0, sizeof *stage);
     memset(&names, 0, sizeof names);
-    for (;;) {
-        const size_t n = ssgi_gl__word(&roots);
-        if (!n) break;
-        ssgi_gl__named(&names, roots, n, 1);
-        roots += n;
-    }
+    for (; (n = ssgi_gl__word(&roots)) != 0; roots += n) ssgi_gl__named(&names, roots, n, 1);
     for (i = SSGI_GL__CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *code = &ssgi_gl__library[i];
         ssgi_gl__reader r;
         const char *line;
-        size_t n;
         if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0)) continue;
         for (r = ssgi_gl__read(code, d); (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1)
             ssgi_gl__scan(&names, line, line + n);
@@ -3023,10 +3009,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
-typedef struct ssgi_gl__program {
-    ssgi_gl_desc d;
-    const ssgi_gl__pass *pass;
-    ssgi_gl__stage stage[SSGI_GL_STAGES];
+typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
@@ -3042,8 +3025,7 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     }
     if (stage < SSGI_GL_STAGES && !p->pass->mains[stage]) return 0;
     memset(p->stage, 0, sizeof p->stage);
-    for (i = 0; i < SSGI_GL_STAGES; ++i)
-        if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
+    for (i = 0; i < SSGI_GL_STAGES; ++i) if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
     return 1;
 }
 
@@ -3070,7 +3052,6 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 }
 
 /* ---- printing */
-
 /* A sink that writes, measures and hashes. */
 typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
 
@@ -3215,36 +3196,38 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
     return ssgi_gl__end(&t);
 }
 
+/* Functions alone, and the samplers that they read. */
+static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
+{
+    ssgi_gl__stage stage;
+    ssgi_gl__text t = { out, capacity, 0, 0 };
+    int i;
+    ssgi_gl__link(&stage, d, roots);
+    for (i = 0; i < SSGI_GL__ROWS; ++i) {
+        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
+        if (stage.row[i]) ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io->type, io->name, io->format);
+    }
+    ssgi_gl__print_codes(&t, &stage, d);
+    return ssgi_gl__end(&t);
+}
+
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
 {
     ssgi_gl_desc d;
-    ssgi_gl__stage stage;
-    ssgi_gl__text t = { out, capacity, 0, 0 };
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
     d.bands = bands;
-    ssgi_gl__link(&stage, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
-    ssgi_gl__print_codes(&t, &stage, &d);
-    return ssgi_gl__end(&t);
+    return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d;
-    ssgi_gl__stage stage;
-    ssgi_gl__text t = { out, capacity, 0, 0 };
-    int i;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
     d.pass = SSGI_GL_FIELD;
     d.lines = 0;
-    ssgi_gl__link(&stage, &d, "ssgi_field_visibility");
-    for (i = 0; i < SSGI_GL__ROWS; ++i) {
-        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (stage.row[i]) ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io->type, io->name, io->format);
-    }
-    ssgi_gl__print_codes(&t, &stage, &d);
-    return ssgi_gl__end(&t);
+    return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
@@ -3430,19 +3413,12 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
 /* a * b of two rigid world-to-view matrices: a after the inverse of b */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
-    int r, c, k;
-    for (c = 0; c < 4; ++c)
-        for (r = 0; r < 4; ++r) {
-            double sum = c == 3 ? (double)a[12 + r] : 0.0;
-            for (k = 0; k < 3; ++k) {
-                double inverse = 0.0;               /* of b: the transposed rotation, and that times -t */
-                int i;
-                if (c < 3) inverse = (double)b[4 * k + c];
-                else for (i = 0; i < 3; ++i) inverse -= (double)b[4 * k + i] * (double)b[12 + i];
-                sum += (double)a[4 * k + r] * inverse;
-            }
-            out[4 * c + r] = sum;
-        }
+    int c, r, k;
+    memset(out, 0, 16 * sizeof *out);
+    for (c = 0; c < 3; ++c) for (r = 0; r < 3; ++r) for (k = 0; k < 3; ++k)
+        out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (r = 0; r < 3; ++r)
+        for (c = 0, out[12 + r] = (double)a[12 + r]; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
 }
 
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
@@ -3470,6 +3446,13 @@ static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *vi
     }
 }
 
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
+{
+    memcpy(decode, view->depth, sizeof view->depth);
+    decode[2] = view->clear;
+    decode[3] = (float)view->orthographic;
+}
+
 static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *main_view, const float *other,
                                          const char *name, const char **why)
 {
@@ -3495,15 +3478,33 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
                               why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view);
-    views->decode[i][0] = view->depth[0];
-    views->decode[i][1] = view->depth[1];
-    views->decode[i][2] = view->clear;
-    views->decode[i][3] = (float)view->orthographic;
+    ssgi_gl__decode(views->decode[i], view);
     views->size[i][0] = (float)view->width;
     views->size[i][1] = (float)view->height;
     views->size[i][2] = 2.0f * ssgi_pixel_footprint(view, 1.0f);
     views->size[i][3] = 0.0f;
     return SSGI_OK;
+}
+
+SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why)
+{
+    ssgi_result r;
+    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
+    r = ssgi_gl__check_camera(view, main_world_to_view, last_world_to_view, "last_world_to_view: must not be NULL",
+                              why);
+    if (r != SSGI_OK) return r;
+    if (view->width != frame->size[0] || view->height != frame->size[1])
+        return ssgi_gl__bad(why, "view: must have this frame's size; a history of another size is none");
+    ssgi_gl__to_pixels(frame->last_to, frame->last_from, view, main_world_to_view, last_world_to_view);
+    frame->history = 16.0f;
+    return SSGI_OK;
+}
+
+SSGI_DEF float ssgi_gl_phase(uint32_t k)
+{
+    return (float)((k * 2654435769u) >> 8) / 16777216.0f;       /* the golden ratio's multiples, less the whole */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
@@ -3512,20 +3513,16 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 {
     float to[16], from[16];
     ssgi_result r;
-    int i, k;
+    int i;
     if (!light) return ssgi_gl__bad(why, "light: must not be NULL");
     if (x < 0 || y < 0) return ssgi_gl__bad(why, "x: the tile must lie in the atlas, x and y >= 0");
     r = ssgi_gl__check_camera(view, main_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
                               why);
     if (r != SSGI_OK) return r;
     ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view);
-    for (i = 0; i < 3; ++i)
-        for (k = 0; k < 4; ++k) light->map[i][k] = to[4 * k + i];
+    for (i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
-    light->decode[0] = view->depth[0];
-    light->decode[1] = view->depth[1];
-    light->decode[2] = view->clear;
-    light->decode[3] = (float)view->orthographic;
+    ssgi_gl__decode(light->decode, view);
     light->tile[0] = (float)x;
     light->tile[1] = (float)y;
     light->tile[2] = (float)view->width;

@@ -80,6 +80,7 @@ const choice choices[] = { { "", 0, 0 },
                            CHOICE("half", half, 1),
                            CHOICE("colour", colour, SSGI_GL_COLOUR),
                            CHOICE("vectors", colour, SSGI_GL_COEFFICIENTS),
+                           CHOICE("motion", motion, 1),
                            CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN),
                            CHOICE("normals", filter_normals, 1) };
 const int choices_count = (int)(sizeof choices / sizeof choices[0]);
@@ -113,6 +114,9 @@ const variant variants[] = {
     { "`blur`", { .pass = SSGI_GL_BLUR } },
     { "`blur`, colour", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR } },
     { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS } },
+    { "`history`", { .pass = SSGI_GL_HISTORY } },
+    { "`history`, colour", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COLOUR } },
+    { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } },
     { "`statistics`", { .pass = SSGI_GL_STATISTICS } }
 };
 const int variants_count = (int)(sizeof variants / sizeof variants[0]);

@@ -8,6 +8,7 @@
       build/render cornell --method ssdo --light point:0,5,-2.8,20,20,20 --out lit.png
       build/render SCENE.obj --method ssdo --env probe.hdr --set layers=2 --out lit.exr
       build/render SCENE.obj --plan visibility:0.03 --out ao.exr
+      build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
    Bad input: one line on stderr that names it, status 2, nothing written. */
@@ -36,6 +37,9 @@ static const char usage[] =
     "  --env F.exr | F.hdr | sky | probe | windows | street | white     radiance, latitude-longitude; lit methods\n"
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
+    "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
+    "                        pixels from where a point was in the frame before, +y down; --out has a %04d\n"
+    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
     "  --set key=value,..    settings of the method\n"
@@ -57,10 +61,10 @@ static const char usage[] =
 
 typedef struct options {
     const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
-    const char *listed;
-    int sets, lights, ground, planned, closed, list, help, json, truth, floor, time, has_camera, has_up;
+    const char *listed, *sequence;
+    int frames, sets, lights, ground, planned, closed, list, help, json, truth, floor, time, has_camera, has_up;
     float camera[6], up[3];
-    double fovy, ortho_height, znear, zfar, radius, plan[2];
+    double fovy, ortho_height, znear, zfar, radius, plan[2], orbit;
     int width, height;
 } options;
 
@@ -72,7 +76,7 @@ static int fail(const char *text)
 
 static int numbers(const char *name, const char *text, float *out, int count, kit_error *err)
 {
-    float v[8];
+    float v[9];
     const char *at = text;
     for (int i = 0; i < count; ++i) {
         char *end;
@@ -123,6 +127,18 @@ static int plan_of(options *o, const char *text, kit_error *err)
                     text);
 }
 
+/* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
+static int numbered(char *out, size_t size, const char *path, int k)
+{
+    const char *at = strchr(path, '%');
+    int wide = 0, used = 1;
+    if (!at || strchr(at + 1, '%')) return 0;
+    if (at[1] != 'd' && (sscanf(at + 1, "%d%n", &wide, &used) != 1 || at[1 + used++] != 'd' || wide < 0 || wide > 9))
+        return 0;
+    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, at + 1 + used);
+    return !out || (n > 0 && (size_t)n < size);
+}
+
 static int parse(options *o, int argc, char **argv, kit_error *err)
 {
     memset(o, 0, sizeof *o);
@@ -149,6 +165,9 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
                             strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
+        else if (!strcmp(a, "--sequence")) o->sequence = v;
+        else if (!strcmp(a, "--frames")) bad = whole(a, v, 1, 9999, &o->frames, err);
+        else if (!strcmp(a, "--orbit")) bad = number(a, v, -360, 360, &o->orbit, err);
         else if (!strcmp(a, "--method")) o->method = v;
         else if (!strcmp(a, "--score")) o->score = v;
         else if (!strcmp(a, "--out")) o->out = v;
@@ -184,6 +203,14 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (bad) return -1;
     }
     if (o->list || o->help) return 0;
+    if (o->sequence && (o->scene || o->gbuffer || o->has_camera || o->frames))
+        return kit_fail(err, "--sequence %s: names its frames and cameras itself", o->sequence);
+    if (o->sequence) o->gbuffer = o->sequence;
+    if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
+    if ((o->sequence || o->frames) && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
+        return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
+    if ((o->sequence || o->frames) && !numbered(NULL, 0, o->out ? o->out : "", 0))
+        return kit_fail(err, "--out %s: a picture a frame needs a %%04d in it", o->out ? o->out : "");
     if (!o->scene && !o->gbuffer) return kit_fail(err, "a scene or --gbuffer must be given");
     if (o->scene && o->gbuffer) return kit_fail(err, "--gbuffer %s: cannot go with a scene (%s)", o->gbuffer, o->scene);
     if (o->planned && (o->sets || o->floor || o->truth))
@@ -466,13 +493,13 @@ static int open_frame(job *j, kit_error *err)
     kit_image frame;
     kit_error why;
     int failed;
+    j->radius = j->o.radius;
     camera_of(&camera, &j->o);
     if (camera_check(&camera, err) || kit_exr_read(&frame, j->o.gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
     failed = kit_gbuffer_from_frame(&j->gbuffer, &frame, &camera, &why);
     kit_image_free(&frame);
-    j->radius = j->o.radius;
     return failed ? kit_fail(err, "--gbuffer %s: %s", j->o.gbuffer, why.text) : 0;
 }
 
@@ -574,10 +601,102 @@ static int draw(job *j, kit_error *err)
     return kit_run_read(&j->r.picture, run, err);
 }
 
+/* The next line of a sequence as the frame and camera of the options; 0: there is none, -1: it is wrong. */
+static int next_line(options *o, char **at, int line, kit_error *err)
+{
+    char *text = *at + strspn(*at, " \r\n\t"), *end = text + strcspn(text, "\r\n"), *camera;
+    if (!*text) return 0;
+    *at = *end ? end + 1 : end;
+    *end = 0;
+    camera = text + strcspn(text, " \t");
+    if (*camera) *camera++ = 0;
+    while (*camera == ' ' || *camera == '\t') ++camera;
+    int commas = 0;
+    float v[9] = { 0 };
+    for (const char *c = camera; *c; ++c) commas += *c == ',';
+    if (numbers("camera", camera, v, commas == 8 ? 9 : 6, err))
+        return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", o->sequence,
+                        line);
+    o->gbuffer = text;
+    memcpy(o->camera, v, sizeof o->camera);
+    if (commas == 8) memcpy(o->up, v + 6, sizeof o->up);
+    o->has_camera = 1;
+    o->has_up = commas == 8;
+    return 1;
+}
+
+/* The scene's camera, turned about its target. */
+static void orbit(kit_camera *camera, const kit_camera *from, double degrees)
+{
+    const double a = degrees * 0.017453292519943295, c = cos(a), s = sin(a);
+    double up[3], away[3], length = 0, along = 0;
+    for (int i = 0; i < 3; ++i) length += (double)from->up[i] * (double)from->up[i];
+    for (int i = 0; i < 3; ++i) {
+        up[i] = (double)from->up[i] / sqrt(length);
+        away[i] = (double)from->eye[i] - (double)from->target[i];
+        along += up[i] * away[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int k = (i + 1) % 3, n = (i + 2) % 3;
+        camera->eye[i] = from->target[i] + (float)(c * away[i] + s * (up[k] * away[n] - up[n] * away[k])
+                                                   + (1 - c) * along * up[i]);
+    }
+}
+
+/* A picture a frame; each run takes over the last one's history. */
+static int play(job *j, kit_error *err)
+{
+    options *o = &j->o;
+    char *list = NULL, *at = NULL, path[4096];
+    size_t size;
+    kit_gbuffer shown[2] = { { 0 } };
+    static kit_run runs[2];
+    int k = 0, more = 1, failed = open_settings(j, err)
+        || (o->sequence ? kit_file_read(&list, &size, o->sequence, err) : open_scene(j, err));
+    const kit_camera from = j->gbuffer.camera;
+    for (at = list; !failed; ++k) {
+        kit_run *run = &runs[k & 1], *last = &runs[!(k & 1)];
+        kit_image picture;
+        if (!o->sequence && k == o->frames) break;
+        if (o->sequence && (more = next_line(o, &at, k + 1, err)) < 1) { failed = more; break; }
+        if (o->sequence) {
+            failed = open_frame(j, err);
+            shown[k & 1] = j->gbuffer;
+        } else {
+            kit_camera camera = from;
+            orbit(&camera, &from, o->orbit * k);
+            failed = kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
+        }
+        if (failed) break;
+        failed = kit_run_open(run, &shown[k & 1], &j->method, (float)j->radius, &j->world, err)
+              || (k && kit_method_value(&j->method, "history") > 0 && kit_run_follow(run, last, (unsigned)k, err));
+        if (k) { kit_run_close(last); kit_gbuffer_free(&shown[!(k & 1)]); }
+        if (failed) break;
+        kit_run_draw(run, 0);
+        failed = kit_run_read(&picture, run, err);
+        if (failed) break;
+        if (!numbered(path, sizeof path, o->out, k)) failed = kit_fail(err, "--out %s: is too long", o->out);
+        failed = failed || (strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(&picture, path, err)
+            : kit_png_write(&picture, j->r.lit ? "R,G,B" : "Y", j->r.lit, path, err));
+        kit_image_free(&picture);
+        kit_progress("frames", o->frames ? (k + 1.0) / o->frames : 0.5);
+    }
+    if (!failed && !k) failed = kit_fail(err, "--sequence %s: names no frame", o->sequence);
+    kit_progress("frames", 1);
+    kit_run_close(&runs[0]);
+    kit_run_close(&runs[1]);
+    kit_gbuffer_free(&shown[0]);
+    kit_gbuffer_free(&shown[1]);
+    if (o->sequence) memset(&j->gbuffer, 0, sizeof j->gbuffer);
+    free(list);
+    return failed ? -1 : 0;
+}
+
 static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
     result *r = &j->r;
+    if (o->sequence || o->frames) return play(j, err);
     if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
     if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;

@@ -21,12 +21,12 @@
 
 /* ---- >>shot: a scene as one frame shows it ----------------------------------------------------------------------- */
 
-enum { MOST_FRAMES = 5, MOST_OBJECTS = 64 };
+enum { MOST_FRAMES = FRAMES, MOST_OBJECTS = 64 };
 typedef struct shot {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     kit_lighting lighting;
-    kit_image    frame, truth[2], picture[METHODS];      /* truth: of all, between objects */
+    kit_image    frame, truth[2], picture[METHODS], single[METHODS];   /* truth: of all, between objects */
     float       *mask, to_world[MOST_OBJECTS][16];       /* mask: above 0 where it is scored */
     uint32_t    *object;
     float        radius;
@@ -100,6 +100,21 @@ static int drawn(kit_image *out, shot *s, const char *name, const char *set_to, 
     const int failed = kit_run_read(out, &run, err);
     kit_run_close(&run);
     return failed;
+}
+
+/* The same with what the run before kept, and without; runs: this and the last, which is closed. */
+static int kept(shot *s, int m, kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+{
+    const kit_world world = { &s->scene, &s->lighting };
+    kit_method made;
+    if (kit_method_find(&made, methods[m].method, err) || kit_method_set(&made, methods[m].settings, err)
+        || kit_run_open(run, &s->gbuffer, &made, s->radius, &world, err))
+        return -1;
+    kit_run_draw(run, 0);
+    if (kit_run_read(&s->single[m], run, err) || (frame && kit_run_follow(run, last, frame, err))) return -1;
+    if (frame) kit_run_draw(run, 0);
+    if (frame) kit_run_close(last);
+    return kit_run_read(&s->picture[m], run, err);
 }
 
 /* The camera that a look asks for; returns how wide one of its pixels is at the target. */
@@ -181,7 +196,7 @@ static int shot_open(shot *s, const look *l, const int truths[2], kit_error *err
 
 static void shot_close(shot *s)
 {
-    for (int m = 0; m < METHODS; ++m) kit_image_free(&s->picture[m]);
+    for (int m = 0; m < METHODS; ++m) { kit_image_free(&s->picture[m]); kit_image_free(&s->single[m]); }
     for (int k = 0; k < 2; ++k) kit_image_free(&s->truth[k]);
     kit_image_free(&s->frame);
     kit_image_free(&s->lighting.env);
@@ -335,7 +350,8 @@ static int strip(kit_image *out, const kit_image *a, const kit_image *b, const f
 /* A point of every curve, from the frames of one value; the worst is kept as a picture. */
 static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
 {
-    const int kind = r->cause->kind, still = kind == ERROR || kind == PRECISION;
+    const int kind = r->cause->kind, over = kind == FOLLOWS || kind == AFTER,
+              still = kind == ERROR || kind == PRECISION || over;
     const shot *s = &shots[frames - 1];
     float *map = calloc((size_t)l->width * (size_t)l->height, sizeof *map);
     if (!map) return kit_fail(err, "out of memory");
@@ -352,7 +368,12 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
             pictures[0][k] = &shots[k].truth[between];
             pictures[1][k] = picture ? &shots[k].picture[m] : pictures[0][k];
         }
-        if (still) y = apart(picture, truth, s->mask);
+        if (over) {
+            y = 0;
+            for (int k = kind == AFTER ? frames - 1 : 1; k < frames; ++k)
+                y = fmax(y, apart(&shots[k].picture[m], &shots[k].truth[0], shots[k].mask)
+                                / fmax(apart(&shots[k].single[m], &shots[k].truth[0], shots[k].mask), 1e-4));
+        } else if (still) y = apart(picture, truth, s->mask);
         else {
             own = flicker(map, &mean, shots, frames, pictures[0], kind != DEVIATION) / (kind == LIT_SECOND ? mean : 1);
             y = flicker(map, &mean, shots, frames, pictures[1], kind != DEVIATION) / (kind == LIT_SECOND ? mean : 1);
@@ -395,8 +416,9 @@ static look look_of(const cause *c, double value, int frame)
 
 static int sweep(result *r, const cause *c, const options *o, const char *what, kit_error *err)
 {
-    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open" };
-    const int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : 4;
+    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL };
+    static kit_run runs[METHODS][2];
+    int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : c->kind == FOLLOWS ? FRAMES : 4;
     int truths[2] = { 0, 0 }, values = 1;
     memset(r, 0, sizeof *r);
     r->cause = c;
@@ -409,11 +431,12 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
         if (c->kind != PRECISION) truths[methods[m].of == FIELD] = truths[0] = 1;
     }
     for (int v = 0; v < values; ++v) {
-        shot shots[MOST_FRAMES];
+        static shot shots[MOST_FRAMES];
         look l;
         l = look_of(c, c->value[v], 0);
         if (o->quick && (v % 2 != (values - 1) % 2 || l.width > 1920)) continue;
         r->x[r->points] = c->value[v];
+        if (c->kind == AFTER) frames = CHANGED + (int)c->value[v];
         for (int k = 0; k < frames; ++k) {
             l = look_of(c, c->value[v], k);
             if (o->quick) l.rays /= 2;
@@ -421,13 +444,16 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
             if (shot_open(&shots[k], &l, truths, err)) return -1;
             for (int i = 0; i < r->curves; ++i) {
                 const int m = r->curve[i].method;
-                if (m >= 0 && l.width <= methods[m].widest
+                if (methods[m < 0 ? 0 : m].of == KEPT) {
+                    if (kept(&shots[k], m, &runs[m][k & 1], &runs[m][!(k & 1)], (unsigned)k, err)) return -1;
+                } else if (m >= 0 && l.width <= methods[m].widest
                     && drawn(&shots[k].picture[m], &shots[k], methods[m].method, methods[m].settings, shots[k].radius,
                              err))
                     return -1;
                 kit_progress(what, (v * frames + k + (i + 0.99) / r->curves) / (values * frames));
             }
         }
+        for (int m = 0; m < METHODS; ++m) kit_run_close(&runs[m][(frames - 1) & 1]);
         if (point_of(r, r->points++, shots, frames, &l, err)) return -1;
         for (int k = 0; k < frames; ++k) shot_close(&shots[k]);
     }
@@ -616,7 +642,11 @@ static const struct { const char *number, *up, *shown;
                 "method, truth, second difference (full colour: 0.05)" },
               { "largest second difference, less an open surface's, over the mean",
                 "second difference over frames, over the mean",
-                "method, open surface (both times 0.4), second difference (full colour: 0.05)" } };
+                "method, open surface (both times 0.4), second difference (full colour: 0.05)" },
+              { "largest error over that of the frame alone", "error over that of the frame alone",
+                "method, truth, difference (full colour: 0.5)" },
+              { "largest error over that of the frame alone", "error over that of the frame alone",
+                "method, truth, difference (full colour: 0.5)" } };
 
 static const char *settings(const curve *c) { return c->method < 0 ? "" : methods[c->method].settings; }
 

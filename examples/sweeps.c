@@ -12,6 +12,7 @@ enum {
     FIELD = 8,
     THIN = 16,
     TURNED = 32,
+    KEPT = 64 /* over frames */,
     AMBIENT = SCREEN | LIGHT | OF_SURFELS
 };
 /* widest: picture that it is drawn at */
@@ -26,6 +27,10 @@ static const method methods[] = {
     { "ssdo",       "ssdo",       "bounce=none",                  LIGHT | TURNED, 1920 },
     { "s3ho",       "s3ho",       "indirect=none",                LIGHT | TURNED, 1920 },
     { "ssbn",       "ssbn",       "",                             LIGHT | TURNED, 1920 },
+    { "hsao-fast-history", "hsao-fast", "history=1",             KEPT,           1920 },
+    { "hsao-1x12-history", "hsao-fast", "steps=12,history=1",    KEPT,           1920 },
+    { "hsao-history", "hsao",    "history=1",                    KEPT,           1920 },
+    { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT,           1920 },
     { "dss",        "dss",        "size=0.03",                    OF_SURFELS,       1280 },
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "resolution=8,radii=8,rays=64", FIELD,          1920 }
@@ -53,8 +58,10 @@ typedef struct look {
 
 /* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
    reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
-   surface's. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND };
+   surface's; with history, RMSE over that of the frame alone, the most of a sequence, and so many frames after
+   CHANGED. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER };
+enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
     const char *name, *title, *across;     /* across: what varies, and its unit */
@@ -237,6 +244,33 @@ static void sized(look *l, double value, int frame)
     l->stride = l->width / 160;
 }
 
+static void rolled(look *l, double value, int frame)
+{
+    const float a = (float)value * (float)frame * PI_180;
+    l->scene = "casters";
+    set(l->up, sinf(a), cosf(a), 0);
+}
+
+/* A box on a floor, so many pixels from the middle. */
+static void box_at(look *l, float pixels)
+{
+    const float x = pixels * 2 * 5 * tanf(15 * PI_180) / (float)l->height;
+    camera(l, 0, 3, 4, 0, 0.2f, 0, 30);
+    l->radius = 0.6f;
+    set_box(l->box[0], x - 0.4f, 0.001f, -0.4f, x + 0.4f, 0.7f, 0.4f);
+}
+static void slid(look *l, double value, int frame) { box_at(l, (float)value * (float)(frame - CHANGED)); }
+static void appeared(look *l, double value, int frame) { (void)value; box_at(l, frame < CHANGED ? 1000 : 0); }
+static void vanished(look *l, double value, int frame) { (void)value; box_at(l, frame < CHANGED ? -20 : 20); }
+/* Nothing says that it is another view: the worst that a cut can do. */
+static void jumped(look *l, double value, int frame)
+{
+    (void)value;
+    l->scene = "casters";
+    l->aside = frame < CHANGED ? 0 : 40;
+    l->nearer = frame < CHANGED ? 0 : 0.3f;
+}
+
 static int ringing_open(result *r, kit_error *err);
 static int ringing_in_shade(result *r, kit_error *err);
 static int hull(result *r, kit_error *err);
@@ -397,6 +431,21 @@ static const cause causes[] = {
       NULL,
       { 0.25, 0.5, 1, 2, 4, 8 },
       .about = "A table on a ground; places move with it." },
+    { "kept-camera", "Over frames: the camera moves sideways", "pixels a frame", FOLLOWS, KEPT, 160, 64, 1,
+      moved, NULL, { 1e-4, 0.1, 0.25, 0.5, 1, 2, 4 },
+      .about = "Two dozen shapes, sixteen frames; the first value stands still." },
+    { "kept-dolly", "Over frames: the camera comes closer", "percent a frame", FOLLOWS, KEPT, 160, 64, 1,
+      closer, NULL, { 0.1, 0.3, 1 }, .about = "The same." },
+    { "kept-roll", "Over frames: the camera rolls", "degrees a frame", FOLLOWS, KEPT, 160, 64, 1,
+      rolled, NULL, { 0.1, 0.3, 1 }, .about = "The same." },
+    { "kept-slide", "Over frames: a box slides over a floor", "pixels a frame", FOLLOWS, KEPT, 160, 64, 1,
+      slid, NULL, { 0.1, 0.25, 0.5, 1, 2, 4 }, .about = "Without motion vectors." },
+    { "kept-appear", "Over frames: a box appears", "frames after", AFTER, KEPT, 160, 64, 1,
+      appeared, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
+    { "kept-jump", "Over frames: a box is elsewhere at once", "frames after", AFTER, KEPT, 160, 64, 1,
+      vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
+    { "kept-cut", "Over frames: another view that nobody tells of", "frames after", AFTER, KEPT, 160, 64, 1,
+      jumped, NULL, { 1, 2, 3, 5, 8 }, .about = "A cut that is told of starts anew." },
     { "resolution",
       "Resolution at constant angular radius",
       "pixels across",

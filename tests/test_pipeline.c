@@ -1067,6 +1067,179 @@ static void filter_keeps_its_word(void)
            worst[4]);
 }
 
+/* ---- over frames ------------------------------------------------------------------------------------------------- */
+
+/* A run of a method on a built-in scene at a small size. */
+static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,
+                   const char *name, const char *set)
+{
+    const kit_world world = { scene, lighting };
+    kit_camera c = scene->camera;
+    kit_method m;
+    c.width = width;
+    c.height = width * 9 / 16;
+    return TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err)) && TRY(kit_method_find(&m, name, &err))
+        && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(run, g, &m, scene->radius, &world, &err));
+}
+
+/* One frame, sixteen, the mean of many; then a cut. */
+static void history_is_quiet(void)
+{
+    static const struct { const char *method, *set; double share; } kept[] = {
+        { "hsao-fast", "history=1", 0.25 }, { "hsao", "half=0,history=1", 0.3 }, { "ssdo-fast", "history=1", 0.3 },
+        { "s3ho-fast", "history=1", 0.4 } };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; ++i) {
+        kit_gbuffer g;
+        kit_run run;
+        kit_image mean, first, last, cut, other;
+        double noise[2];
+        if (!seen_as(&run, &g, &scene, &lighting, 160, kept[i].method, kept[i].set)) return;
+        for (unsigned k = 0; k < 32; ++k) {                /* a frame without a last one is a single one */
+            run.frame.phase = ssgi_gl_phase(k + 100);
+            kit_run_update(&run);
+            kit_run_draw(&run, 0);
+            if (!TRY(kit_run_read(k ? &other : &mean, &run, &err))) return;
+            for (int p = 0; k && p < mean.channels * mean.width * mean.height; ++p)
+                mean.data[p] += (other.data[p] - mean.data[p]) / (float)(k + 1);
+            if (k) kit_image_free(&other);
+        }
+        run.frame.phase = 0;
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        TRY(kit_run_read(&first, &run, &err));
+        for (unsigned k = 1; k < 16 && TRY(kit_run_follow(&run, &run, k, &err)); ++k) kit_run_draw(&run, 0);
+        TRY(kit_run_read(&last, &run, &err));
+        noise[0] = difference(&first, &mean, 0, 0, 0);
+        noise[1] = difference(&last, &mean, 0, 0, 0);
+        CHECK(noise[0] > 0.003 && noise[1] < kept[i].share * noise[0], "%s %s: noise of %.4f becomes %.4f",
+              kept[i].method, kept[i].set, noise[0], noise[1]);
+        t_note("%s %s: noise of %.4f becomes %.4f", kept[i].method, kept[i].set, noise[0], noise[1]);
+        run.frame.history = 0;
+        run.frame.phase = 0;
+        kit_run_update(&run);
+        kit_run_draw(&run, 0);
+        TRY(kit_run_read(&cut, &run, &err));
+        CHECK(!memcmp(cut.data, first.data, (size_t)(cut.width * cut.height) * sizeof *cut.data),
+              "%s: the first frame after a cut is not a single one", kept[i].method);
+        kit_image *const all[] = { &mean, &first, &last, &cut };
+        for (int k = 0; k < 4; ++k) kit_image_free(all[k]);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+static const float *values_seen(const kit_image *i)
+{
+    return kit_image_channel(i, i->channels > 1 ? "irradiance.G" : "Y");
+}
+
+/* A hundred last frames of anything; then two sound ones bring back what there is to see. */
+static void hostile_history(void)
+{
+    static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -1, 1e38f, -1e38f, 1e9f, 1e-30f, 0.5f, 1, 3, 528 };
+    enum { ODD = (int)(sizeof odd / sizeof odd[0]) };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "white", &err))) return;
+    for (int lit = 0; lit < 2; ++lit) {
+        kit_gbuffer g;
+        kit_run run;
+        float *texels;
+        int bad = 0;
+        if (!seen_as(&run, &g, &scene, &lighting, 64, lit ? "ssdo-fast" : "hsao-fast",
+                     lit ? "bounce=none,history=1" : "history=1"))
+            return;
+        kit_pass *p = run.pass;
+        while (p->desc.pass != SSGI_GL_HISTORY) ++p;
+        texels = malloc(4 * (size_t)(p->width * p->height) * sizeof *texels);
+        kit_run_draw(&run, 0);
+        for (unsigned f = 1; f < 104; ++f) {
+            const GLuint sound[2] = { p->target[0], p->target[1] };
+            GLuint hostile[2] = { 0, 0 };
+            kit_image out;
+            TRY(kit_run_follow(&run, &run, f, &err));
+            random_state = f;
+            for (int k = 0; k < 2 && f < 101; ++k) {
+                for (int i = 0; i < 4 * p->width * p->height; ++i)      /* all of one kind, or a mixture */
+                    texels[i] = f < ODD ? odd[f] : below(4) ? odd[below(ODD)] : (float)below(1000) * 0.01f;
+                p->last[k] = hostile[k] = kit_texture(p->width, p->height, GL_RGBA32F, texels);
+            }
+            kit_run_draw(&run, 0);
+            TRY(kit_run_read(&out, &run, &err));
+            for (int i = 0; i < out.width * out.height * (lit ? 6 : 1); ++i)
+                bad += !(out.data[i] >= 0 && out.data[i] < (lit ? 1e10f : 1.001f));
+            for (int i = 0; i < out.width * out.height && f == 103; ++i) {       /* the background is dark */
+                const float v = values_seen(&out)[i];
+                bad += !((v > 0.05f || (lit && !(v > 0))) && v < 1.05f);
+            }
+            kit_image_free(&out);
+            for (int k = 0; k < 2 && f < 101; ++k) p->last[k] = sound[k];
+            glDeleteTextures(2, hostile);
+        }
+        CHECK(!bad, "%s: %d values are none, below 0 or too large", lit ? "ssdo" : "hsao", bad);
+        free(texels);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+/* What a frame says of the last one: of another size refused, by name; jitter and field of view are followed. */
+static void last_frames(void)
+{
+    const kit_camera c = looking_along_z(64, 36, 0);
+    kit_camera other = c;
+    const char *why = "";
+    float now[16], then[16], projection[16], bad[16];
+    ssgi_view view, last;
+    ssgi_gl_frame frame, was;
+    other.eye[0] = 0.2f;
+    other.target[0] = 0.1f;
+    other.fovy = 40;
+    other.shift[0] = 0.3f;
+    kit_camera_matrices(&c, now, projection);
+    kit_camera_matrices(&other, then, projection);
+    if (!view_of(&view, &c) || !view_of(&last, &other)) return;
+    CHECK(ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK && !(frame.history > 0), "the first has a last one");
+    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_OK && frame.history > 1, "%s", why);
+    for (int i = 0; i < 8; ++i) {                          /* a point through both cameras, and back */
+        const double p[3] = { 0.3 * (i & 1), 0.2 * (i & 2), -3.0 - i };
+        double to[3], v[3], at[2];
+        for (int r = 0; r < 3; ++r) {
+            to[r] = (double)frame.last_to[12 + r];
+            v[r] = (double)then[12 + r];
+            for (int k = 0; k < 3; ++k) to[r] += (double)frame.last_to[4 * k + r] * p[k];
+            for (int k = 0; k < 3; ++k) v[r] += (double)then[4 * k + r] * p[k];     /* the first camera is the world */
+        }
+        for (int k = 0; k < 2; ++k) at[k] = v[k] / -v[2] * (double)last.project[k] + (double)last.project[2 + k];
+        CHECK(fabs(to[0] / to[2] - at[0]) + fabs(to[1] / to[2] - at[1]) < 1e-3, "%g %g is at %g %g", at[0], at[1],
+              to[0] / to[2], to[1] / to[2]);
+        for (int r = 0; r < 3; ++r) {
+            const double back = (double)frame.last_from[r] * to[0] + (double)frame.last_from[4 + r] * to[1]
+                + (double)frame.last_from[8 + r] * to[2] + (double)frame.last_from[12 + r];
+            CHECK(fabs(back - p[r]) < 1e-3, "%g comes back as %g", p[r], back);
+        }
+    }
+    was = frame;
+    last.width = 65;
+    CHECK(ssgi_gl_frame_history(&frame, &last, now, then, &why) == SSGI_BAD_ARGUMENT && strstr(why, "view:")
+              && strstr(why, "size") && !memcmp(&frame, &was, sizeof frame), "another size: %s", why);
+    memcpy(bad, then, sizeof bad);
+    bad[5] = NAN;
+    CHECK(ssgi_gl_frame_history(&frame, &view, now, bad, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(&frame, NULL, now, then, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(&frame, &view, now, NULL, &why) == SSGI_BAD_ARGUMENT
+              && ssgi_gl_frame_history(NULL, &view, now, then, NULL) == SSGI_BAD_ARGUMENT
+              && !memcmp(&frame, &was, sizeof frame), "bad matrices are taken");
+    for (uint32_t k = 0; k < 1000; ++k) CHECK(ssgi_gl_phase(k) >= 0 && ssgi_gl_phase(k) < 1, "phase of %u", k);
+}
+
 void test_pipeline(void)
 {
     if (!CHECK(!kit_gl_open(NULL, &err), "%s", err.text)) return;
@@ -1083,6 +1256,9 @@ void test_pipeline(void)
     RUN("a room is near its ray-traced truth", near_the_truth);
     RUN("thin plates seen in perspective, with their back faces, are near their truth", plates_in_perspective);
     RUN("the foretold number of fetches is what shaders make", fetches_are_counted);
+    RUN("a last frame is where both cameras say; one of another size is refused by name", last_frames);
+    RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
+    RUN("a hundred frames of hostile history leave no trace", hostile_history);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
     kit_gl_close();
 }

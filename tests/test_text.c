@@ -33,7 +33,8 @@ static const choice choices[] = {
     CHOICE(radiance, 4, 0, 1),      CHOICE(objects, 3, 0, 1),  CHOICE(half, 2, 0, 1),
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
-    CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4)
+    CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
+    CHOICE(motion, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -967,7 +968,7 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 15),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(pass, 16),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
              INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(behind, 3),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
@@ -976,8 +977,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(albedo, 1),        INT(residual, 1),      INT(two_sided, 1),      INT(shadow, 3),  INT(accumulate, 1),
              INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
-             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),
-             INT(restore, 2),       INT(span, 64)
+             INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
+             INT(span, 64),         INT(motion, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -996,6 +997,7 @@ static void sentences(void)
         { "desc.behind:", { .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
         { "desc.behind:", { .pass = SSGI_GL_LIGHTS, .views = 1, .behind = SSGI_GL_BEHIND_SLABS } },
         { NULL, { .pass = SSGI_GL_SENDERS, .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
+        { "desc.colour:", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COEFFICIENTS } },
         { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } },
         { "desc.environment:", { .pass = SSGI_GL_SSDO } },
         { "desc.receiver:", { .pass = SSGI_GL_LIGHTS, .receiver = 1 } },
@@ -1061,7 +1063,8 @@ static void sentences(void)
             ssgi_result r = ssgi_gl_preset(&d, preset, &why),
                         want = preset < 0 || preset > 2 ? SSGI_BAD_ARGUMENT : SSGI_OK;
             CHECK(r == want && (r == SSGI_OK || NAMES(why, "preset:"))
-                      && ((r == SSGI_OK && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR))
+                      && ((r == SSGI_OK
+                           && (d.pass < SSGI_GL_FIELD || d.pass == SSGI_GL_BLUR || d.pass == SSGI_GL_HISTORY))
                           || !memcmp(&d, &variant[v], sizeof d)),
                   "preset %d: \"%s\"", preset, why);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "preset %d of %s leaves a bad desc: %s", preset,

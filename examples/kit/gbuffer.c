@@ -439,6 +439,7 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
             return kit_fail(err, "frame: layer%d lacks albedo, which the first layer has", layer);
     layers = (size_t)g.layers;
     for (int i = 0; i < 3; i++) slab[i] = kit_image_channel(frame, slab_names[i]);
+    const float *const moved[2] = { kit_image_channel(frame, "motion.X"), kit_image_channel(frame, "motion.Y") };
     if ((slab[1] || slab[2]) && !(slab[0] && slab[1] && slab[2]))
         return kit_fail(err, "frame: front2.Z and back2.Z need each other and back.Z");
     known = slab[2] ? 3 : slab[0] ? 1 : 0;
@@ -491,6 +492,14 @@ int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const k
         const size_t i = at % texels;
         const float z = slab[at / texels][(size_t)frame->height * width - (i / width + 1) * width + i % width];
         depth[at] = z > 0 && z <= FLT_MAX ? z : 0;
+    }
+    if (moved[0] && moved[1]) {             /* bottom row first, +y up */
+        for (size_t i = 0; i < texels; i++)
+            for (size_t c = 0; c < 2; c++) {
+                const float v = moved[c][(size_t)frame->height * width - (i / width + 1) * width + i % width];
+                normal[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
+            }
+        g.motion = kit_texture(g.width, g.height, GL_RG32F, normal);
     }
     if (known) g.back = kit_texture(g.width, g.height, GL_R32F, depth);
     if (known > 1) g.slabs = packed_slabs(&g, depth);
@@ -598,6 +607,7 @@ void kit_gbuffer_free(kit_gbuffer *gbuffer)
     layers_free(gbuffer);
     glDeleteTextures(1, &gbuffer->back);
     glDeleteTextures(1, &gbuffer->slabs);
+    glDeleteTextures(1, &gbuffer->motion);
     glDeleteTextures(1, &gbuffer->depth);
     glDeleteTextures(1, &gbuffer->normal);
     glDeleteTextures(1, &gbuffer->albedo);

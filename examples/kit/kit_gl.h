@@ -186,6 +186,7 @@ typedef struct kit_gbuffer {
        behind that. 0 = there is none */
     GLuint     back, slabs;
     double     slab_ms[2];                 /* what drawing those took; frames: 0 */
+    GLuint     motion;                     /* RG32F, pixels from where a point was to where it is; 0 = there is none */
 } kit_gbuffer;
 
 /* Rasterises a scene, both sides of every triangle. margin: left, bottom, right, top texels added around the picture,
@@ -285,7 +286,7 @@ ssgi_field_desc kit_method_field(const kit_method *method);    /* what aof's set
    frame); light, for lit methods (NULL = none). */
 typedef struct kit_world { const kit_scene *scene; const kit_lighting *lighting; } kit_world;
 
-enum { KIT_MAX_TARGETS = 6, KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
+enum { KIT_MAX_TARGETS = 6, KIT_HISTORIES = 2, KIT_MAX_PASSES = 128, KIT_MAX_TEXTURES = 192, KIT_MAX_VIEWS = 4,
        /* uniform buffers: the picture's frame, two an extra camera, then these */
        KIT_FRAME_VPLS = 1 + 2 * KIT_MAX_VIEWS, KIT_FRAME_VIEWS, KIT_FRAMES };
 typedef struct kit_pass {
@@ -293,6 +294,7 @@ typedef struct kit_pass {
     const kit_gbuffer *gbuffer;
     /* target: 0 when it draws into a slice of senders */
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS];
+    GLuint             last[KIT_HISTORIES]; /* history: what it wrote for the last frame */
     GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_occluders */
     /* field: occluders drawn at once, blended over what is there; the first such pass clears */
     int                instances;
@@ -353,6 +355,9 @@ int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, f
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
 void kit_run_draw(kit_run *run, int timed);
+/* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
+   must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
+int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */

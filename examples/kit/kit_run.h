@@ -10,7 +10,7 @@ typedef struct kit_making {
     const kit_method  *method;
     const kit_world   *world;
     ssgi_gl_desc       gather, lights, blur, shade;
-    int                blurred;
+    int                blurred, kept;                  /* kept: averaged over frames */
     /* lights, as the picture's camera and the extra ones have them; 0 = none */
     GLuint             rows[1 + KIT_MAX_VIEWS];
     kit_error         *err;

@@ -148,12 +148,11 @@ kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffe
     return p;
 }
 
+/* What blur reads becomes an average over frames, then what it writes. */
 int kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture)
 {
     ssgi_gl_desc d = *of;
     kit_pass *p;
-    if (!m->blurred) return 0;
-    d.pass = SSGI_GL_BLUR;
     d.colour = m->blur.colour;
     d.filter = m->blur.filter;
     d.filter_radius = m->blur.filter_radius;
@@ -161,6 +160,19 @@ int kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture)
     d.half = m->blur.half;
     /* a bounce differs across creases, and nothing restores it */
     if (of->bounce && !of->environment && kit_method_value(m->method, "bounce_normals") > 0) d.filter_normals = 1;
+    if (m->kept) {
+        d.pass = SSGI_GL_HISTORY;
+        d.motion = m->run->gbuffer->motion != 0;
+        p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
+        if (!p) return -1;
+        for (int i = 0; i < p->rows; ++i)
+            if (p->io[i].kind == SSGI_GL_OUTPUT)
+                p->last[p->io[i].slot] =
+                    kit_keep(m->run, kit_texture(p->width, p->height, target_format(m, &d, &p->io[i]), NULL));
+        *texture = p->target[0];
+    }
+    if (!m->blurred) return 0;
+    d.pass = SSGI_GL_BLUR;
     p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
     if (!p) return -1;
     *texture = p->target[0];
@@ -194,6 +206,9 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
                   { "occluders", p->lights },
                   { "fields", run->fields },
                   { "objects", p->gbuffer->object },
+                  { "history", p->last[0] },
+                  { "means", p->last[1] },
+                  { "motion", p->gbuffer->motion },
                   { "shadow", run->atlas },
                   { "light", p->source },
                   { "ao", p->source } };
@@ -506,6 +521,49 @@ void kit_run_draw(kit_run *run, int timed)
         if (p->box[2]) glDisable(GL_SCISSOR_TEST);
     }
     glActiveTexture(GL_TEXTURE0);
+}
+
+/* Two textures change places, wherever their runs name them. */
+static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
+{
+    for (int r = 0; r < (a == b ? 1 : 2); ++r) {
+        kit_run *run = r ? b : a;
+        GLuint *places[] = { &run->light, &run->bounce, &run->joint };
+        for (int i = 0; i < 3; ++i) *places[i] = *places[i] == x ? y : *places[i] == y ? x : *places[i];
+        for (int i = 0; i < run->textures && a != b; ++i)
+            run->texture[i] = run->texture[i] == x ? y : run->texture[i] == y ? x : run->texture[i];
+        for (int i = 0; i < run->passes; ++i)
+            run->pass[i].source = run->pass[i].source == x ? y : run->pass[i].source == y ? x : run->pass[i].source;
+    }
+}
+
+int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+{
+    const kit_gbuffer *g = last->gbuffer;
+    const char *why = "";
+    ssgi_view view;
+    float now[16], then[16], projection[16];
+    const double phase = (double)run->frame.phase + (double)ssgi_gl_phase(frame);
+    if (run->passes != last->passes) return kit_fail(err, "the last frame had other passes");
+    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    kit_camera_matrices(&run->gbuffer->camera, now, projection);
+    kit_camera_matrices(&g->camera, then, projection);
+    if (ssgi_gl_frame_history(&run->frame, &view, now, then, &why) != SSGI_OK) return kit_fail(err, "%s", why);
+    if (run == last) run->frame.phase = ssgi_gl_phase(frame); else run->frame.phase = (float)(phase - floor(phase));
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i], *from = &last->pass[i];
+        for (unsigned k = 0; k < KIT_HISTORIES && p->last[k]; ++k) {
+            const GLuint written = from->target[k], other = p->last[k];
+            exchange(run, written, last, other);
+            p->last[k] = written;
+            from->target[k] = other;
+            if (run != last) continue;
+            glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + k, GL_TEXTURE_2D, other, 0);
+        }
+    }
+    kit_run_update(run);
+    return 0;
 }
 
 double kit_run_ms(const kit_run *run)

@@ -53,6 +53,7 @@ ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
 ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
 
+ROW(history_row, "history", "1: averaged over frames, where there are any", NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
 ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
 ROW(march_row, "steps", "points along a direction; the first occluded one counts",
@@ -161,7 +162,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define SLICES \
     { \
         &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
-            &phase_row, &blur_row, &filter_row, &compare_row, &margin_row \
+            &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row \
     }
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
@@ -173,12 +174,12 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
         __VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, &distance_clamp_row, \
             &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, \
             &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, &compare_row, \
-            &margin_row \
+            &margin_row, &history_row \
     }
 #define VECTORS(...) \
     __VA_ARGS__, &store_row, &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, \
         &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
-        &compare_row, &margin_row
+        &compare_row, &margin_row, &history_row
 #define S3HO(...) { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(__VA_ARGS__) }
 #define SURFELS(every, epsilon, levels) \
     &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
@@ -192,7 +193,7 @@ static const plan plans[] = {
       SSGI_GL_BALANCED,
       { &samples_row, &march_row, &sets_row,   &falloff_row,   &fade_row,    &fade_from_row, &lambda_row,
         &range_row,   &half_row,  &behind_row, &thickness_row, &offset_row,  DEEP,           &normal_row,
-        &noise_row,   &phase_row, &blur_row,   &filter_row,    &compare_row, &margin_row } },
+        &noise_row,   &phase_row, &blur_row,   &filter_row,    &compare_row, &margin_row, &history_row } },
     { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_HSAO, SSGI_GL_SLICES,
       SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
@@ -203,7 +204,7 @@ static const plan plans[] = {
       SSGI_GL_MARCH,
       SSGI_GL_BALANCED,
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
-        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row } },
+        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
       SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
     { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK, &like_row) },
@@ -400,6 +401,9 @@ int kit_settings_apply(kit_making *m, float radius)
     }
     m->blurred = (int)kit_method_value(m->method, "blur");
     m->blur.filter_radius = m->blurred;
+    m->kept = kit_method_value(m->method, "history") > 0;
+    if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
+        return kit_fail(m->err, "--set history=1: is of light, not of vectors: filtered=light");
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
