@@ -60,8 +60,8 @@
       senders  radiance ALBEDO, for a bounce only; a draw a layer
       s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds
                a bounce for whatever light comes
-      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote: far cheaper, and equal
-               but for the clamp at 0
+      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote, with desc.restore: far
+               cheaper, and creases stay
       shade    dots them with frame.harmonics (ssgi_gl_harmonics_set), adds t_ssgi_lights: irradiance over pi, or
                radiance. bands = 2 serves bent normals and cones
       With shaded = 1 s3ho does that itself and keeps nothing.
@@ -311,8 +311,8 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest of desc stays. ssdo and s3ho have POINTS; s3ho becomes shaded and residual; ssdo without an environment gets
-   MAP; a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
+   the rest stays. ssdo and s3ho have POINTS and restore, s3ho is shaded and residual, ssdo without an environment has MAP;
+   a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
@@ -2781,7 +2781,10 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     d.views = plan->cameras;
     d.levels = plan->levels;
     d.filter_radius = plan->filter;
-    if (d.pass == SSGI_GL_S3HO) d.shaded = d.residual = 1;
+    if (d.pass == SSGI_GL_S3HO) {
+        d.shaded = d.residual = 1;
+        d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
+    }
     r = ssgi_gl_check(&d, why);
     if (r == SSGI_OK) *desc = d;
     return r;
