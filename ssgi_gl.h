@@ -311,7 +311,7 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest stays. ssdo and s3ho have POINTS and restore, s3ho is shaded and residual, ssdo without an environment has MAP;
+   the rest stays. ssdo and s3ho have POINTS and restore, s3ho is shaded, residual, ssdo without an environment has MAP;
    a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
