@@ -382,7 +382,7 @@ typedef struct ssgi_gl_frame {
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
     float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces,
-                            where desc.behind has no other; 1 radius suits ssao, 0.5 march */
+                            where desc.behind has no other; 1 radius suits ssao, 0.5 march, 0.4 light */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade; the radius: nowhere */
     float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */

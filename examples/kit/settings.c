@@ -30,6 +30,7 @@ ROW(normal_row, "normal", "normals from the G-buffer, or from depth alone", "gbu
         FRAMED(thickness))
 THICKNESS(thickness_row, 1)
 THICKNESS(slice_thick_row, 0.6)
+THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
 ROW(behind_row, "behind", "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
@@ -168,7 +169,7 @@ typedef struct plan { const char *name, *about; int pass, search, preset; const 
 #define POINTS \
     &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
         &behind_row, &most_thick_row, &offset_row, DEEP
-#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &slice_thick_row, &offset_row
+#define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
     { \
         __VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, &distance_clamp_row, \
