@@ -379,7 +379,8 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
             run.frame.phase = (float)drawn / (float)phases;
             kit_run_update(&run);
             /* with a history: of frames that no other has */
-            if (draw_settled(&run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, &run, err) || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
+            if (draw_settled(&run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, &run, err)
+                || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
             picture = &now;
         }
         for (size_t c = 0; c < channels; ++c) {

@@ -474,7 +474,8 @@ int measure(row *rows, stage *s, const entry *entries, int count, int rounds, ki
         rows[i].settings = entries[i].settings;
         if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
         rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
-        if (draw_settled(&run[i], 0, 1, err) < 0 || kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err))
+        if (draw_settled(&run[i], 0, 1, err) < 0 || kit_run_read(&picture, &run[i], err)
+            || (s->lit && !run[i].lit && light_by(&picture, s, err))
             || score(&rows[i], s, &picture, err))
             return -1;
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);

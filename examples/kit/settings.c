@@ -53,7 +53,7 @@ ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
 ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
 
-ROW(history_row, "history", "1: averaged over up to 16 frames (--frames, --sequence) before the filter; one is as without",
+ROW(history_row, "history", "1: averaged over frames before the filter; the first is as without",
     NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
 ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
