@@ -629,14 +629,15 @@ static int next_line(options *o, char **at, int line, kit_error *err)
     return 1;
 }
 
-/* The first object that casts, moved on by a frame. */
-static int slide(kit_scene *scene, const float by[3], kit_error *err)
+/* The first object that casts, moved on by a frame; the first frame has it as it was. */
+static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
 {
     float to[16];
     int k = 0;
     if (!(by[0] != 0 || by[1] != 0 || by[2] != 0)) return 0;
     while (k < scene->objects && !scene->object[k].casts) ++k;
     if (k == scene->objects) return kit_fail(err, "--slide: scene %s has no object that casts", scene->name);
+    if (!frame) return 0;
     memcpy(to, scene->object[k].to_world, sizeof to);
     for (int i = 0; i < 3; ++i) to[12 + i] += by[i];
     return kit_scene_place(scene, k, to, err);
@@ -664,7 +665,7 @@ static int play(job *j, kit_error *err)
         } else {
             kit_camera camera = from;
             kit_camera_orbit(&camera, &from, o->orbit * k);
-            failed = (k && slide(&j->scene, o->slide, err))
+            failed = slide(&j->scene, o->slide, k, err)
                   || kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
         }
         if (failed) break;

@@ -189,7 +189,7 @@ static int strip_score(strip *t, const stage *s, kit_error *err)
 /* The middle of a picture, each pixel twice. */
 static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
 {
-    const int left = picture->width / 4, top = picture->height / 4;
+    const int left = picture->width / 4, top = picture->height / 2;
     if (kit_image_new(out, picture->width, picture->height, "Y", err)) return -1;
     for (int i = 0; i < out->width * out->height; ++i)
         out->data[i] = kit_image_channel(picture, "Y")[(top + i / out->width / 2) * picture->width
