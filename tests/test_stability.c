@@ -36,6 +36,7 @@ static const struct bounded {
     { "over frames: a moving camera errs as a single frame at most",
       "kept-camera",
       { { "hsao-fast-history", 0.5, 1.05 }, { "hsao-2x8-history", 0.5, 1.1 } } },
+    { "over frames: what is newly seen errs as a single frame does", "kept-newly", { { "hsao-history", 0.5, 1.05 } } },
     { "over frames: what appears is soon seen", "kept-appear", { { "hsao-2x8-history", 0.5, 1.3 } } },
     { "ringing: none with the positive window",
       "sh-shade",
