@@ -180,8 +180,8 @@ static void settings(const csv *c, int row)
     if (!strcmp(method, "none")) { fputs("| nothing |", page); return; }
     if (!strcmp(method, "floor")) { fputs("| exact answer from one layer, thin sheets |", page); return; }
     fprintf(page, "| %s", label);
-    if (strcmp(label, method) && strstr("hsao hsao-fast hsao-best hsao-march ssao ssdo ssdo-fast s3ho s3ho-fast",
-        method))
+    if (strcmp(label, method) && strstr("hsao hsao-fast hsao-best hsao-march hsao-history ssao ssdo ssdo-fast "
+        "s3ho s3ho-fast", method))
         fprintf(page, ", `%s`", method);
     const char *const mark = strchr(set, ' ') ? "" : "`";      /* others' passes have words, ours have settings */
     fprintf(page, *set ? ": %s" : "", mark);
@@ -515,6 +515,44 @@ static const char *number_at(const csv *c, int row, const char *method)
     return NULL;
 }
 
+static int over_frames(const char *cause) { return !strncmp(cause, "kept-", strlen("kept-")); }
+
+/* The sweeps of what is averaged over frames. */
+static void frames(const csv *c)
+{
+    static const struct { const char *cause, *title; } named[] = {
+        { "kept-camera", "camera sideways, 0 to 4 pixels a frame" }, { "kept-dolly", "camera forward, 0.1 to 1 %" },
+        { "kept-roll", "camera rolls, 0.1 to 1 degree" }, { "kept-slide", "a box slides, 0.1 to 4 pixels" },
+        { "kept-appear", "a box appears" }, { "kept-jump", "a box is elsewhere at once" },
+        { "kept-cut", "a cut that nobody tells of" }, { "kept-newly", "1 to 8 pixels: what is newly seen alone" },
+        { "kept-light", "a sun turns, 0 to 8 degrees" } };
+    static const char *const methods[] = { "hsao-fast-history", "hsao-history", "hsao-2x8-history", "ssdo-history",
+        "ssdo-fast-history" };
+    enum { METHODS = sizeof methods / sizeof *methods };
+    int begun = 0;
+    for (int i = 0; i < c->rows; ++i) {
+        const char *cause = text_of(c, i, "cause"), *title = cause;
+        if ((i && same(c, i, i - 1, "cause")) || !over_frames(cause)) continue;
+        if (!begun++) {
+            heading("Over frames", "`history = 1`; the worst of each sweep: error over that of the frame alone, in "
+                "any of 16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays.",
+                stability_note);
+            fputs("| cause |", page);
+            for (int m = 0; m < METHODS; ++m) fprintf(page, " %s |", methods[m]);
+            fputs("\n", page);
+            ruler(METHODS + 1);
+        }
+        for (size_t k = 0; k < sizeof named / sizeof *named; ++k)
+            if (!strcmp(named[k].cause, cause)) title = named[k].title;
+        fprintf(page, "| %s |", title);
+        for (int m = 0; m < METHODS; ++m) {
+            const char *t = number_at(c, i, methods[m]);
+            number(t && strcmp(t, "nan") ? atof(t) : (double)NAN, 2, 0);
+        }
+        fputc('\n', page);
+    }
+}
+
 static void stability(void)
 {
     static const struct { const char *cause, *title; } named[] = {
@@ -566,11 +604,12 @@ static void stability(void)
         }
         fputc('\n', page);
     }
+    frames(&c);
     for (int i = 0; i < c.rows; ++i) {
         int any_ = 0;
         if (i && same(&c, i, i - 1, "cause")) continue;
         for (int m = 0; m < METHODS; ++m) any_ |= number_at(&c, i, methods[m]) != NULL;
-        if (any_) continue;
+        if (any_ || over_frames(text_of(&c, i, "cause"))) continue;
         if (!begun++) {
             heading("The library's maths alone", "Worst of each sweep: most negative irradiance of a sun as "
                 "harmonics, over what faces it; largest error and step of occlusion along\n"

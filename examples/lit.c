@@ -378,8 +378,9 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
         if (e) {
             run.frame.phase = (float)drawn / (float)phases;
             kit_run_update(&run);
-            kit_run_draw(&run, 0);
-            if (kit_run_read(&now, &run, err) || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
+            /* with a history: of frames that no other has */
+            if (draw_settled(&run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, &run, err)
+                || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
             picture = &now;
         }
         for (size_t c = 0; c < channels; ++c) {

@@ -31,6 +31,7 @@ static const struct { view view; int boxes, quick; } scenes[] = {
 };
 static const entry pair_entries[] = {
     { "ssdo-fast",                   "ssdo-fast", "bounce=none",                     0 },
+    { "ssdo-fast, 16 frames",        "ssdo-fast", "bounce=none,history=1",           0 },
     { "ssdo",                        "ssdo",      "bounce=none",                     1 },
     { "ssdo, light filtered",        "ssdo",      "bounce=none,restore=none",        1 },
     { "ssdo, slabs",                 "ssdo",      "bounce=none,behind=slabs",        1 },

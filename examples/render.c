@@ -40,6 +40,7 @@ static const char usage[] =
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
     "                        pixels from where a point was in the frame before, +y down; --out has a %04d\n"
     "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target\n"
+    "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
     "  --set key=value,..    settings of the method\n"
@@ -63,7 +64,7 @@ typedef struct options {
     const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
     const char *listed, *sequence;
     int frames, sets, lights, ground, planned, closed, list, help, json, truth, floor, time, has_camera, has_up;
-    float camera[6], up[3];
+    float camera[6], up[3], slide[3];
     double fovy, ortho_height, znear, zfar, radius, plan[2], orbit;
     int width, height;
 } options;
@@ -168,6 +169,7 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--sequence")) o->sequence = v;
         else if (!strcmp(a, "--frames")) bad = whole(a, v, 1, 9999, &o->frames, err);
         else if (!strcmp(a, "--orbit")) bad = number(a, v, -360, 360, &o->orbit, err);
+        else if (!strcmp(a, "--slide")) bad = numbers(a, v, o->slide, 3, err);
         else if (!strcmp(a, "--method")) o->method = v;
         else if (!strcmp(a, "--score")) o->score = v;
         else if (!strcmp(a, "--out")) o->out = v;
@@ -207,6 +209,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         return kit_fail(err, "--sequence %s: names its frames and cameras itself", o->sequence);
     if (o->sequence) o->gbuffer = o->sequence;
     if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
+    if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->frames)
+        return kit_fail(err, "--slide: moves an object from frame to frame: needs --frames");
     if ((o->sequence || o->frames) && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
         return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
     if ((o->sequence || o->frames) && !numbered(NULL, 0, o->out ? o->out : "", 0))
@@ -625,22 +629,18 @@ static int next_line(options *o, char **at, int line, kit_error *err)
     return 1;
 }
 
-/* The scene's camera, turned about its target. */
-static void orbit(kit_camera *camera, const kit_camera *from, double degrees)
+/* The first object that casts, moved on by a frame; the first frame has it as it was. */
+static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
 {
-    const double a = degrees * 0.017453292519943295, c = cos(a), s = sin(a);
-    double up[3], away[3], length = 0, along = 0;
-    for (int i = 0; i < 3; ++i) length += (double)from->up[i] * (double)from->up[i];
-    for (int i = 0; i < 3; ++i) {
-        up[i] = (double)from->up[i] / sqrt(length);
-        away[i] = (double)from->eye[i] - (double)from->target[i];
-        along += up[i] * away[i];
-    }
-    for (int i = 0; i < 3; ++i) {
-        const int k = (i + 1) % 3, n = (i + 2) % 3;
-        camera->eye[i] = from->target[i] + (float)(c * away[i] + s * (up[k] * away[n] - up[n] * away[k])
-                                                   + (1 - c) * along * up[i]);
-    }
+    float to[16];
+    int k = 0;
+    if (!(by[0] != 0 || by[1] != 0 || by[2] != 0)) return 0;
+    while (k < scene->objects && !scene->object[k].casts) ++k;
+    if (k == scene->objects) return kit_fail(err, "--slide: scene %s has no object that casts", scene->name);
+    if (!frame) return 0;
+    memcpy(to, scene->object[k].to_world, sizeof to);
+    for (int i = 0; i < 3; ++i) to[12 + i] += by[i];
+    return kit_scene_place(scene, k, to, err);
 }
 
 /* A picture a frame; each run takes over the last one's history. */
@@ -664,8 +664,9 @@ static int play(job *j, kit_error *err)
             shown[k & 1] = j->gbuffer;
         } else {
             kit_camera camera = from;
-            orbit(&camera, &from, o->orbit * k);
-            failed = kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
+            kit_camera_orbit(&camera, &from, o->orbit * k);
+            failed = slide(&j->scene, o->slide, k, err)
+                  || kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
         }
         if (failed) break;
         failed = kit_run_open(run, &shown[k & 1], &j->method, (float)j->radius, &j->world, err)

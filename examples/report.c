@@ -43,6 +43,9 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "hsao, half size", "hsao",       "directions=3",                        0 },
     { "hsao, half size", "hsao",       "directions=2,steps=6",                1 },
     { "hsao, half size", "hsao",       "directions=6,steps=6",                1 },
+    { "hsao, 16 frames", "hsao-fast",  "history=1",                           1 },
+    { "hsao, 16 frames", "hsao-history", "",                                  1 },
+    { "hsao, 16 frames", "hsao",       "history=1",                           0 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=3",                0 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=4",                1 },
     { "hsao, full size", "hsao-best",  "directions=1,steps=6",                1 },
@@ -76,6 +79,10 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "dss",             "dss",        "",                                    0 }
 };
 
+/* The demo's strip: a camera that comes round to the demo's own in so many frames. */
+static const char strip_method[] = "hsao-fast", strip_settings[] = "history=1";
+static const double STRIP_DEGREES = 0.2;    /* a frame */
+enum { STRIP_DRAWN = 4 };                   /* times, each with noise of its own */
 static const float DEMO_ERROR = 0.03f;      /* what the demo's planned row is asked for */
 enum { DEMO_ROUNDS = 3, DEMO_WIDTH = 800, DEMO_HEIGHT = 450 };
 _Static_assert(COUNT(chart_entries) <= MOST_ENTRIES && COUNT(demo_entries) < MOST_ENTRIES,
@@ -110,8 +117,123 @@ static int first_picture(stage *s, const char *out, kit_error *err)
     return 0;
 }
 
+/* One frame alone and the last of SETTLED, beside the truth; each is drawn STRIP_DRAWN times. */
+typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[2], noise[2]; } strip;
+
+static int strip_draw(strip *t, stage *s, kit_error *err)
+{
+    static kit_run runs[2];
+    kit_gbuffer seen[SETTLED];
+    kit_method m;
+    const kit_world world = { &s->scene, NULL };
+    if (kit_method_find(&m, strip_method, err) || kit_method_set(&m, strip_settings, err)) return -1;
+    for (int k = 0; k < SETTLED; ++k) {
+        kit_camera camera = s->gbuffer.camera;
+        kit_camera_orbit(&camera, &s->gbuffer.camera, STRIP_DEGREES * (k + 1 - SETTLED));
+        if (kit_gbuffer_from_scene(&seen[k], &s->scene, &camera, NULL, err)) return -1;
+    }
+    for (int i = 0; i < STRIP_DRAWN; ++i) {
+        for (int k = 0; k < SETTLED; ++k) {
+            kit_run *run = &runs[k & 1], *last = &runs[!(k & 1)];
+            const unsigned number = (unsigned)(SETTLED * i + k);
+            kit_progress("a strip of frames", (i * SETTLED + k + 1.0) / (STRIP_DRAWN * SETTLED));
+            if (kit_run_open(run, &seen[k], &m, s->radius, &world, err)) return -1;
+            run->frame.phase = ssgi_gl_phase(number);
+            kit_run_update(run);
+            if (k + 1 == SETTLED) {                         /* alone first */
+                kit_run_draw(run, 0);
+                if (kit_run_read(&t->picture[0][i], run, err)) return -1;
+                run->frame.phase = 0;
+            }
+            if (k && kit_run_follow(run, last, number, err)) return -1;
+            if (k) kit_run_close(last);
+            kit_run_draw(run, 0);
+        }
+        if (kit_run_read(&t->picture[1][i], &runs[(SETTLED - 1) & 1], err)) return -1;
+        kit_run_close(&runs[(SETTLED - 1) & 1]);
+    }
+    for (int k = 0; k < SETTLED; ++k) kit_gbuffer_free(&seen[k]);
+    return 0;
+}
+
+/* Error, its mean over the drawings; noise: root of a pixel's variance over them, its mean over the pixels. */
+static int strip_score(strip *t, const stage *s, kit_error *err)
+{
+    const float *z = kit_image_channel(&s->frame, "Z");
+    for (int g = 0; g < 2; ++g) {
+        double noise = 0;
+        size_t pixels = 0;
+        row r;
+        t->rmse[g] = t->share[g] = 0;
+        for (int i = 0; i < STRIP_DRAWN; ++i) {
+            if (score(&r, s, &t->picture[g][i], err)) return -1;
+            t->rmse[g] += r.score.rmse / STRIP_DRAWN;
+            t->share[g] += r.share / STRIP_DRAWN;
+        }
+        for (int p = 0; p < s->frame.width * s->frame.height; ++p) {
+            double sum = 0, squares = 0;
+            if (!(z[p] > 0)) continue;
+            for (int i = 0; i < STRIP_DRAWN; ++i) {
+                const double v = (double)t->picture[g][i].data[p];
+                sum += v;
+                squares += v * v;
+            }
+            noise += fmax(0, squares - sum * sum / STRIP_DRAWN) / (STRIP_DRAWN - 1);
+            ++pixels;
+        }
+        t->noise[g] = sqrt(noise / (double)pixels);
+    }
+    return 0;
+}
+
+/* The middle of a picture, each pixel twice. */
+static int enlarged(kit_image *out, const kit_image *picture, kit_error *err)
+{
+    const int left = picture->width / 4, top = picture->height / 2;
+    if (kit_image_new(out, picture->width, picture->height, "Y", err)) return -1;
+    for (int i = 0; i < out->width * out->height; ++i)
+        out->data[i] = kit_image_channel(picture, "Y")[(top + i / out->width / 2) * picture->width
+                                                       + left + i % out->width / 2];
+    return 0;
+}
+
+static int strip_demo(FILE *html, strip *t, stage *s, const char *out, kit_error *err)
+{
+    static const char *const slugs[3] = { "strip-one", "strip-frames", "strip-truth" },
+                      *const labels[3] = { "one frame", "sixteen frames", "ray-traced truth" };
+    if (strip_draw(t, s, err) || strip_score(t, s, err)) return -1;
+    fprintf(html, "<h2>Over frames</h2>\n<p>%s, --set %s, while the camera turns by %g degrees a frame: the last frame "
+            "alone, as the last of sixteen, and its truth; the middle of the picture, enlarged. Noise: root of a "
+            "pixel's variance over %d drawings, its mean over the pixels.</p>\n<div class=\"grid\">\n",
+            strip_method, strip_settings, STRIP_DEGREES, STRIP_DRAWN);
+    for (int k = 0; k < 3; ++k) {
+        kit_image large;
+        char note[96] = "";
+        if (enlarged(&large, k < 2 ? &t->picture[k][0] : &s->truth, err)
+            || save(&large, "Y", 0, out, slugs[k], ".png", err))
+            return -1;
+        if (k < 2) snprintf(note, sizeof note, "RMSE %.4f, error %.3f, noise %.4f", t->rmse[k], t->share[k],
+                            t->noise[k]);
+        figure_html(html, slugs[k], labels[k], note, large.width, large.height, 0);
+        fputs("</figure>\n", html);
+        kit_image_free(&large);
+    }
+    fputs("</div>\n", html);
+    for (int i = 0; i < 2 * STRIP_DRAWN; ++i) kit_image_free(&t->picture[i % 2][i / 2]);
+    return 0;
+}
+
+static void strip_text(FILE *f, const strip *t)
+{
+    static const char *const labels[2] = { "one frame", "sixteen frames" };
+    fprintf(f, "\n%s %s, the camera turning %g degrees a frame\n", strip_method, strip_settings, STRIP_DEGREES);
+    for (int k = 0; k < 2; ++k)
+        fprintf(f, "%-15s RMSE %.4f, share %.3f, noise %.4f\n", labels[k], t->rmse[k], t->share[k], t->noise[k]);
+}
+
 static int demo(const options *o, kit_error *err)
 {
+    static strip frames;
     enum { ENTRIES = COUNT(demo_entries) + 1 };              /* the last one is planned */
     entry entries[ENTRIES];
     ssgi_plan_scene numbers;
@@ -173,6 +295,7 @@ static int demo(const options *o, kit_error *err)
     escaped(p.file, plan.why);
     fputs(".</p>\n<h3>Figures</h3>\n", p.file);
     table_html(p.file, rows, count + 2);
+    if (strip_demo(p.file, &frames, &s, o->out, err)) return -1;
     stage_close(&s);
     if (!o->mesh && (lit_demo(p.file, o->out, err) || field_demo(p.file, o->out, err)
         || deep_demo(p.file, o->out, err))) return -1;
@@ -183,6 +306,7 @@ static int demo(const options *o, kit_error *err)
     if (page_close(&p, o->out, "demo.html", err)) return -1;
     table_text(stdout, rows, count + 2);
     printf("planned for an RMSE of %g: %s\n", (double)numbers.error, plan.why);
+    strip_text(stdout, &frames);
     if (!o->mesh) {
         lit_demo_text(stdout);
         field_demo_text(stdout);

@@ -106,8 +106,11 @@ double draw(kit_run *run);
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err);
 /* Times runs, and closes them. */
 int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_error *err);
+/* With a history: SETTLED frames of a still camera, numbered from first, and 1; else one, and 0; -1 = failed. */
+enum { SETTLED = 16 };
+int draw_settled(kit_run *run, unsigned first, int timed, kit_error *err);
 /* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
-   up (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
+   up, with a history SETTLED frames (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
 int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err);
 
 /* ---- >>parts.c */

@@ -185,6 +185,9 @@ static int shot_open(shot *s, const look *l, const int truths[2], kit_error *err
     if ((l->format && recode(s, l->format, err)) || kit_env_read(&s->lighting.env, lit ? "sky" : "white", err))
         return -1;
     if (lit && kit_env_add_sun(&s->lighting.env, &light, SUN_DEGREES, err)) return -1;
+    if (truths[0] && lit && l->within)
+        return kit_truth_lit(&s->truth[0], &s->scene, &s->gbuffer.camera, &s->lighting, s->radius,
+                             KIT_ATTENUATION_LINEAR, 0, l->rays, l->stride, err);
     /* so small a radius is open: light's own change */
     if (truths[0] && lit) return drawn(&s->truth[0], s, "ssdo-points", "bounce=none,blur=0", 1e-4f * s->radius, err);
     if (truths[0]
@@ -347,10 +350,23 @@ static int strip(kit_image *out, const kit_image *a, const kit_image *b, const f
     return 0;
 }
 
+/* Scores only places that the frame before did not show. */
+static void only_new(shot *s, const shot *last)
+{
+    for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
+        double v;
+        float p[3];
+        if (!(s->mask[i] > 0)) continue;
+        kit_camera_point(&s->gbuffer.camera, i % s->frame.width, i / s->frame.width,
+                         (double)kit_image_channel(&s->frame, "Z")[i], p);
+        if (held(&v, &last->truth[0], last, p, s->object[i])) s->mask[i] = 0;
+    }
+}
+
 /* A point of every curve, from the frames of one value; the worst is kept as a picture. */
 static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
 {
-    const int kind = r->cause->kind, over = kind == FOLLOWS || kind == AFTER,
+    const int kind = r->cause->kind, over = kind >= FOLLOWS,
               still = kind == ERROR || kind == PRECISION || over;
     const shot *s = &shots[frames - 1];
     float *map = calloc((size_t)l->width * (size_t)l->height, sizeof *map);
@@ -368,7 +384,16 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
             pictures[0][k] = &shots[k].truth[between];
             pictures[1][k] = picture ? &shots[k].picture[m] : pictures[0][k];
         }
-        if (over) {
+        if (kind == NEWLY) {
+            double sum[2] = { 0, 0 };
+            for (int k = 1; k < frames; ++k)
+                for (int g = 0; g < 2; ++g) {
+                    const double e = apart(g ? &shots[k].single[m] : &shots[k].picture[m], &shots[k].truth[0],
+                                           shots[k].mask);
+                    if (e > 0) sum[g] += e * e;
+                }
+            y = sqrt(sum[0] / sum[1]);
+        } else if (over) {
             y = 0;
             for (int k = kind == AFTER ? frames - 1 : 1; k < frames; ++k)
                 y = fmax(y, apart(&shots[k].picture[m], &shots[k].truth[0], shots[k].mask)
@@ -416,9 +441,9 @@ static look look_of(const cause *c, double value, int frame)
 
 static int sweep(result *r, const cause *c, const options *o, const char *what, kit_error *err)
 {
-    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL };
+    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL };
     static kit_run runs[METHODS][2];
-    int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : c->kind == FOLLOWS ? FRAMES : 4;
+    int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : c->kind == FOLLOWS || c->kind == NEWLY ? FRAMES : 4;
     int truths[2] = { 0, 0 }, values = 1;
     memset(r, 0, sizeof *r);
     r->cause = c;
@@ -442,9 +467,10 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
             if (o->quick) l.rays /= 2;
             kit_progress(what, ((double)v * frames + k) / (values * frames));
             if (shot_open(&shots[k], &l, truths, err)) return -1;
+            if (c->kind == NEWLY && k) only_new(&shots[k], &shots[k - 1]);
             for (int i = 0; i < r->curves; ++i) {
                 const int m = r->curve[i].method;
-                if (methods[m < 0 ? 0 : m].of == KEPT) {
+                if (methods[m < 0 ? 0 : m].of & (KEPT | KEPT_LIGHT)) {
                     if (kept(&shots[k], m, &runs[m][k & 1], &runs[m][!(k & 1)], (unsigned)k, err)) return -1;
                 } else if (m >= 0 && l.width <= methods[m].widest
                     && drawn(&shots[k].picture[m], &shots[k], methods[m].method, methods[m].settings, shots[k].radius,
@@ -646,6 +672,9 @@ static const struct { const char *number, *up, *shown;
               { "largest error over that of the frame alone", "error over that of the frame alone",
                 "method, truth, difference (full colour: 0.5)" },
               { "largest error over that of the frame alone", "error over that of the frame alone",
+                "method, truth, difference (full colour: 0.5)" },
+              { "largest error of what is newly seen over that of the frame alone",
+                "error of what is newly seen over that of the frame alone",
                 "method, truth, difference (full colour: 0.5)" } };
 
 static const char *settings(const curve *c) { return c->method < 0 ? "" : methods[c->method].settings; }

@@ -371,6 +371,24 @@ double draw(kit_run *run)
     return kit_run_ms(run);
 }
 
+/* With a history: so many frames of a still camera, numbered from first; else one. */
+int draw_settled(kit_run *run, unsigned first, int timed, kit_error *err)
+{
+    int kept = 0;
+    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    if (kept) {
+        run->frame.history = 0;
+        run->frame.phase = ssgi_gl_phase(first);
+        kit_run_update(run);
+    }
+    kit_run_draw(run, timed);
+    for (unsigned k = 1; k < SETTLED && kept; ++k) {
+        if (kit_run_follow(run, run, first + k, err)) return -1;
+        kit_run_draw(run, timed);
+    }
+    return kept;
+}
+
 /* Deep screen space: what it drew, and its stages' shares of the time of the last draw. */
 static void count_surfels(row *r, const kit_run *run)
 {
@@ -440,7 +458,7 @@ int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_err
 }
 
 /* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
-   up (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
+   up, with a history SETTLED frames (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
 int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
 {
     kit_run run[MOST_ENTRIES];
@@ -456,8 +474,8 @@ int measure(row *rows, stage *s, const entry *entries, int count, int rounds, ki
         rows[i].settings = entries[i].settings;
         if (run_open(&run[i], s, entries[i].method, entries[i].settings, s->radius, err)) return -1;
         rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
-        kit_run_draw(&run[i], 1);
-        if (kit_run_read(&picture, &run[i], err) || (s->lit && !run[i].lit && light_by(&picture, s, err))
+        if (draw_settled(&run[i], 0, 1, err) < 0 || kit_run_read(&picture, &run[i], err)
+            || (s->lit && !run[i].lit && light_by(&picture, s, err))
             || score(&rows[i], s, &picture, err))
             return -1;
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);

@@ -13,6 +13,7 @@ enum {
     THIN = 16,
     TURNED = 32,
     KEPT = 64 /* over frames */,
+    KEPT_LIGHT = 128 /* the same, of light */,
     AMBIENT = SCREEN | LIGHT | OF_SURFELS
 };
 /* widest: picture that it is drawn at */
@@ -28,9 +29,10 @@ static const method methods[] = {
     { "s3ho",       "s3ho",       "indirect=none",                LIGHT | TURNED, 1920 },
     { "ssbn",       "ssbn",       "",                             LIGHT | TURNED, 1920 },
     { "hsao-fast-history", "hsao-fast", "history=1",             KEPT,           1920 },
-    { "hsao-1x12-history", "hsao-fast", "steps=12,history=1",    KEPT,           1920 },
-    { "hsao-history", "hsao",    "history=1",                    KEPT,           1920 },
-    { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT,           1920 },
+    { "hsao-history", "hsao-history", "",                        KEPT,           1920 },
+    { "hsao-2x8-history", "hsao", "history=1",                   KEPT,           1920 },
+    { "ssdo-history", "ssdo",    "bounce=none,history=1",        KEPT | KEPT_LIGHT, 1920 },
+    { "ssdo-fast-history", "ssdo-fast", "bounce=none,history=1", KEPT_LIGHT,     1920 },
     { "dss",        "dss",        "size=0.03",                    OF_SURFELS,       1280 },
     { "dss-lit",    "dss-lit",    "size=0.03",                    TURNED,         1280 },
     { "aof",        "aof",        "resolution=8,radii=8,rays=64", FIELD,          1920 }
@@ -53,14 +55,14 @@ typedef struct look {
     float radius, pixels;                  /* pixels: of the radius at the target */
     float where[2][3];                     /* what is scored: bounds, on each axis where the lower one is lower */
     float sun[3];                          /* direction to the sun, in the sky; else light is white from everywhere */
-    int   format, width, height, stride, rays;
+    int   format, width, height, stride, rays, within;   /* within: the truth of a sun is traced, within the radius */
 } look;
 
 /* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
    reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
-   surface's; with history, RMSE over that of the frame alone, the most of a sequence, and so many frames after
-   CHANGED. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER };
+   surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
+   and, all frames together, where the frame before showed something else. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
@@ -221,6 +223,12 @@ static void sun(look *l, double value, int frame)
     const float a = (40 + (float)value * (float)frame) * PI_180;
     l->scene = "boxes";
     set(l->sun, cosf(a), 0.8f, sinf(a));
+}
+
+static void lit_within(look *l, double value, int frame)
+{
+    sun(l, value, frame);
+    l->within = 1;
 }
 
 static void turning(look *l, double value, int frame)
@@ -433,7 +441,8 @@ static const cause causes[] = {
       .about = "A table on a ground; places move with it." },
     { "kept-camera", "Over frames: the camera moves sideways", "pixels a frame", FOLLOWS, KEPT, 160, 64, 1,
       moved, NULL, { 1e-4, 0.1, 0.25, 0.5, 1, 2, 4 },
-      .about = "Two dozen shapes, sixteen frames; the first value stands still." },
+      .about = "Two dozen shapes, sixteen frames; the first value stands still. Under white light ssdo is all but "
+               "hsao: the same slices." },
     { "kept-dolly", "Over frames: the camera comes closer", "percent a frame", FOLLOWS, KEPT, 160, 64, 1,
       closer, NULL, { 0.1, 0.3, 1 }, .about = "The same." },
     { "kept-roll", "Over frames: the camera rolls", "degrees a frame", FOLLOWS, KEPT, 160, 64, 1,
@@ -446,6 +455,13 @@ static const cause causes[] = {
       vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
     { "kept-cut", "Over frames: another view that nobody tells of", "frames after", AFTER, KEPT, 160, 64, 1,
       jumped, NULL, { 1, 2, 3, 5, 8 }, .about = "A cut that is told of starts anew." },
+    { "kept-newly", "Over frames: what the frame before did not show", "pixels a frame", NEWLY, KEPT, 160, 64, 1,
+      moved, NULL, { 1, 2, 4, 8 }, .about = "Two dozen shapes, the camera moves sideways: beside silhouettes, and at "
+                                            "the picture's border." },
+    { "kept-light", "Over frames: the sun turns", "degrees a frame", FOLLOWS, KEPT_LIGHT, 160, 64, 1,
+      lit_within, NULL, { 1e-4, 0.5, 2, 8 },
+      .about = "Three boxes under the sky and a soft sun; the first value stands still. Nothing tells that light "
+               "changed: what is seen is its lag." },
     { "resolution",
       "Resolution at constant angular radius",
       "pixels across",

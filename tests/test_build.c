@@ -370,6 +370,10 @@ static void streams(void)
                  "cmp there.exr s.exr%s",
                  getenv("PWD"), ""),
           "a dangling link is not written through: %s", text);
+    CHECK(!shell(text, sizeof text, "for s in 0,0,0 0.3,0,0; do '%s/build/render' casters --size 64x36 --frames 2 "
+                 "--method hsao-history --slide $s --out $s-%%d.exr || exit 1; done; cmp 0,0,0-0.exr 0.3,0,0-0.exr && "
+                 "! cmp -s 0,0,0-1.exr 0.3,0,0-1.exr%s", getenv("PWD"), ""),
+          "an object slides from the second frame on: %s", text);
     CHECK(!shell(text, sizeof text, "'%s/build/render' cr.obj --size 8x8 --out cr.exr && test -s cr.exr%s",
         getenv("PWD"), ""), "lines that end in CR: %s", text);
 }
@@ -426,6 +430,10 @@ static void command_line(void)
                   { "room --set thin=1 --out a.exr", "--set thin=1: the setting is behind" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --method ssdo --truth 4 --out a.exr", "--truth" },
                   { "room --plan best:1 --out a.exr", "--plan best:1" },
+                  { "room --frames 2 --out a.exr", "--out a.exr" },
+                  { "room --slide 1,0,0 --out a.exr", "--slide" },
+                  { "room --frames 2 --slide 1,0 --out a%d.exr", "--slide 1,0" },
+                  { "plane --size 8x8 --frames 2 --slide 1,0,0 --out a%d.exr", "--slide: scene plane" },
                   { "room --plan light:x --env sky --out a.exr", "light:x" },
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --set margin=0.5 --out a.exr", "margin=0.5" },
                   { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },

@@ -236,6 +236,8 @@ int  kit_light_parse(kit_light *light, const char *text, kit_error *err);
 /* ---- >>truth ------------------------------------------------------------------------------------------------ */
 
 void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh);         /* fills znear and zfar where they are 0 */
+/* moves the eye to where from's is when turned about its target, around its up */
+void kit_camera_orbit(kit_camera *camera, const kit_camera *from, double degrees);
 /* world to view, view to clip as the depth layout wants it (REVERSED and INFINITE: clip z in [0, w]; NORMAL: [-w,
    w]) */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16]);

@@ -54,7 +54,8 @@ ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
 ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
 
-ROW(history_row, "history", "1: averaged over frames, where there are any", NULL, 0, 0, 1, 1, PLAN, 0)
+ROW(history_row, "history", "1: averaged over frames before the filter; the first is as without",
+    NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
 ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
 ROW(march_row, "steps", "points along a direction; the first occluded one counts",
@@ -199,6 +200,8 @@ static const plan plans[] = {
       SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-best", "the same, full size, more taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_BEST, SLICES },
+    { "hsao-history", "the same for frames: half size, one slice of many taps, averaged over frames", SSGI_GL_HSAO,
+      SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
     { "hsao-march",
       "the paper's horizon march and normal rays",
       SSGI_GL_HSAO,
@@ -266,7 +269,11 @@ static const plan plans[] = {
         &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
-static const char bounce_settings[] = "directions=1,steps=16,behind=slabs,reuse=1";  /* instead of the preset's */
+/* Settings of methods that are not all the preset's. */
+static const char *const instead[][2] = {
+    { "hsao-history", "directions=1,steps=12,half=1,history=1" },
+    { "ssdo-bounce", "directions=1,steps=16,behind=slabs,reuse=1" }
+};
 
 int kit_method_at(kit_method *method, int i)
 {
@@ -292,14 +299,15 @@ int kit_method_at(kit_method *method, int i)
         if (value) m.setting[m.count].value = value;
         if (w == &blur_row) m.setting[m.count].value = desc.filter_radius;
     }
-    if (!strcmp(m.name, "ssdo-bounce") && kit_method_set(&m, bounce_settings, NULL)) return 0;
+    for (size_t k = 0; k < sizeof instead / sizeof *instead; ++k)
+        if (!strcmp(m.name, instead[k][0]) && kit_method_set(&m, instead[k][1], NULL)) return 0;
     *method = m;
     return 1;
 }
 
 int kit_method_find(kit_method *method, const char *name, kit_error *err)
 {
-    char names[256] = "";
+    char names[320] = "";
     kit_method m;
     for (int i = 0; kit_method_at(&m, i); ++i) {
         if (!strcmp(m.name, name)) { *method = m; return 0; }

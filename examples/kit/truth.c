@@ -92,6 +92,23 @@ void kit_camera_planes(kit_camera *camera, const kit_mesh *mesh)
         camera->znear = (float)fmin(fmax(nearest * 0.99, (double)camera->zfar * 1e-3), (double)camera->zfar * 0.9);
 }
 
+void kit_camera_orbit(kit_camera *camera, const kit_camera *from, double degrees)
+{
+    const double a = degrees * 0.017453292519943295, c = cos(a), s = sin(a);
+    double up[3], away[3], length = 0, along = 0;
+    for (int i = 0; i < 3; ++i) length += (double)from->up[i] * (double)from->up[i];
+    for (int i = 0; i < 3; ++i) {
+        up[i] = (double)from->up[i] / sqrt(length);
+        away[i] = (double)from->eye[i] - (double)from->target[i];
+        along += up[i] * away[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int k = (i + 1) % 3, n = (i + 2) % 3;
+        camera->eye[i] = from->target[i] + (float)(c * away[i] + s * (up[k] * away[n] - up[n] * away[k])
+                                                   + (1 - c) * along * up[i]);
+    }
+}
+
 /* An orthographic camera has no far plane at infinity: INFINITE is REVERSED for it. */
 void kit_camera_matrices(const kit_camera *camera, float view[16], float projection[16])
 {
