@@ -102,7 +102,7 @@ static int drawn(kit_image *out, shot *s, const char *name, const char *set_to, 
     return failed;
 }
 
-/* The same with what the run before kept, and without; runs: this and the last, which is closed. */
+/* The same with what the run before kept, and without, noise alike; runs: this and the last, which is closed. */
 static int kept(shot *s, int m, kit_run *run, kit_run *last, unsigned frame, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };
@@ -110,7 +110,11 @@ static int kept(shot *s, int m, kit_run *run, kit_run *last, unsigned frame, kit
     if (kit_method_find(&made, methods[m].method, err) || kit_method_set(&made, methods[m].settings, err)
         || kit_run_open(run, &s->gbuffer, &made, s->radius, &world, err))
         return -1;
+    const float phase = run->frame.phase;
+    if (frame) run->frame.phase = ssgi_gl_phase(frame);    /* as kit_run_follow will have it */
+    kit_run_update(run);
     kit_run_draw(run, 0);
+    run->frame.phase = phase;
     if (kit_run_read(&s->single[m], run, err) || (frame && kit_run_follow(run, last, frame, err))) return -1;
     if (frame) kit_run_draw(run, 0);
     if (frame) kit_run_close(last);
