@@ -73,7 +73,7 @@
       In your own forward shader: ssgi_gl_field, the same functions as text
 
    OVER FRAMES
-      history  before blur, which reads its first target, at half size or full: t_ssgi_ao or t_ssgi_light, and what it
+      history  before blur, with its desc; blur reads its first target. Reads t_ssgi_ao or t_ssgi_light, and what it
                wrote last; two sets of targets change places. frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history
                but after a cut or a change of size
 
@@ -249,9 +249,9 @@ typedef struct ssgi_gl_desc {
     int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: one of the two must not be NONE; both share the visibility,
                             two targets */
-    int restore;         /* and s3ho shaded, shade, blur   SSGI_GL_RESTORE_NONE ..: o_ssgi_light is not light before
-                            blur with this desc and colour = 1. Blur restores nothing of a bounce without an
-                            environment */
+    int restore;         /* and s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..: o_ssgi_light is not
+                            light before blur with this desc and colour = 1. Blur restores nothing of a bounce without
+                            an environment */
     int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
                             the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */

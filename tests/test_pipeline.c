@@ -1138,6 +1138,102 @@ static const float *values_seen(const kit_image *i)
     return kit_image_channel(i, i->channels > 1 ? "irradiance.G" : "Y");
 }
 
+/* What a camera saw, with motion vectors from the one before: how far every point went over the picture. */
+static int moved_frame(kit_image *out, const kit_scene *scene, const kit_camera *c, const kit_camera *before)
+{
+    float now[16], then[16], projection[16];
+    kit_gbuffer g;
+    kit_image seen;
+    if (!TRY(kit_gbuffer_from_scene(&g, scene, c, NULL, &err)) || !TRY(kit_gbuffer_read(&seen, &g, &err))
+        || !TRY(kit_image_new(out, c->width, c->height, "Z,N.X,N.Y,N.Z,motion.X,motion.Y", &err)))
+        return 0;
+    kit_camera_matrices(c, now, projection);
+    kit_camera_matrices(before, then, projection);
+    const size_t pixels = (size_t)c->width * (size_t)c->height;
+    static const char *const name[4] = { "Z", "N.X", "N.Y", "N.Z" };
+    for (size_t k = 0; k < 4; ++k)
+        memcpy(out->data + k * pixels, kit_image_channel(&seen, name[k]), pixels * sizeof *out->data);
+    for (size_t i = 0; i < pixels; ++i) {
+        const double z = (double)out->data[i], x = 2 * ((double)(i % (size_t)c->width) + 0.5) / c->width - 1,
+                     y = 1 - 2 * ((double)(i / (size_t)c->width) + 0.5) / c->height;
+        const double P[3] = { x * z / (double)projection[0], y * z / (double)projection[5], -z };
+        double world[3], Q[3];
+        if (!(z > 0)) continue;
+        for (int j = 0; j < 3; ++j) {
+            world[j] = 0;
+            for (int r = 0; r < 3; ++r) world[j] += (double)now[4 * j + r] * (P[r] - (double)now[12 + r]);
+        }
+        for (int r = 0; r < 3; ++r) {
+            Q[r] = (double)then[12 + r];
+            for (int j = 0; j < 3; ++j) Q[r] += (double)then[4 * j + r] * world[j];
+        }
+        out->data[4 * pixels + i] = (float)(0.5 * c->width * (x + Q[0] / Q[2] * (double)projection[0]));
+        out->data[5 * pixels + i] = (float)(-0.5 * c->height * (y + Q[1] / Q[2] * (double)projection[5]));
+    }
+    kit_image_free(&seen);
+    kit_gbuffer_free(&g);
+    return 1;
+}
+
+/* A camera that glides: told by its matrices; as motion of all things before a camera that stands still; not at all. */
+static void motion_is_followed(void)
+{
+    enum { FRAMES = 8, BY_CAMERA = 0, BY_MOTION, UNTOLD, WAYS };
+    kit_scene scene;
+    kit_method m;
+    double noise[WAYS + 1];
+    kit_image mean = { 0 }, single = { 0 };
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_method_find(&m, "hsao-fast", &err))
+        || !TRY(kit_method_set(&m, "history=1", &err)))
+        return;
+    scene.camera.width = 160;
+    scene.camera.height = 90;
+    for (int way = 0; way < WAYS; ++way) {
+        kit_run run[FRAMES];
+        kit_gbuffer g[FRAMES];
+        kit_camera c = scene.camera;
+        kit_image last;
+        for (unsigned k = 0; k < FRAMES; ++k) {
+            const kit_camera before = c;
+            kit_image frame;
+            c.eye[0] += k ? 0.06f : 0;
+            c.target[0] += k ? 0.06f : 0;
+            if (!moved_frame(&frame, &scene, &c, &before)) return;
+            if (way == UNTOLD) frame.name[4][0] = frame.name[5][0] = '_';
+            if (!TRY(kit_gbuffer_from_frame(&g[k], &frame, way == BY_CAMERA ? &c : &scene.camera, &err))) return;
+            if (way == BY_CAMERA) { glDeleteTextures(1, &g[k].motion); g[k].motion = 0; }
+            kit_image_free(&frame);
+            if (!TRY(kit_run_open(&run[k], &g[k], &m, scene.radius, NULL, &err))) return;
+            if (k && !TRY(kit_run_follow(&run[k], &run[k - 1], k, &err))) return;
+            kit_run_draw(&run[k], 0);
+        }
+        if (!TRY(kit_run_read(&last, &run[FRAMES - 1], &err))) return;
+        run[FRAMES - 1].frame.history = 0;
+        for (unsigned k = 0; !way && k < 32; ++k) {
+            kit_image other;
+            run[FRAMES - 1].frame.phase = ssgi_gl_phase(k + 100);
+            kit_run_update(&run[FRAMES - 1]);
+            kit_run_draw(&run[FRAMES - 1], 0);
+            if (!TRY(kit_run_read(k ? &other : &mean, &run[FRAMES - 1], &err))) return;
+            if (k == 1) single = other;
+            for (int p = 0; k && p < mean.width * mean.height; ++p)
+                mean.data[p] += (other.data[p] - mean.data[p]) / (float)(k + 1);
+            if (k > 1) kit_image_free(&other);
+        }
+        noise[way] = difference(&last, &mean, 0, 0, 0);
+        for (int k = 0; k < FRAMES; ++k) { kit_run_close(&run[k]); kit_gbuffer_free(&g[k]); }
+        kit_image_free(&last);
+    }
+    noise[WAYS] = difference(&single, &mean, 0, 0, 0);
+    CHECK(noise[BY_MOTION] < 0.85 * noise[WAYS] && noise[BY_MOTION] < 1.15 * noise[BY_CAMERA]
+              && noise[UNTOLD] > 1.2 * noise[BY_MOTION],
+          "noise %.4f; told by the camera %.4f, by motion %.4f, untold %.4f", noise[WAYS], noise[BY_CAMERA],
+          noise[BY_MOTION], noise[UNTOLD]);
+    t_note("noise %.4f; told by the camera %.4f, by motion %.4f, untold %.4f", noise[WAYS], noise[BY_CAMERA],
+           noise[BY_MOTION], noise[UNTOLD]);
+    kit_image_free(&mean); kit_image_free(&single); kit_scene_free(&scene);
+}
+
 /* A hundred last frames of anything; then two sound ones bring back what there is to see. */
 static void hostile_history(void)
 {
@@ -1258,6 +1354,7 @@ void test_pipeline(void)
     RUN("the foretold number of fetches is what shaders make", fetches_are_counted);
     RUN("a last frame is where both cameras say; one of another size is refused by name", last_frames);
     RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
+    RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);
     RUN("a hundred frames of hostile history leave no trace", hostile_history);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
     kit_gl_close();
