@@ -2910,8 +2910,7 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
     }
 }
 
-/* ---- the lines of a function that a desc keeps */
-/* state: of each #if around: '+' kept, '-' not yet, '.' no more */
+/* ---- the lines of a function that a desc keeps; state: of each #if around: '+' kept, '-' not yet, '.' no more */
 typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
 } ssgi_gl__reader;
 
@@ -3054,8 +3053,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
     return n;
 }
 
-/* ---- printing */
-/* A sink that writes, measures and hashes. */
+/* ---- printing: a sink that writes, measures and hashes */
 typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
 
 static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)

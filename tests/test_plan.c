@@ -116,7 +116,7 @@ static void by_hand(void)
           0,
           0,
           0.00180563 },
-        /* 0, 0.1157, coarse 0.1702, coarser 0.1991 */
+        /* 0, 0.12, coarse 0.17, coarser 0.19 */
         { { .wanted = SSGI_PLAN_VISIBILITY,
             .calibration = { 1, 0.15f, 0.05f },
             .triangles = 1,
@@ -126,7 +126,7 @@ static void by_hand(void)
           0,
           0,
           0.03f,
-          0.0351332 },
+          0.0351568 },
         /* 0.1230, 0.2858, uneven 0.0114, 0.0134 */
         { { .wanted = SSGI_PLAN_LIGHT,
             .calibration = { 1, 0.01f, 0.005f },
