@@ -643,6 +643,13 @@ static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
     return kit_scene_place(scene, k, to, err);
 }
 
+/* As its ending says, EXR or PNG. */
+static int write_picture(const kit_image *picture, int lit, const char *path, kit_error *err)
+{
+    return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
+                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+}
+
 /* A picture a frame; each run takes over the last one's history. */
 static int play(job *j, kit_error *err)
 {
@@ -677,8 +684,7 @@ static int play(job *j, kit_error *err)
         failed = kit_run_read(&picture, run, err);
         if (failed) break;
         if (!numbered(path, sizeof path, o->out, k)) failed = kit_fail(err, "--out %s: is too long", o->out);
-        failed = failed || (strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(&picture, path, err)
-            : kit_png_write(&picture, j->r.lit ? "R,G,B" : "Y", j->r.lit, path, err));
+        failed = failed || write_picture(&picture, j->r.lit, path, err);
         kit_image_free(&picture);
         kit_progress("frames", o->frames ? (k + 1.0) / o->frames : 0.5);
     }
@@ -708,11 +714,7 @@ static int do_job(job *j, kit_error *err)
     const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && score_of(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
-    if (o->out) {
-        const int png = !strcmp(strrchr(o->out, '.'), ".png");
-        if (png ? kit_png_write(&r->picture, r->lit ? "R,G,B" : "Y", r->lit, o->out, err)
-            : kit_exr_write(&r->picture, o->out, err)) return -1;
-    }
+    if (o->out && write_picture(&r->picture, r->lit, o->out, err)) return -1;
     report(o, &j->method, r, j->radius);
     return 0;
 }
