@@ -280,8 +280,8 @@ typedef struct ssgi_gl_desc {
     int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches of triangles: 410, 450, 320es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  slices
-                            see what is as near as that, surfels the rest and what is hidden; 0: no such share */
+    int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
+                            is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
     int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
@@ -2335,9 +2335,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n"
     "}\n" },
 { "ssgi_last", __LINE__ + 1,
-    "// What the last frame's texel held whose contents were seen closest to P, of the four about its place that show\n"
-    "// this plane and hold numbers; how far off it was, in texels; z: 0 if there is none. Interpolated frame by\n"
-    "// frame contents would blur: each is kept whole and carries its offset, sixteenths of a texel, as x * 32 + y.\n"
+    "// Reprojects P: of the last frame's four texels around its place the closest one that shows P's plane and holds\n"
+    "// finite values. Returns its offset in texels; z: 0 if there is none. Interpolation would blur over frames, so\n"
+    "// that texel is kept whole and its offset is carried along, in sixteenths of a texel, as x * 32 + y.\n"
     "vec3 ssgi_last(ivec2 p, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first, out vec4 result, out vec4 means) {\n"
     "    vec3 best = vec3(0.0), was = ssgi_was(P); vec2 at = was.xy;\n"
     "    float slack = was.z > 0.0 && u_ssgi_history > 1.0 ? 2.0 * wide : -SSGI_FAR, least = 8.0;\n"
@@ -2384,7 +2384,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float few = 9.0 / sum.z; sum /= sum.z;\n"
     "    vec3 off = ssgi_last(p, P, n, float(wide), size, first, last, means);\n"
     "    if (off.z > 0.0) frames = min(means.z + 1.0, u_ssgi_history);\n"
-    "    // All starts anew where the depth of a few taps shows that an occluder came or went.\n"
+    "    // The average starts anew where depth at a few taps shows that an occluder came or went.\n"
     "    vec2 xi = fract(fract(dot(vec2(h), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / float(wide); // #if orthographic\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * (u_ssgi_radius / (z * float(wide))); // #if !orthographic\n"
@@ -2401,8 +2401,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        l = distance(Q, P) / u_ssgi_radius;\n"
     "        if (is && l < 1.0 && dot(n, Q - P) * (1.0 - l) > 0.05 * l * u_ssgi_radius) frames = 1.0;\n"
     "    }\n"
-    "    // Where light moved the average must follow. 3x3 pixels of a frame or two are compared,\n"
-    "    // with noise of a quarter to a seventh of their spread, more where few are of this surface.\n"
+    "    // Where light changes the average follows: its 3x3 mean stays within the noise of recent frames',\n"
+    "    // a quarter to a seventh of their spread, more where few are of this surface.\n"
     "    float spread = sqrt((max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0)) * few);\n"
     "    float jump = 0.7 * spread + 0.02 * abs(sum.x), drift = 0.2 * spread + 0.005 * abs(sum.x) + 1e-9;\n"
     "    float quick = clamp(mix(means.x, sum.x, 1.0 / min(frames, 2.0)), sum.x - jump, sum.x + jump);\n"

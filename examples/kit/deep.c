@@ -89,8 +89,7 @@ static int add_near(kit_making *m, int effect)
     return p ? m->run->passes - 1 : -1;
 }
 
-/* splat .. sum of one effect; seen: the light of what is seen, 0 = none; *out: what comes
-   out. */
+/* splat .. sum of one effect. seen: light of what the picture shows, 0 = none; *out: what sum wrote. */
 static int add_splats(kit_making *m, const kit_pass *from, int effect, GLuint seen, GLuint *out)
 {
     kit_run *run = m->run;

@@ -510,7 +510,7 @@ static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
     p->lights = m->rows[0];
     *light = p->target[0];
     if (!vectors && kit_add_blur(m, gather.shaded ? &gather : &shade, light)) return -1;
-    run->pass[run->passes - 1].lights = m->rows[0];
+    run->pass[run->passes - 1].lights = m->rows[0];         /* blur restores them, too */
     if (aside) run->fetches = fetches;
     for (int i = first; i < run->passes; ++i) run->pass[i].aside = aside;
     return 0;
@@ -625,8 +625,6 @@ static int add_reused(kit_making *m, GLuint *light, GLuint *received)
     return 0;
 }
 
-/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
-   out. */
 int kit_add_seen_senders(kit_making *m, GLuint light)
 {
     kit_run *run = m->run;
@@ -636,6 +634,8 @@ int kit_add_seen_senders(kit_making *m, GLuint light)
     return add_senders(m, g, -1, 0, light);
 }
 
+/* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
+   out. */
 static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
 {
     kit_gbuffer *g = m->run->gbuffer;

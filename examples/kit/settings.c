@@ -54,7 +54,7 @@ ROW(view_layers_row, "view_layers", "depth layers of each extra camera",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(view_layers))
 ROW(view_size_row, "view_size", "pixels of an extra camera's side", NULL, 256, 16, 4096, 1, PLAN, 0)
 
-ROW(history_row, "history", "1: averaged over frames before the filter; the first is as without",
+ROW(history_row, "history", "1: averaged over frames before the filter; the first frame is as without it",
     NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(margin_row, "margin", "G-buffer beyond the image's edges, in radii; scenes only", NULL, 0, 0, 4, 0, PLAN, 0)
 ROW(samples_row, "samples", "directions per pixel", NULL, 16, 1, 64, 1, GATHER, DESC(samples))
@@ -135,7 +135,7 @@ ROW(way_row, "way", "surfels made on the CPU, captured from tessellation, or spl
     "cpu capture direct", 0, 0, 2, 1, PLAN, 0)
 ROW(near_row, "near_samples", "points over a surfel for pixels within 4 of its radii; 1: its centre",
     NULL, 4, 1, 16, 1, GATHER, DESC(near_samples))
-ROW(span_row, "span", "slices see what is as near as that, in radii of surfels; surfels the rest and what is hidden",
+ROW(span_row, "span", "what is nearer than so many surfel radii is left to slices, all else to surfels",
     NULL, 4, 0, 64, 1, GATHER, DESC(span))
 ROW(hidden_sky_row, "sky", "1: --env lights surfels that the picture does not show, too, unoccluded",
     NULL, 0, 0, 1, 1, PLAN, 0)
@@ -412,7 +412,7 @@ int kit_settings_apply(kit_making *m, float radius)
     m->blur.filter_radius = m->blurred;
     m->kept = kit_method_value(m->method, "history") > 0;
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
-        return kit_fail(m->err, "--set history=1: is of light, not of vectors: filtered=light");
+        return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
