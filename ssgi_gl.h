@@ -534,27 +534,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "SSGI_FAR", __LINE__, "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
 { "ssgi_inside", __LINE__, "bool ssgi_inside(ivec2 p) {\n"
-    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
-    "}\n" },
+    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n}\n" },
 { "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
     "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
     "    return d != u_ssgi_decode.z && w > 0.0 && w < SSGI_FAR ? w : SSGI_FAR; // #if orthographic\n"
-    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n"
-    "}\n" },
+    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n}\n" },
 { "ssgi_depth", __LINE__, "// view depth at a pixel\n"
     "float ssgi_depth(ivec2 p) {\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
-    "}\n" },
+    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
 { "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel\n"
     "float ssgi_layer(ivec2 p, int j) {\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
-    "}\n" },
+    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
 { "ssgi_slabs", __LINE__ + 1,
     "// view depths: of the nearest back face at or behind what is seen, of the next front face behind that, of where\n"
     "// that ends\n"
@@ -562,33 +558,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if behind == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
     "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
-    "    return mix(z, vec3(SSGI_FAR), lessThanEqual(z, vec3(0.0))); // #if depth != WINDOW\n"
-    "}\n" },
+    "    return mix(z, vec3(SSGI_FAR), lessThanEqual(z, vec3(0.0))); // #if depth != WINDOW\n}\n" },
 { "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
-    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n"
-    "}\n" },
+    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n}\n" },
 { "ssgi_project", __LINE__, "// the pixel position of a view-space point in front of the eye\n"
     "vec2 ssgi_project(vec3 P) {\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
-    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
-    "}\n" },
+    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n}\n" },
 { "ssgi_footprint", __LINE__, "// width of a pixel at a view depth\n"
     "float ssgi_footprint(float z) {\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
-    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n"
-    "}\n" },
+    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n}\n" },
 { "ssgi_screen", __LINE__, "// pixels that a small step along t from P covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
-    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n"
-    "}\n" },
+    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n}\n" },
 { "ssgi_toward", __LINE__, "// unit vector to the eye\n"
     "vec3 ssgi_toward(vec3 P) {\n"
     "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
-    "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n"
-    "}\n" },
+    "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n}\n" },
 { "ssgi_sphere", __LINE__, "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
@@ -609,41 +599,34 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (off.y > 0.0 && b.y * t.y > near * cc.y) to.y = (x.y * t.y + z * r) / b.y;\n"
     "    vec4 p = vec4(from, to) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#endif\n"
-    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
-    "}\n" },
+    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n}\n" },
 { "ssgi_octahedral", __LINE__, "// a direction on the octahedral map's square, [-1,1]\n"
     "vec2 ssgi_octahedral(vec3 d) {\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
-    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
-    "}\n" },
+    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n}\n" },
 { "ssgi_octahedral_decode", __LINE__, "// and back; not unit\n"
     "vec3 ssgi_octahedral_decode(vec2 e) {\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
-    "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
-    "}\n" },
+    "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n}\n" },
 { "ssgi_unit", __LINE__, "// a unit normal from whatever the texture held\n"
     "vec3 ssgi_unit(vec3 n) {\n"
     "    float l = dot(n, n);\n"
-    "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
-    "}\n" },
+    "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n}\n" },
 { "ssgi_normal_texel", __LINE__, "vec4 ssgi_normal_texel(ivec2 p) {\n"
     "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0); // #if receiver\n"
-    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n"
-    "}\n" },
+    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n}\n" },
 { "ssgi_raw_normal", __LINE__, "vec3 ssgi_raw_normal(ivec2 p) {\n"
     "    return ssgi_normal_texel(p).xyz; // #if normal == SIGNED\n"
     "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0; // #if normal == UNSIGNED\n"
     "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy); // #if normal == OCTAHEDRAL\n"
-    "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n"
-    "}\n" },
+    "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n}\n" },
 { "ssgi_tangent", __LINE__, "// difference along +step to the neighbour on either side whose depth is closer\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
     "    vec3 A = ssgi_position(vec2(p + step_) + 0.5, a) - P, B = P - ssgi_position(vec2(p - step_) + 0.5, b);\n"
-    "    return abs(A.z) < abs(B.z) ? A : B;\n"
-    "}\n" },
+    "    return abs(A.z) < abs(B.z) ? A : B;\n}\n" },
 { "ssgi_normal", __LINE__, "#if normal == FROM_DEPTH\n"
     "// unit view-space normal at a pixel whose point is P, facing the viewer\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
@@ -655,8 +638,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// unit view-space normal at a pixel whose point is P\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
-    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n"
-    "}\n#endif\n" },
+    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n}\n#endif\n" },
 { "ssgi_noise", __LINE__, "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
     "#if noise == GRADIENT\n"
@@ -667,25 +649,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
     "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
     "#endif\n"
-    "    return fract(xi + u_ssgi_phase);\n"
-    "}\n" },
+    "    return fract(xi + u_ssgi_phase);\n}\n" },
 { "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
     "mat3 ssgi_basis(vec3 n) {\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
-    "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n"
-    "}\n" },
+    "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n}\n" },
 { "ssgi_environment", __LINE__, "// radiance of the environment about a world-space direction\n"
     "vec3 ssgi_environment(vec3 d) {\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0);\n"
     "    ivec2 p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
-    "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
-    "}\n" },
+    "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n}\n" },
 { "ssgi_irradiance_texel", __LINE__, "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // beyond an edge the octahedral square continues mirrored\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
-    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
-    "}\n" },
+    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n}\n" },
 { "ssgi_irradiance_map", __LINE__ + 1,
     "// unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it, bilinear\n"
     "// over four texels\n"
@@ -696,21 +674,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    t -= vec2(p);\n"
     "    vec3 a = ssgi_irradiance_texel(p, last, slice), b = ssgi_irradiance_texel(p + ivec2(1, 0), last, slice);\n"
     "    vec3 c = ssgi_irradiance_texel(p + ivec2(0, 1), last, slice), d = ssgi_irradiance_texel(p + 1, last, slice);\n"
-    "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
-    "}\n" },
+    "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n}\n" },
 /* ---- what senders write, one fetch a sample */
 
 { "ssgi_unpack_radiance", __LINE__, "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
     "vec3 ssgi_unpack_radiance(uint u) {\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
-    "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
-    "}\n" },
+    "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n}\n" },
 { "ssgi_unpack_depth", __LINE__, "float ssgi_unpack_depth(uint u) {\n"
-    "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
-    "}\n" },
+    "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n}\n" },
 { "ssgi_unpack_normal", __LINE__, "vec3 ssgi_unpack_normal(uint u) {\n"
-    "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
-    "}\n" },
+    "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n}\n" },
 { "ssgi_pack_radiance", __LINE__, "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
@@ -718,36 +692,31 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
-    "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
-    "}\n" },
+    "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n}\n" },
 { "ssgi_pack_place", __LINE__, "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
     "uint ssgi_pack_place(float z, vec3 n) {\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
-    "    return (depth << 12u) | (e.y << 6u) | e.x;\n"
-    "}\n" },
+    "    return (depth << 12u) | (e.y << 6u) | e.x;\n}\n" },
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
 { "ssgi_lift", __LINE__ + 1,
     "// the receiver lifted along its normal, so that nearest fetches of its own plane stay below it [HSAO08 eq.\n"
     "// 13]\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
-    "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
-    "}\n" },
+    "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n}\n" },
 { "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
 { "ssgi_thickness", __LINE__, "// constant thickness of visible surfaces\n"
     "float ssgi_thickness() {\n"
     "    // short segments must not hit surfaces that float far in front of them\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
-    "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
-    "}\n" },
+    "    return u_ssgi_thickness; // #if pass != LIGHTS\n}\n" },
 { "ssgi_deep", __LINE__ + 1,
     "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
     "// surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
-    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n"
-    "}\n" },
+    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n}\n" },
 /* ---- the occluder: what it sends, its distance */
 
 { "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
@@ -760,16 +729,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz;\n"
     "    }\n"
     "#endif\n"
-    "    return ssgi_position(vec2(p) + 0.5, z);\n"
-    "}\n" },
+    "    return ssgi_position(vec2(p) + 0.5, z);\n}\n" },
 { "ssgi_sender", __LINE__ + 1,
     "vec4 ssgi_sender; // radiance from the surface at the sample to the receiver; its distance from the sample\n" },
 { "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
 { "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
-    "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
-    "}\n" },
+    "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n}\n" },
 { "ssgi_sent", __LINE__, "// radiance from a surface at Q to the receiver\n"
     "vec3 ssgi_sent(uvec2 s, vec3 Q) {\n"
     "#if bounce == PATCH\n"
@@ -783,8 +750,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_unpack_radiance(s.x);\n"
     "#else\n"
     "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_faded", __LINE__, "// weight of an occluder at Q in the depth buffer\n"
     "float ssgi_faded(vec3 Q) {\n"
     "    vec3 d = Q - ssgi_P;\n"
@@ -792,15 +758,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
     "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
     "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
-    "    return max(weight, 1e-6); // above 0: it is an occluder\n"
-    "}\n" },
+    "    return max(weight, 1e-6); // above 0: it is an occluder\n}\n" },
 { "ssgi_view_depth", __LINE__ + 1,
     "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d;\n"
     "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
-    "    return decode.w > 0.0 ? w : 1.0 / w;\n"
-    "}\n" },
+    "    return decode.w > 0.0 ? w : 1.0 / w;\n}\n" },
 { "ssgi_surface", __LINE__, "// view depth of layer j at a pixel of camera v\n"
     "float ssgi_surface(int v, ivec2 p, int j) {\n"
     "#if views\n"
@@ -808,8 +772,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, texel, 0).x);\n"
     "#endif\n"
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
-    "    return ssgi_depth(p);\n"
-    "}\n" },
+    "    return ssgi_depth(p);\n}\n" },
 { "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
 { "ssgi_offer", __LINE__ + 1,
     "// of the surfaces around the sample that send light the one closest to the segment is the sender\n"
@@ -818,8 +781,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float gap = dot(d, d);\n"
     "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
     "    ssgi_sender = vec4(L, gap);\n"
-    "    ssgi_sender_place = s.y; // #if transfer\n"
-    "}\n" },
+    "    ssgi_sender_place = s.y; // #if transfer\n}\n" },
 { "ssgi_occupancy", __LINE__ + 1,
     "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd layer to the next; -1 in\n"
     "// front of the visible surface by more than the slack; 0 unknown.\n"
@@ -849,8 +811,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        // within the slack in front of a surface is unknown, too\n"
     "        known = known || s < back || far >= SSGI_FAR;\n"
     "    }\n"
-    "    return found;\n"
-    "}\n" },
+    "    return found;\n}\n" },
 { "ssgi_blocked", __LINE__, "#if layers > 1 || views\n"
     "// occlusion of S: inside solid geometry\n"
     "float ssgi_blocked(vec3 S) {\n"
@@ -870,8 +831,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "    }\n"
     "#endif\n"
-    "    return max(found, 0.0);\n"
-    "}\n#endif\n" },
+    "    return max(found, 0.0);\n}\n#endif\n" },
 { "ssgi_blocked", __LINE__, "#if !(layers > 1 || views)\n"
     "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
@@ -900,8 +860,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
-    "        ? 1.0 : 0.0; // #if !(fade || range)\n"
-    "}\n#endif\n" },
+    "        ? 1.0 : 0.0; // #if !(fade || range)\n}\n#endif\n" },
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
@@ -932,8 +891,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y.d = vec4(n.z * (1.86588166 * zz - 1.11952900), n.x * five, 1.44530572 * n.z * (q.x - q.y),\n"
     "               0.59004359 * n.x * (q.x - 3.0 * q.y));\n"
     "#endif\n"
-    "    return y;\n"
-    "}\n" },
+    "    return y;\n}\n" },
 { "SSGI_COSINE", __LINE__, "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
 { "ssgi_sh_zonal", __LINE__, "// a lobe about n from its zonal harmonics, a lane a band\n"
@@ -944,24 +902,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y.b *= zonal.z; // #if bands > 2\n"
     "    y.c *= zonal.zwww; // #if bands > 2\n"
     "    y.d *= zonal.w; // #if bands > 3\n"
-    "    return y;\n"
-    "}\n" },
+    "    return y;\n}\n" },
 { "ssgi_sh_add", __LINE__, "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
     "    s.a += y.a * w;\n"
     "    s.b += y.b * w; // #if bands > 2\n"
     "    s.c += y.c * w; // #if bands > 2\n"
-    "    s.d += y.d * w; // #if bands > 3\n"
-    "}\n" },
+    "    s.d += y.d * w; // #if bands > 3\n}\n" },
 { "ssgi_sh_dot", __LINE__, "// the integral of the product\n"
     "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) {\n"
     "    float s = dot(x.a, y.a);\n"
     "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
     "    s += dot(x.d, y.d); // #if bands > 3\n"
-    "    return s;\n"
-    "}\n" },
+    "    return s;\n}\n" },
 { "ssgi_sh_complex", __LINE__, "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
-    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
-    "}\n" },
+    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n" },
 { "ssgi_sh_about_z", __LINE__ + 1,
     "// turns the bands from the third on about z, by the angle whose cosine and sine are u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
@@ -975,8 +929,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
     "    s.d.yzw = vec3(one.x, two.x, three.x);\n"
     "    s.c.yzw = vec3(three.y, two.y, one.y);\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_sh_quarter", __LINE__, "// and about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
@@ -988,8 +941,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "                   way * (0.61237244 * o.z + 0.79056942 * o.w));\n"
     "    s.d = vec4(way * (-0.79056942 * o.x - 0.61237244 * o.y), -0.25 * s.d.y - 0.96824584 * s.d.w,\n"
     "               way * (0.61237244 * o.x - 0.79056942 * o.y), 0.25 * s.d.w - 0.96824584 * s.d.y);\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_sh_turn", __LINE__, "// turns a function by a rotation: its value at n goes to R n\n"
     "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
     "    s.a.yzw = (R * s.a.wyz).yzx; // #if bands > 1\n"
@@ -1005,8 +957,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_about_z(s, vec2(R[2].z, sqrt(m)));\n"
     "    ssgi_sh_quarter(s, -1.0);\n"
     "    ssgi_sh_about_z(s, phi);\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_pack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
     "// packHalf2x16, which this language lacks: to nearest even\n"
     "uint ssgi_pack_half(vec2 v) {\n"
@@ -1018,8 +969,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#else\n"
     "uint ssgi_pack_half(vec2 v) {\n"
-    "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n"
-    "}\n#endif\n" },
+    "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n}\n#endif\n" },
 { "ssgi_unpack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
     "vec2 ssgi_unpack_half(uint u) {\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
@@ -1029,8 +979,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#else\n"
     "vec2 ssgi_unpack_half(uint u) {\n"
-    "    return unpackHalf2x16(u);\n"
-    "}\n#endif\n" },
+    "    return unpackHalf2x16(u);\n}\n#endif\n" },
 { "ssgi_unpack", __LINE__, "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
     "    s.a = vec4(ssgi_unpack_half(u.x).x, 0.0, 0.0, 0.0);\n"
@@ -1039,8 +988,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.c = vec4(ssgi_unpack_half(v.x).x, 0.0, 0.0, 0.0); // #if bands > 2\n"
     "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y)); // #if bands > 3\n"
     "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w)); // #if bands > 3\n"
-    "    return s;\n"
-    "}\n" },
+    "    return s;\n}\n" },
 { "ssgi_load", __LINE__, "// what s3ho wrote at a texel of its targets\n"
     "ssgi_coefficients ssgi_load(ivec2 p) {\n"
     "    ssgi_coefficients v;\n"
@@ -1070,21 +1018,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0);\n"
     "#endif\n"
     "#endif\n"
-    "    return v;\n"
-    "}\n" },
+    "    return v;\n}\n" },
 { "ssgi_pack_first", __LINE__, "// coefficients 0..7, 8..15\n"
     "uvec4 ssgi_pack_first(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), 0u, 0u, 0u);\n"
     "    u.y = ssgi_pack_half(s.a.zw); // #if bands > 1\n"
     "    u.z = ssgi_pack_half(s.b.xy); // #if bands > 2\n"
     "    u.w = ssgi_pack_half(s.b.zw); // #if bands > 2\n"
-    "    return u;\n"
-    "}\n" },
+    "    return u;\n}\n" },
 { "ssgi_pack_more", __LINE__, "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
-    "    return u;\n"
-    "}\n" },
+    "    return u;\n}\n" },
 { "ssgi_store", __LINE__, "void ssgi_store(ssgi_coefficients v) {\n"
     "#if transfer\n"
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
@@ -1103,32 +1048,27 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_sh1 = v.c[0].b; // #if bands > 2\n"
     "    o_ssgi_sh2 = v.c[0].c; // #if bands > 2\n"
     "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_coefficients_none", __LINE__, "ssgi_coefficients ssgi_coefficients_none() {\n"
     "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
-    "    return v;\n"
-    "}\n" },
+    "    return v;\n}\n" },
 { "ssgi_ambient", __LINE__, "// ambient visibility from the coefficients\n"
     "vec3 ssgi_ambient(ssgi_coefficients v) {\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
-    "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
-    "}\n" },
+    "    return clamp(a * 1.12837917, 0.0, 1.0);\n}\n" },
 { "ssgi_incoming", __LINE__, "// one channel of irradiance from coefficients [S3HO12 eq. 3]\n"
     "float ssgi_incoming(int c, ssgi_sh s) {\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
-    "    return e;\n"
-    "}\n" },
+    "    return e;\n}\n" },
 { "ssgi_irradiance", __LINE__, "// and all three, over pi, of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
     "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
-    "    return e;\n"
-    "}\n" },
+    "    return e;\n}\n" },
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
 { "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
@@ -1145,14 +1085,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.l /= s.d;\n"
     "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
     "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
-    "    return s;\n"
-    "}\n" },
+    "    return s;\n}\n" },
 { "ssgi_segment", __LINE__, "// 1 if any point of a segment from the lifted receiver is occluded\n"
     "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
     "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
-    "    return 0.0;\n"
-    "}\n" },
+    "    return 0.0;\n}\n" },
 { "ssgi_shadow", __LINE__ + 1,
     "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
     "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
@@ -1175,8 +1113,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // plus the rounding of the map's depth and of P\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    contact = max(q.z - slack - z, 0.0) * length_;\n"
-    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
-    "}\n" },
+    "    return q.z - b - slack > z ? 1.0 : 0.0;\n}\n" },
 { "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
@@ -1209,8 +1146,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
-    "    return sum;\n"
-    "}\n" },
+    "    return sum;\n}\n" },
 { "main_lights", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
@@ -1223,8 +1159,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    o_ssgi_light.xyz = ssgi_lit(P, n) * 0.31830989;\n"
     "#endif\n"
-    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
-    "}\n" },
+    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n}\n" },
 { "main_senders", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
@@ -1240,8 +1175,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
-    "}\n" },
+    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n}\n" },
 { "ssgi_bent", __LINE__ + 1,
     "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of a cone about it with\n"
     "// the same spread: cosine-weighted directions in a cone of cosine c have a mean of length 2/3 (1 + c + c^2) /\n"
@@ -1249,8 +1183,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
-    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
-    "}\n" },
+    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n}\n" },
 { "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
     "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
@@ -1266,8 +1199,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
     "    float lost = max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
     "    e += ssgi_ambient(v) * lost; // #if residual\n"
-    "    return s.colour.xyz * e * s.g;\n"
-    "}\n" },
+    "    return s.colour.xyz * e * s.g;\n}\n" },
 { "ssgi_shaded", __LINE__, "// irradiance over pi from the coefficients of a receiver\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
     "#if shading == HARMONICS\n"
@@ -1287,8 +1219,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#if lights\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
     "#endif\n"
-    "    return sum;\n"
-    "}\n" },
+    "    return sum;\n}\n" },
 { "ssgi_open", __LINE__, "// unoccluded irradiance over pi\n"
     "vec3 ssgi_open(vec3 P, vec3 n) {\n"
     "#if environment == MAP\n"
@@ -1297,14 +1228,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
     "    return ssgi_shaded(v, P, n);\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_kept", __LINE__, "// what is written of a receiver's light: desc.restore\n"
     "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) {\n"
     "    return max(light, 0.0); // #if !restore\n"
     "    return clamp(light / max(ssgi_open(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n"
-    "}\n" },
+    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n}\n" },
 { "main_shade", __LINE__, "void main() {\n"
     "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
@@ -1319,16 +1248,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore && (bands > 1 || shading))\n"
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n), P, n);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 /* ==== >>gather: sampling around a pixel ========================================================================== */
 
 { "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
 { "ssgi_length", __LINE__, "// distance of a sample along its direction\n"
     "float ssgi_length(float xi) {\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
-    "    return xi; // #if falloff != SQUARE\n"
-    "}\n" },
+    "    return xi; // #if falloff != SQUARE\n}\n" },
 /* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what an occluded direction contributes. */
 
 { "ssgi_reflected", __LINE__ + 1,
@@ -1338,8 +1265,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
-    "}\n" },
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n}\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSAO\n"
     "// occlusion from point samples: cosine-weighted directions; the distribution of lengths gives the attenuation\n"
     "// of desc.falloff\n"
@@ -1413,31 +1339,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if !restore\n"
     "    o_ssgi_light.xyz = (o_ssgi_light.xyz - 1.0) * ssgi_open(P, n); // #if restore == DIFFERENCE\n"
     "#endif\n"
-    "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
-    "}\n#endif\n" },
+    "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n}\n#endif\n" },
 { "ssgi_surfel_radius", __LINE__, "float ssgi_surfel_radius(float depth) {\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
-    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
-    "}\n" },
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n}\n" },
 { "ssgi_span", __LINE__, "float ssgi_span; // how far slices see what surfels do not, view units\n" },
 { "ssgi_near", __LINE__, "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
-    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
-    "}\n" },
+    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n}\n" },
 { "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
     "float ssgi_attenuation(float d) {\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
     "    d /= u_ssgi_radius; // #if !hard\n"
     "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
-    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
-    "}\n" },
+    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n}\n" },
 { "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = u_ssgi_radius * (float(i) + xi) / float(SSGI_STEPS);\n"
     "        if (ssgi_blocked(start + direction * d) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
-    "    return 0.0;\n"
-    "}\n" },
+    "    return 0.0;\n}\n" },
 { "ssgi_horizon", __LINE__ + 1,
     "// Horizon of one tangent direction t by deflecting a ray toward the surface [HSAO08 fig. 4]: x is H, the sine\n"
     "// of its elevation, y the occlusion below it, the sum of the increments of H^2, each attenuated by the\n"
@@ -1461,8 +1382,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            }\n"
     "        }\n"
     "    }\n"
-    "    return r;\n"
-    "}\n" },
+    "    return r;\n}\n" },
 { "ssgi_above", __LINE__ + 1,
     "// occlusion above a horizon H in direction t: equal weights over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
@@ -1471,8 +1391,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float zz = H * H + (1.0 - H * H) * (float(k) + xi.x) / float(SSGI_NORMAL_RAYS);\n"
     "        sum += ssgi_ray(start, n * sqrt(zz) + t * sqrt(1.0 - zz), xi.y);\n"
     "    }\n"
-    "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
-    "}\n" },
+    "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n}\n" },
 { "ssgi_arc", __LINE__ + 1,
     "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c: the integral of\n"
     "// sin x cos(g - x), where g is the signed angle from the view direction to the projected normal; half its\n"
@@ -1480,8 +1399,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec2 ssgi_arc(vec2 c, float cosg, vec2 sing) {\n"
     "    vec2 q = c * c; // acos c - c sin acos c, to 0.0015, is 0 at c = 1 and odd about c = 0\n"
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
-    "    return cosg * (1.0 - q) + sing * e;\n"
-    "}\n" },
+    "    return cosg * (1.0 - q) + sing * e;\n}\n" },
 /* The walk: planes through the view direction, from near to far. Each side has 32 sectors of equal cosine-weighted
    measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its distance; the
    surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them,
@@ -1495,8 +1413,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_between", __LINE__, "// the sectors from one to another, a bit each\n"
     "uvec2 ssgi_between(vec2 from, vec2 to) {\n"
     "    uvec2 a = uvec2(from), b = uvec2(to), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
-    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n"
-    "}\n" },
+    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n}\n" },
 { "ssgi_count", __LINE__, "#if dialect == 330 || dialect == 300ES\n"
     "// bitCount, which this language lacks\n"
     "vec2 ssgi_count(uvec2 m) {\n"
@@ -1507,8 +1424,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n"
     "#else\n"
     "vec2 ssgi_count(uvec2 m) {\n"
-    "    return vec2(bitCount(m));\n"
-    "}\n#endif\n" },
+    "    return vec2(bitCount(m));\n}\n#endif\n" },
 { "ssgi_slice", __LINE__ + 1,
     "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the normal over the length of\n"
     "// its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share of the hemisphere per\n"
@@ -1536,12 +1452,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.x = vec2(dot(P, s.t), -dot(P, s.t));\n"
     "    s.y = vec2(dot(P, s.n));\n"
     "#endif\n"
-    "    return s;\n"
-    "}\n" },
+    "    return s;\n}\n" },
 { "ssgi_sector", __LINE__, "// sector of an elevation with cosine c; 0 where not up\n"
     "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
-    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
-    "}\n" },
+    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n}\n" },
 { "ssgi_behind", __LINE__ + 1,
     "// moves points at x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
@@ -1551,16 +1465,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    x += by * (x + s.x); // #if !orthographic\n"
     "    y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
-    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
-    "}\n" },
+    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n}\n" },
 { "ssgi_fresh", __LINE__ + 1,
     "// counts the sectors of an arc that were not covered before, attenuated by a distance, and covers them\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    fresh *= ssgi_near(d); // #if span\n"
-    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
-    "}\n" },
+    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n}\n" },
 { "ssgi_second", __LINE__ + 1,
     "// the same for the second slabs behind taps at x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
@@ -1570,8 +1482,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 far = sqrt(x * x + y * y);\n"
     "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n"
-    "}\n" },
+    "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n}\n" },
 { "ssgi_got", __LINE__, "// sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
     "struct ssgi_got {\n"
     "    float all; // #if pass == HSAO\n"
@@ -1588,8 +1499,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
     "    parts.w += w;\n"
     "    parts.c += w * c * unit;\n"
-    "    parts.s += w * s * unit;\n"
-    "}\n" },
+    "    parts.s += w * s * unit;\n}\n" },
 { "ssgi_blocked_by", __LINE__ + 1,
     "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
@@ -1598,8 +1508,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
     "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
     "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
-    "    }\n"
-    "}\n" },
+    "    }\n}\n" },
 { "ssgi_sends", __LINE__ + 1,
     "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen sides send is a guess\n"
     "// that measurements support: a quarter of what the seen one sends, a second slab half. Edge-on, within the\n"
@@ -1612,8 +1521,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0; // #if !two_sided\n"
     "    w += 0.5 * second; // #if behind == SLABS\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
-    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n"
-    "}\n" },
+    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n}\n" },
 { "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
     "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
@@ -1691,8 +1599,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_sends(got, q1, d1, w.y);\n"
     "#endif\n"
     "    }\n"
-    "    ssgi_blocked_by(got, s, parts); // #if environment\n"
-    "}\n#endif\n" },
+    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n#endif\n" },
 { "ssgi_walk", __LINE__, "#if search == SLICES\n"
     "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
@@ -1705,15 +1612,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
-    "    }\n"
-    "}\n#endif\n" },
+    "    }\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_got got;\n"
     "    got.all = 0.0;\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
-    "    return got.all;\n"
-    "}\n#endif\n" },
+    "    return got.all;\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSDO && search == SLICES\n"
     "// what is blocked, taken from what the open pixel gets; what senders bring where it is\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1733,8 +1638,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
     "#endif\n"
-    "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n"
-    "}\n#endif\n" },
+    "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == S3HO && search == SLICES\n"
     "// the cosine lobe less what is blocked of it, and the lobes of what blocks\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
@@ -1747,8 +1651,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
     "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "#endif\n"
-    "}\n#endif\n" },
+    "#endif\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1764,8 +1667,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += ssgi_above(start, n, t, h.x, vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y));\n"
     "#endif\n"
     "    }\n"
-    "    return sum / float(SSGI_DIRECTIONS);\n"
-    "}\n#endif\n" },
+    "    return sum / float(SSGI_DIRECTIONS);\n}\n#endif\n" },
 { "main_gather", __LINE__, "#if half\n"
     "void main() { // one pixel of every 2x2\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
@@ -1800,8 +1702,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if shaded\n"
     "    }\n"
     "    ssgi_store(v); // #if !shaded\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
 { "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
@@ -1811,13 +1712,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
     "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
     "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
-    "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n"
-    "}\n" },
+    "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
-    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
-    "}\n" },
+    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n}\n" },
 { "ssgi_field_fetch", __LINE__ + 1,
     "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
@@ -1844,16 +1743,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
     "    a *= 1.0 / 255.0;\n"
-    "    b *= 1.0 / 255.0;\n"
-    "}\n" },
+    "    b *= 1.0 / 255.0;\n}\n" },
 { "ssgi_cap", __LINE__ + 1,
     "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most a hemisphere;\n"
     "// c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
-    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
-    "}\n" },
+    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n}\n" },
 { "ssgi_field_at", __LINE__ + 1,
     "// a point in the occluder's space: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
     "// to_field on\n"
@@ -1861,8 +1758,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
-    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
-    "}\n" },
+    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n}\n" },
 { "ssgi_field_occlusion", __LINE__, "// occlusion by an occluder, in [0,1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
@@ -1882,8 +1778,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    S /= fill;\n"
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
-    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
-    "}\n" },
+    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n}\n" },
 { "ssgi_field_visibility", __LINE__ + 1,
     "// ambient visibility by occluders 0 .. occluders - 1, except those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
@@ -1895,8 +1790,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (object != 0 && object == int(occluder[8].w)) continue;\n"
     "        visibility *= 1.0 - ssgi_field_occlusion(occluder, ssgi_field_at(occluder, P), n);\n"
     "    }\n"
-    "    return visibility;\n"
-    "}\n" },
+    "    return visibility;\n}\n" },
 { "main_field", __LINE__, "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1909,8 +1803,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
     "#endif\n"
-    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
-    "}\n" },
+    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n}\n" },
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
 
 { "main_patch", __LINE__, "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
@@ -1921,19 +1814,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_position = (u_ssgi_mesh * vec4(a_ssgi_position, 1.0)).xyz;\n"
     "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
     "    v_ssgi_colour = a_ssgi_colour;\n"
-    "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
-    "}\n" },
+    "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n}\n" },
 { "ssgi_tess_count", __LINE__, "int ssgi_tess_count(int level) {\n"
     "    int half_ = (level + 1) / 2;\n"
-    "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
-    "}\n" },
+    "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n}\n" },
 { "ssgi_part", __LINE__, "// weights of corner c of part i of n * n\n"
     "vec3 ssgi_part(int i, int n, int c) {\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
-    "    return vec3(n - down, down - across, across) / float(n);\n"
-    "}\n" },
+    "    return vec3(n - down, down - across, across) / float(n);\n}\n" },
 { "ssgi_outside", __LINE__, "// distance outside the frustum\n"
     "float ssgi_outside(vec3 P) {\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
@@ -1944,8 +1834,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low);\n"
     "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
     "#endif\n"
-    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
-    "}\n" },
+    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n}\n" },
 { "main_levels", __LINE__, "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
@@ -1991,13 +1880,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
     "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
-    "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
-    "}\n" },
+    "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n}\n" },
 { "ssgi_hash", __LINE__, "uint ssgi_hash(uint x) {\n"
     "    x = x * 747796405u + 2891336453u;\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
-    "    return (x >> 22) ^ x;\n"
-    "}\n" },
+    "    return (x >> 22) ^ x;\n}\n" },
 { "ssgi_surfel_sent", __LINE__, "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
@@ -2006,8 +1893,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
     "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
     "    return colour * sum;\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
@@ -2025,8 +1911,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
     "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 affects nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
-    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
-    "}\n" },
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n}\n" },
 { "main_buffer", __LINE__, "void main() {\n"
     "    v_ssgi_surfel0 = a_ssgi_surfel0;\n"
     "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
@@ -2039,8 +1924,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
     "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
     "    h ^= h >> 22;\n"
-    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
-    "}\n" },
+    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n}\n" },
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
 
 { "main_shuffle", __LINE__, "void main() {\n"
@@ -2055,8 +1939,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
-    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
-    "}\n" },
+    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n}\n" },
 { "main_unshuffle", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
@@ -2065,8 +1948,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
     "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
-    "}\n" },
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n}\n" },
 { "ssgi_shell", __LINE__, "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
@@ -2097,17 +1979,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
-    "    return b + from.xyxy;\n"
-    "}\n" },
+    "    return b + from.xyxy;\n}\n" },
 { "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 b, int corner) {\n"
     "    vec2 at = vec2((corner & 1) == 1 ? b.z : b.x, corner > 1 ? b.w : b.y);\n"
-    "    return vec4(at / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n"
-    "}\n" },
+    "    return vec4(at / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "main_quad", __LINE__, "void main() {\n"
     "    int corner = gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner < 3 ? corner : 6 - corner);\n"
-    "}\n" },
+    "    gl_Position = ssgi_corner(b, corner < 3 ? corner : 6 - corner);\n}\n" },
 { "main_strip", __LINE__, "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
@@ -2119,8 +1998,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            gl_Position = ssgi_corner(b, corner);\n"
     "            EmitVertex();\n"
     "            if (corner == 3) EndPrimitive();\n"
-    "        }\n"
-    "}\n" },
+    "        }\n}\n" },
 { "ssgi_gloss", __LINE__, "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
 { "ssgi_disc", __LINE__, "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
     "    float dd = max(dot(v, v), 1e-30);\n"
@@ -2129,8 +2007,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, over pi\n"
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
-    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
-    "}\n" },
+    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n}\n" },
 { "ssgi_form", __LINE__ + 1,
     "// form factor of a disc without its area, weight and cosine; v: vector to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
@@ -2149,8 +2026,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        return form * part;\n"
     "    }\n"
     "#endif\n"
-    "    return ssgi_disc(v, n, rr);\n"
-    "}\n" },
+    "    return ssgi_disc(v, n, rr);\n}\n" },
 { "main_splat", __LINE__, "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "flat in float v_ssgi_seen; // #if span\n"
@@ -2186,20 +2062,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away), form);\n"
     "#endif\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 /* ==== >>filter ================================================================================================== */
 
 { "ssgi_plane", __LINE__, "// the tangent plane at P, for ssgi_off_plane\n"
     "vec3 ssgi_plane(vec3 P, vec3 n) {\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
-    "}\n" },
+    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n}\n" },
 { "ssgi_off_plane", __LINE__, "// distance from the plane through P of the point at depth z, o pixels away\n"
     "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
     "    return abs(dot(k.xy, o) - k.z * (z + P.z)); // #if orthographic\n"
-    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
-    "}\n" },
+    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n}\n" },
 { "main_smooth", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
@@ -2221,12 +2094,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), all += w;\n"
     "    }\n"
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
-    "}\n" },
+    "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n}\n" },
 { "ssgi_once", __LINE__, "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
     "float ssgi_once(float form) {\n"
-    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
-    "}\n" },
+    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n}\n" },
 { "main_sum", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
@@ -2248,8 +2119,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "main_blur", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if colour == COEFFICIENTS && half\n"
@@ -2316,24 +2186,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open(P, n), 0.0); // #if restore == DIFFERENCE\n"
     "#else\n"
     "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
-    "#endif\n"
-    "}\n" },
+    "#endif\n}\n" },
 { "ssgi_texel", __LINE__, "// light or visibility, view depth\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
     "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
-    "}\n" },
+    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n}\n" },
 { "ssgi_was", __LINE__, "// a point's pixel and depth in the last frame\n"
     "vec3 ssgi_was(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
-    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
-    "}\n" },
+    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n}\n" },
 { "ssgi_from", __LINE__, "// and the point\n"
     "vec3 ssgi_from(vec2 pixel, float z) {\n"
     "    return (u_ssgi_last_from * vec4(pixel, z, 1.0)).xyz; // #if orthographic\n"
-    "    return (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n"
-    "}\n" },
+    "    return (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n}\n" },
 { "ssgi_last", __LINE__ + 1,
     "// Reprojects P: of the last frame's four texels around its place the closest one that shows P's plane and holds\n"
     "// finite values. Returns its offset in texels; z: 0 if there is none. Interpolation would blur over frames, so\n"
@@ -2358,8 +2224,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (!(near && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
     "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
     "    }\n"
-    "    return best;\n"
-    "}\n" },
+    "    return best;\n}\n" },
 { "main_history", __LINE__, "void main() {\n"
     "    int wide = 1; // #if !half\n"
     "    int wide = 2; // #if half\n"
@@ -2417,8 +2282,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
     "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
-    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n"
-    "}\n" },
+    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n}\n" },
 /* ==== >>statistics: how depth is distributed around pixels ====================================================== */
 
 { "main_statistics", __LINE__ + 1,
@@ -2440,12 +2304,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        bool seen = S.z < 0.0 && ssgi_inside(q);\n"
     "        sum += seen ? vec4(passed - vec3(passed.yz, 0.0), 0.0) : vec4(0.0, 0.0, 0.0, 1.0);\n"
     "    }\n"
-    "    o_ssgi_statistics = sum / float(SSGI_SAMPLES);\n"
-    "}\n" },
+    "    o_ssgi_statistics = sum / float(SSGI_SAMPLES);\n}\n" },
 { "main_triangle", __LINE__, "// one triangle that covers the viewport\n"
     "void main() {\n"
-    "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
-    "}\n" },
+    "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n}\n" },
 };
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
