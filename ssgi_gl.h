@@ -366,6 +366,90 @@ typedef struct ssgi_gl_io {
    are, 0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
+/* ==== >>steps ================================================================================================== */
+
+/* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
+typedef struct ssgi_gl_chain {
+    ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; the passes around it have its choices, too. SSDO with
+                            an environment and a bounce: that light, then its bounce. S3HO with a transfer: its senders
+                            first. SPLAT by LIGHT: of desc.environment; then with desc.bounce what surfels send */
+    ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc; another: none */
+    int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
+    int blur;            /* 1: what is gathered is filtered */
+    int history;         /* 1: it is averaged over frames before */
+    int vectors;         /* s3ho   1: coefficients are filtered, then shaded: for light that changes; 0: light is */
+    int reuse;           /* ssdo   1: senders send the last frame's light, so that one gather does both */
+    int vpls;            /* ssdo   1: lights adds virtual point lights to the bounce, which falls off so that it
+                            restores what their clamp leaves out */
+    int direct;          /* 1: senders send your own radiance, too (t_ssgi_direct) */
+    int surfels;         /* splat  1: from what pass surfels wrote this frame: surfels lit, or from patches */
+    int hidden_sky;      /* splat  1: desc.environment lights surfels that the picture does not show, unoccluded */
+    int unsmoothed;      /* splat  1: levels are added unfiltered */
+    int precise;         /* 1: targets of 32-bit floats; 2: coefficients, too. Else 16 bits, 8 for what is final */
+} ssgi_gl_chain;
+
+/* What a texture of yours is: ssgi_gl_input.meaning. */
+enum { SSGI_GL_YOUR_DEPTH = 0, SSGI_GL_YOUR_LAYERS, SSGI_GL_YOUR_BACK, SSGI_GL_YOUR_VIEWS, SSGI_GL_YOUR_NORMAL,
+       SSGI_GL_YOUR_ALBEDO, SSGI_GL_YOUR_LAYER_NORMALS, SSGI_GL_YOUR_LAYER_ALBEDOS, SSGI_GL_YOUR_DIRECT,
+       SSGI_GL_YOUR_NOISE, SSGI_GL_YOUR_KERNEL, SSGI_GL_YOUR_ENVIRONMENT, SSGI_GL_YOUR_IRRADIANCE, SSGI_GL_YOUR_LIGHTS,
+       SSGI_GL_YOUR_SHADOW, SSGI_GL_YOUR_OCCLUDERS, SSGI_GL_YOUR_FIELDS, SSGI_GL_YOUR_OBJECTS, SSGI_GL_YOUR_MOTION,
+       SSGI_GL_YOUR_AMBIENT, SSGI_GL_YOURS /* how many */ };
+
+/* The numbers that glTexImage2D takes. */
+typedef struct ssgi_gl_format { const char *name; unsigned internal, format, type; int bytes; } ssgi_gl_format;
+
+typedef struct ssgi_gl_input {
+    const char *name;    /* as in the text: "t_ssgi_depth" */
+    const char *type;    /* GLSL: "sampler2D" */
+    int unit;            /* of the sampler: ssgi_gl_io.slot */
+    unsigned target;     /* GL_TEXTURE_2D .. */
+    int meaning;         /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
+    int texture;         /* its number; -1: yours */
+    int last;            /* 1: as the last frame left it */
+    const ssgi_gl_format *format;  /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
+    int width, height;   /* of the steps' textures; of yours the least */
+} ssgi_gl_input;
+
+typedef struct ssgi_gl_output {
+    const char *name;
+    int texture;         /* number, from 0 in the order of first use; -1: your picture */
+    const ssgi_gl_format *format;
+    int slices, slice;   /* 0: GL_TEXTURE_2D; else an array of so many, drawn into one of them */
+    int kept;            /* 1: there are two of it, which change places each frame: history */
+    int result;          /* SSGI_GL_RESULT_NONE .. */
+} ssgi_gl_output;
+enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT /* or ambient visibility */, SSGI_GL_RESULT_BOUNCE };
+enum { SSGI_GL_SIZE_FULL = 0, SSGI_GL_SIZE_HALF, SSGI_GL_SIZE_LEVELS };
+
+/* One draw. Text of each stage: ssgi_gl_emit of desc. */
+typedef struct ssgi_gl_step {
+    ssgi_gl_desc desc;
+    int size, width, height; /* SSGI_GL_SIZE_FULL ..; of the image in the targets, at frame.target (HALF: half of it) */
+    int inputs, outputs;
+    ssgi_gl_input input[16];
+    ssgi_gl_output output[6];
+    int frame;           /* uniform block: 0 yours; 1 + 2v that of extra camera v (its G-buffer, too); 2 + 2v the same,
+                            rotation from its view space to yours; 9 yours, lights being the virtual point lights */
+    unsigned primitive;  /* GL_TRIANGLES ..; of SURFELS captured, rasteriser discarded */
+    int vertices, instances; /* 0: as many as you have: surfels, occluders, three a triangle */
+    unsigned blend[3];   /* equation, source, destination; 0: off */
+    int clear;           /* 1: the targets are cleared first, to clear_to in each component */
+    float clear_to;
+} ssgi_gl_step;
+
+/* Writes the draws in their order, at most capacity; returns how many there are, 0 for a bad chain: why. The steps'
+   textures are cleared to 0 once, and start anew with another size. No two textures of one step are the same. */
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
+
+/* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
+   nothing; filter: GL_TEXTURE_MIN_FILTER; compare: GL_TEXTURE_COMPARE_MODE. */
+typedef struct ssgi_gl_bound { unsigned target, format; int width, height; unsigned filter, compare; } ssgi_gl_bound;
+
+/* What would be drawn wrong, in a sentence that names step, texture and unit; snprintf's law, 0: nothing. For debug
+   builds: units of 16, targets of step->outputs, NULL = not looked at. */
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+                                   const ssgi_gl_bound *targets);
+
 /* ==== >>frame ================================================================================================== */
 
 /* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140; a pass declares
@@ -3452,6 +3536,432 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
     c.object = (float)object;
     *occluder = c;
     return SSGI_OK;
+}
+
+/* ==== >>steps (implementation) ==================================================================================== */
+
+enum { SSGI_GL__R8, SSGI_GL__R16F, SSGI_GL__R32F, SSGI_GL__RG16F, SSGI_GL__RG32F, SSGI_GL__RGBA16F, SSGI_GL__RGBA32F,
+       SSGI_GL__R32UI, SSGI_GL__RG32UI, SSGI_GL__RGBA32UI };
+static const ssgi_gl_format ssgi_gl__formats[] = {
+    { "R8", 0x8229, 0x1903, 0x1401, 1 }, { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
+    { "RG16F", 0x822f, 0x8227, 0x140b, 4 }, { "RG32F", 0x8230, 0x8227, 0x1406, 8 },
+    { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 }, { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
+    { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
+    { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 }
+};
+static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
+    "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
+    "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
+};
+
+/* Steps as they are added. written: which texture was last written under a name, less its o_ssgi_ or t_ssgi_. */
+typedef struct ssgi_gl__build {
+    const ssgi_gl_chain *chain;
+    ssgi_gl_step *steps, spare;
+    int capacity, count, textures, names;
+    struct { const char *name; int texture; } written[32];
+    const char *why;
+} ssgi_gl__build;
+
+static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
+{
+    int i;
+    for (i = 0; i < b->names; ++i) if (!strcmp(b->written[i].name, name)) return &b->written[i].texture;
+    b->written[i].name = name;
+    b->written[i].texture = -1;
+    b->names += b->names < 31;
+    return &b->written[i].texture;
+}
+
+static int ssgi_gl__format_of(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
+{
+    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
+    const int wide = chain->precise > sh && !(blended && ssgi_gl__dialects[d->dialect].es);
+    const int last = out->name[strlen(out->name) - 1] - '0';
+    if (!strcmp(out->type, "uvec2")) return SSGI_GL__RG32UI;
+    if (!strcmp(out->type, "uvec4") && d->pass != SSGI_GL_SHUFFLE)
+        return d->bands == (last ? 3 : 1) ? SSGI_GL__R32UI : d->bands == 2 ? SSGI_GL__RG32UI : SSGI_GL__RGBA32UI;
+    if (!strcmp(out->type, "uvec4")) return SSGI_GL__RGBA32UI;
+    if (!strcmp(out->type, "vec2")) return wide ? SSGI_GL__RG32F : SSGI_GL__RG16F;
+    if (!strcmp(out->type, "float") && !wide) return d->pass == SSGI_GL_SPLAT ? SSGI_GL__R16F : SSGI_GL__R8;
+    if (!strcmp(out->type, "float") || (sh && (d->bands == 1 || (d->bands == 3 && last == 2))))
+        return wide ? SSGI_GL__R32F : SSGI_GL__R16F;
+    return wide ? SSGI_GL__RGBA32F : SSGI_GL__RGBA16F;
+}
+
+static unsigned ssgi_gl__target(const char *type)
+{
+    return strstr(type, "2DMSArray") ? 0x9102u : strstr(type, "2DMS") ? 0x9100u : strstr(type, "Array") ? 0x8c1au
+         : 0x0de1u;
+}
+
+/* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+{
+    const ssgi_gl_chain *chain = b->chain;
+    ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    ssgi_gl_desc d = *desc;
+    int i, m, rows, level[2] = { 0, 0 };
+    d.pass = pass;
+    ++b->count;
+    memset(s, 0, sizeof *s);
+    if (b->why || ssgi_gl_check(&d, &b->why) != SSGI_OK) return s;
+    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
+    s->desc = d;
+    s->frame = frame;
+    d = ssgi_gl__resolve(&d);
+    s->size = pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH ? SSGI_GL_SIZE_LEVELS
+            : d.half && pass != SSGI_GL_BLUR ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
+    if (s->size == SSGI_GL_SIZE_LEVELS) ssgi_splat_size(level, chain->width, chain->height, d.levels, NULL);
+    s->width = s->size == SSGI_GL_SIZE_LEVELS ? level[0] : s->size ? (chain->width + 1) / 2 : chain->width;
+    s->height = s->size == SSGI_GL_SIZE_LEVELS ? level[1] * d.levels : s->size ? (chain->height + 1) / 2 : chain->height;
+    s->primitive = 4;
+    s->vertices = pass == SSGI_GL_FIELD ? 6 : pass == SSGI_GL_SPLAT ? 6 * d.levels : pass == SSGI_GL_SURFELS ? 0 : 3;
+    s->instances = pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT;
+    if (pass == SSGI_GL_SURFELS) s->primitive = 0;
+    if (d.tessellate && (pass == SSGI_GL_SURFELS || pass == SSGI_GL_SPLAT)) {
+        s->primitive = 0xe;
+        s->vertices = s->instances = 0;
+    }
+    if (pass == SSGI_GL_FIELD || pass == SSGI_GL_SPLAT) {
+        const unsigned multiply[3] = { 0x8006, 0x0306, 0 }, add[3] = { 0x8006, 1, 1 };
+        memcpy(s->blend, pass == SSGI_GL_FIELD ? multiply : add, sizeof add);
+        s->clear = 1;
+        s->clear_to = pass == SSGI_GL_FIELD ? 1.0f : 0.0f;
+    }
+    for (i = 0; i < rows; ++i) {
+        ssgi_gl_input *in = &s->input[s->inputs];
+        const char *name = row[i].name + 7;
+        if (row[i].kind != SSGI_GL_TEXTURE || s->inputs == 16) continue;
+        ++s->inputs;
+        in->name = row[i].name;
+        in->type = row[i].type;
+        in->unit = row[i].slot;
+        in->target = ssgi_gl__target(row[i].type);
+        in->meaning = in->texture = -1;
+        for (m = 0; m < SSGI_GL_YOURS; ++m) if (!strcmp(ssgi_gl__yours[m], name)) { in->meaning = m; break; }
+        if (d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO)) in->meaning += 2;
+        if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
+            in->width = chain->width;
+            in->height = chain->height;
+        }
+        if (m == SSGI_GL_YOURS) in->texture = *ssgi_gl__texture(b, name);   /* -1: what is written later */
+    }
+    for (i = 0; i < rows; ++i) {
+        ssgi_gl_output *out = &s->output[s->outputs];
+        if (row[i].kind != SSGI_GL_OUTPUT || s->outputs == 6) continue;
+        ++s->outputs;
+        out->name = row[i].name;
+        out->format = &ssgi_gl__formats[ssgi_gl__format_of(chain, &d, &row[i])];
+        out->kept = pass == SSGI_GL_HISTORY;
+        if (pass == SSGI_GL_SENDERS) continue;          /* a slice of what all of them write */
+        out->texture = b->textures++;
+        *ssgi_gl__texture(b, row[i].name + 7) = out->texture;
+    }
+    for (i = 0; i < s->inputs && pass == SSGI_GL_HISTORY; ++i)       /* its own, of the last frame */
+        for (m = 0; m < s->outputs; ++m) {
+            const char *name = s->input[i].name + 7, *wrote = s->output[m].name + 7;
+            if (strcmp(name, "history") ? strcmp(name, wrote) : m) continue;
+            if (*name != 'h' && *name != 'm') continue;
+            s->input[i].texture = s->output[m].texture;
+            s->input[i].last = 1;
+        }
+    return s;
+}
+
+/* What was last written under that name is averaged over frames and filtered, if at all: the texture that holds it. */
+static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
+{
+    const int grey = !strcmp(name, "ao");
+    ssgi_gl_desc d = *of;
+    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
+    d.filter_normals |= !strcmp(name, "bounce");        /* it differs across creases, and nothing restores it */
+    if (!grey) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, name);
+    if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
+    if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
+    return *ssgi_gl__texture(b, grey ? "ao" : "light");
+}
+
+/* Your lights over what `light` holds, -1: nothing. */
+static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
+{
+    ssgi_gl_desc d = *lights;
+    if (d.pass != SSGI_GL_LIGHTS) return light;
+    d.accumulate = light >= 0;
+    *ssgi_gl__texture(b, "light") = light;
+    return ssgi_gl__add(b, &d, SSGI_GL_LIGHTS, frame)->output[0].texture;
+}
+
+/* The desc for a layer of a camera, -1: the main one. */
+static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
+{
+    ssgi_gl_desc d = *desc;
+    d.receiver = layer;
+    if (camera < 0 && !layer) return d;
+    d.normal = SSGI_GL_NORMAL_SIGNED;                   /* depth gives those of what is seen alone */
+    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0;       /* nothing filters it */
+    if (camera < 0) return d;
+    d.views = d.orthographic = 0;
+    d.layers = b->chain->desc.view_layers;
+    d.depth = SSGI_GL_DEPTH_WINDOW;
+    return d;
+}
+
+static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
+{
+    const int layers = camera < 0 ? b->chain->desc.layers : b->chain->desc.view_layers, slices = layers ? layers : 1;
+    ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
+    ssgi_gl_step *s;
+    int *held = ssgi_gl__texture(b, camera < 0 ? "senders" : "view_senders");
+    d.radiance = radiance;
+    d.world_normals |= camera >= 0;                     /* that camera's view space to yours */
+    s = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera);
+    if (*held < 0) *held = b->textures++;
+    s->output[0].texture = *held;
+    s->output[0].slices = camera < 0 ? slices : b->chain->desc.views * slices;
+    s->output[0].slice = camera < 0 ? layer : camera * slices + layer;
+}
+
+/* What lights a layer of a camera at once, -1: nothing does. */
+static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
+{
+    const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
+    const int frame = camera < 0 ? 0 : 1 + 2 * camera;
+    ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
+    int light = -1;
+    d.bounce = SSGI_GL_BOUNCE_NONE;
+    if (d.environment) light = ssgi_gl__add(b, &d, SSGI_GL_SSDO, frame)->output[0].texture;
+    if (d.environment && camera < 0 && !layer) light = ssgi_gl__filter(b, &d, "light");
+    return ssgi_gl__light(b, &lights, light, frame);
+}
+
+/* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
+static void ssgi_gl__hidden(ssgi_gl__build *b)
+{
+    const ssgi_gl_desc *d = &b->chain->desc;
+    const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
+    const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
+    int k;
+    for (k = 0; k < last; ++k) {
+        const int camera = k < first ? k / view_layers : -1, layer = k < first ? k % view_layers : last - k;
+        if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
+            ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
+    }
+}
+
+static void ssgi_gl__ssdo(ssgi_gl__build *b, int *light, int *bounce)
+{
+    const ssgi_gl_chain *chain = b->chain;
+    const int reuse = chain->reuse && chain->desc.environment && chain->desc.bounce;
+    const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
+    ssgi_gl_desc d = chain->desc;
+    d.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (d.bounce) ssgi_gl__hidden(b);
+    if (reuse) {
+        *ssgi_gl__texture(b, "light") = -1;
+        ssgi_gl__send(b, -1, 0, both);
+        ssgi_gl__add(b, &chain->desc, SSGI_GL_SSDO, 0);
+        *light = ssgi_gl__filter(b, &chain->desc, "light");
+        *bounce = ssgi_gl__filter(b, &d, "bounce");
+        *light = ssgi_gl__light(b, &chain->lights, *light, 0);
+        return;
+    }
+    *light = ssgi_gl__direct(b, -1, 0);
+    if (d.bounce && (*light >= 0 || chain->direct)) {
+        if (chain->vpls) {                              /* just the falloff that they lack, of single points */
+            d.falloff = SSGI_GL_FALLOFF_SQUARE;
+            d.fade = d.range = 0;
+            if (d.search == SSGI_GL_POINTS) {
+                d.samples = (d.samples ? d.samples : 16) * (d.steps ? d.steps : 1);
+                if (d.samples > 64) d.samples = 64;
+                d.steps = 1;
+            }
+        }
+        ssgi_gl__send(b, -1, 0, *light < 0 ? SSGI_GL_RADIANCE_DIRECT : both);
+        ssgi_gl__add(b, &d, SSGI_GL_SSDO, 0);
+        *bounce = ssgi_gl__filter(b, &d, "bounce");
+    }
+    if (chain->vpls) *bounce = ssgi_gl__light(b, &chain->lights, *bounce, 9);
+}
+
+static int ssgi_gl__s3ho(ssgi_gl__build *b)
+{
+    const ssgi_gl_chain *chain = b->chain;
+    ssgi_gl_desc d = chain->desc;
+    int light;
+    d.environment = SSGI_GL_ENVIRONMENT_SH;
+    if (chain->vectors) d.shaded = d.restore = 0;
+    if (d.transfer) {
+        ssgi_gl__hidden(b);
+        ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_ALBEDO);
+    }
+    ssgi_gl__add(b, &d, SSGI_GL_S3HO, 0);
+    if (chain->vectors && chain->blur) {
+        d.colour = SSGI_GL_COEFFICIENTS;
+        ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
+        d.half = 0;
+    }
+    if (!d.shaded) ssgi_gl__add(b, &d, SSGI_GL_SHADE, 0);
+    light = chain->vectors ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
+    return ssgi_gl__light(b, &chain->lights, light, 0);
+}
+
+/* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
+static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
+{
+    const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
+    ssgi_gl_desc d = *of, near = d;
+    d.effect = effect;
+    if (effect > SSGI_GL_EFFECT_BOUNCE || (bounce && light < 0)) d.span = 0;
+    if (effect < SSGI_GL_EFFECT_BOUNCE) d.sends = SSGI_GL_SENDS_COLOUR;
+    if (d.span) {
+        near.directions = 2;
+        near.steps = 4;
+        near.hard |= lit;                               /* light does not fade */
+        near.search = SSGI_GL_SLICES;
+        near.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+        near.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+        near.restore = SSGI_GL_RESTORE_RATIO;           /* sum multiplies by it */
+        *ssgi_gl__texture(b, "light") = light;
+        if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
+        ssgi_gl__add(b, &near, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
+        if (bounce) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, "bounce");
+        near.environment = near.bounce = near.restore = 0;
+        near.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
+        near.filter_radius = 1;
+        near.filter_normals = bounce;
+        ssgi_gl__add(b, &near, SSGI_GL_BLUR, 0);
+    }
+    ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
+    ssgi_gl__add(b, &d, SSGI_GL_UNSHUFFLE, 0);
+    for (d.axis = 0; d.axis < 2 && d.levels != 1 && !b->chain->unsmoothed; ++d.axis)
+        ssgi_gl__add(b, &d, SSGI_GL_SMOOTH, 0);
+    d.axis = 0;
+    return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
+}
+
+static void ssgi_gl__deep(ssgi_gl__build *b, int *light, int *bounce)
+{
+    const ssgi_gl_chain *chain = b->chain;
+    ssgi_gl_desc d = chain->desc;
+    if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
+    if (chain->surfels) {
+        ssgi_gl__add(b, &d, SSGI_GL_SURFELS, 0);
+        d.tessellate = 0;
+    }
+    ssgi_gl__add(b, &d, SSGI_GL_SHUFFLE, 0);
+    if (d.effect != SSGI_GL_EFFECT_LIGHT || chain->desc.environment) *light = ssgi_gl__splat(b, &d, d.effect, -1);
+    if (d.effect != SSGI_GL_EFFECT_LIGHT) return;
+    *light = ssgi_gl__light(b, &chain->lights, *light, 0);
+    if (chain->desc.bounce) *bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, *light);
+}
+
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
+{
+    ssgi_gl__build b;
+    int i, k, m, light, bounce, turn;
+    const int pass = chain ? chain->desc.pass : 0;
+    if (!chain) return ssgi_gl__bad(why, "chain: must not be NULL"), 0;
+    if (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT)
+        return ssgi_gl__bad(why, "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT"), 0;
+    if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
+        return ssgi_gl__bad(why, "chain.width, height: must be 1..16384"), 0;
+    if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
+        return ssgi_gl__bad(why, "chain.history: averages light, not coefficients: needs vectors = 0"), 0;
+    for (turn = 0; turn < 2; ++turn) {                  /* checks all, then writes */
+        memset(&b, 0, sizeof b);
+        b.chain = chain;
+        b.steps = steps;
+        b.capacity = turn && steps ? capacity : 0;
+        light = bounce = -1;
+        if (pass == SSGI_GL_SSDO) ssgi_gl__ssdo(&b, &light, &bounce);
+        else if (pass == SSGI_GL_S3HO) light = ssgi_gl__s3ho(&b);
+        else if (pass == SSGI_GL_SPLAT) ssgi_gl__deep(&b, &light, &bounce);
+        else light = ssgi_gl__add(&b, &chain->desc, pass, 0)->output[0].texture;
+        if (pass < SSGI_GL_SSDO) light = ssgi_gl__filter(&b, &chain->desc, "ao");
+        if (b.why) return ssgi_gl__bad(why, b.why), 0;
+    }
+    for (i = 0; i < b.count && i < b.capacity; ++i) {
+        ssgi_gl_step *s = &steps[i];
+        for (k = 0; k < s->outputs; ++k)
+            s->output[k].result = s->output[k].texture == light ? SSGI_GL_RESULT_LIGHT
+                                : s->output[k].texture == bounce ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_NONE;
+        for (k = 0; k < s->inputs; ++k) {
+            ssgi_gl_input *in = &s->input[k];
+            if (in->meaning >= 0) continue;
+            if (in->texture < 0) { in->texture = light; in->last = 1; }
+            for (m = 0; m < b.count && m < b.capacity; ++m) for (turn = 0; turn < steps[m].outputs; ++turn)
+                if (steps[m].output[turn].texture == in->texture) {
+                    in->format = steps[m].output[turn].format;
+                    in->width = steps[m].width;
+                    in->height = steps[m].height;
+                }
+        }
+    }
+    return b.count;
+}
+
+static int ssgi_gl__integer(unsigned format)
+{
+    return (format >= 0x8231 && format <= 0x823c) || (format >= 0x8d70 && format <= 0x8d8f);
+}
+
+static int ssgi_gl__is_depth(unsigned format)
+{
+    return format == 0x1902 || (format >= 0x81a5 && format <= 0x81a7) || format == 0x88f0 || format == 0x8cac
+        || format == 0x8cad;
+}
+
+static const ssgi_gl_format *ssgi_gl__known(unsigned internal)
+{
+    int i;
+    for (i = 0; i < (int)(sizeof ssgi_gl__formats / sizeof *ssgi_gl__formats); ++i)
+        if (ssgi_gl__formats[i].internal == internal) return &ssgi_gl__formats[i];
+    return NULL;
+}
+
+/* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
+static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
+                                  int width, int height)
+{
+    const ssgi_gl_format *known = ssgi_gl__known(is->format);
+    const int depth = ssgi_gl__is_depth(is->format), integer = ssgi_gl__integer(is->format);
+    if (!is->format) return "nothing is bound";
+    if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
+    if (in && integer != (*in->type == 'u')) return "must be of integers where its sampler is, and nowhere else";
+    if (format && (depth || !known || known->format != format->format)) return "is not of the format that the step names";
+    if (in && depth && (in->meaning > SSGI_GL_YOUR_VIEWS && in->meaning != SSGI_GL_YOUR_SHADOW))
+        return "must not hold depth";
+    if (is->width < width || is->height < height) return "is smaller than what is drawn";
+    if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
+    if (in && is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+    if (in && is->filter == 0x2601 && (depth || integer || (known && known->type == 0x1406)))
+        return "must have GL_NEAREST as its filter: it holds depth, integers or 32-bit floats";
+    return in && is->compare ? "must have GL_NONE as its compare mode" : NULL;
+}
+
+SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
+                                   const ssgi_gl_bound *targets)
+{
+    ssgi_gl__text t;
+    int i;
+    memset(&t, 0, sizeof t);
+    t.out = out;
+    t.capacity = capacity;
+    for (i = 0; step && i < step->inputs + step->outputs && !t.length; ++i) {
+        const ssgi_gl_input *in = i < step->inputs ? &step->input[i] : NULL;
+        const ssgi_gl_output *o = in ? NULL : &step->output[i - step->inputs];
+        const char *wrong = in ? units ? ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height) : NULL
+                          : targets ? ssgi_gl__wrong(&targets[i - step->inputs], NULL, o->format, step->width,
+                                                     step->height) : NULL;
+        if (!wrong) continue;
+        ssgi_gl__print(&t, "%s: %s, ", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
+        if (in) ssgi_gl__print(&t, "unit %d: ", in->unit);
+        ssgi_gl__print(&t, "%s", wrong);
+    }
+    if (capacity) out[t.length < capacity ? t.length : capacity - 1] = 0;
+    return t.length;
 }
 
 #ifdef __cplusplus

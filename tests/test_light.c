@@ -95,9 +95,9 @@ static int shine(kit_run *run)
     const ssgi_gl_desc *d = NULL;                                              /* of the last gather */
     for (int i = 0; i < run->passes; ++i)
         if (run->pass[i].desc.pass == SSGI_GL_SSDO || run->pass[i].desc.pass == SSGI_GL_S3HO) d = &run->pass[i].desc;
-    const struct { GLuint *array; int width, height, slices;
-    } held[2] = { { &run->senders, run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers ? d->layers : 1 },
-                  { &run->view_senders, run->view[0].width, run->view[0].height, d->views * d->view_layers } };
+    const struct { const char *array; int width, height, slices;
+    } held[2] = { { "t_ssgi_senders", run->gbuffer->viewport[2], run->gbuffer->viewport[3], d->layers ? d->layers : 1 },
+                  { "t_ssgi_view_senders", run->view[0].width, run->view[0].height, d->views * d->view_layers } };
     const uint32_t one = 256u | 256u << 9 | 256u << 18 | 16u << 27;            /* 256 * 2^-8, three times */
     kit_run_update(run);
     kit_run_draw(run, 0);
@@ -105,14 +105,14 @@ static int shine(kit_run *run)
         const size_t texels = (size_t)held[k].width * (size_t)held[k].height;
         uint32_t *word = malloc(2 * texels * (size_t)held[k].slices * sizeof *word + 1);
         for (int s = 0; s < held[k].slices; ++s)
-            if (!CHECK(!kit_texture_slice_read(*held[k].array, s, held[k].width, held[k].height, 2,
+            if (!CHECK(!kit_texture_slice_read(kit_run_input(run, held[k].array, 0), s, held[k].width, held[k].height, 2,
                                                (float *)(word + 2 * texels * (size_t)s)),
                        "senders cannot be read"))
                 return 0;
         for (size_t i = 0; i < texels * (size_t)held[k].slices; ++i) word[2 * i] = one;
         if (held[k].slices)
-            *held[k].array = run->texture[run->textures++] =
-                kit_texture_array(held[k].width, held[k].height, held[k].slices, GL_RG32UI, (float *)word);
+            kit_run_input(run, held[k].array, run->texture[run->textures++] = kit_texture_array(
+                held[k].width, held[k].height, held[k].slices, GL_RG32UI, (float *)word));
         free(word);
     }
     return 1;
@@ -152,7 +152,7 @@ static void furnace(void)
                 { "ssdo", "columns", "reuse=1,two_sided=1,behind=back", EXACT },
                 { "ssdo", "columns", "reuse=1,two_sided=1,behind=slabs", ONE_SIDED },
                 { "ssdo", "room", "reuse=1,two_sided=0", ONE_SIDED },
-                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1,bounce_normals=0", EXACT },
+                { "ssdo", "room", "reuse=1,two_sided=1,half=1,blur=1,filter_normals=1", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=1", EXACT },
                 { "s3ho", "columns", "two_sided=1,bands=2,behind=solid", EXACT },
                 { "s3ho", "room", "two_sided=1,bands=3,behind=back", EXACT },

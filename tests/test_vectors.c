@@ -312,7 +312,9 @@ static void walls_reflect(void)
         snprintf(set, sizeof set, "behind=solid,samples=64,fade=lambda,lambda=2,%s", sets[m]);
         if (!begin(&run, &g, "s3ho-points", set, 1, NULL, &dark)) return;
         ssgi_gl_harmonics_set(&run.frame, light, 4, NULL, NULL);
-        if (!strip_mean(found, &run, &g, row_at(w.c), 8, run.passes - 1, 1)) return;
+        int last = 0;                                   /* what draws the bounce */
+        while (run.pass[last].target[0] != run.bounce) ++last;
+        if (!strip_mean(found, &run, &g, row_at(w.c), 8, last, 1)) return;
         for (int j = 0; j < 3; ++j) {
             const double truth =
                 (1 - v[0] / 0.886226925) * (double)albedo[j] * met(open, light, j, 3) + (m ? 0 : met(v, light, j, 4));
@@ -1011,9 +1013,11 @@ static void targets_have_room(void)
                              packed ? GL_RGBA_INTEGER : GL_RGBA, packed ? GL_UNSIGNED_INT : GL_FLOAT, texel);
             }
             if (p->desc.pass == SSGI_GL_SENDERS) {
-                run.senders = run.texture[run.textures++] = kit_texture_array(p->width, p->height, 1, GL_RG32UI, texel);
+                const GLuint senders = run.texture[run.textures++] =
+                    kit_texture_array(p->width, p->height, 1, GL_RG32UI, texel);
+                kit_run_input(&run, "t_ssgi_senders", senders);
                 glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-                glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, run.senders, 0, 0);
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, senders, 0, 0);
             }
         }
         kit_run_update(&run);

@@ -67,62 +67,6 @@ static float *patches_of(const kit_scene *scene, const ssgi_surfel_desc *d, cons
     return sorted;
 }
 
-/* What slices find within the span, filtered: the number of its last pass; -1 = failed. */
-static int add_near(kit_making *m, int effect)
-{
-    ssgi_gl_desc d = m->gather, blur = m->blur;
-    const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
-    kit_pass *p;
-    d.pass = lit ? SSGI_GL_SSDO : SSGI_GL_HSAO;
-    d.directions = 2;
-    d.steps = 4;
-    d.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
-    d.bounce = bounce;
-    d.restore = SSGI_GL_RESTORE_RATIO;                      /* of light: sum multiplies by it */
-    d.hard |= lit;                                          /* light does not fade */
-    p = kit_add_pass(m, &d, m->run->gbuffer, 0, 0, 0, 0);
-    if (!p) return -1;
-    blur.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
-    blur.filter_radius = 1;
-    blur.filter_normals = bounce;
-    p = kit_add_pass(m, &blur, m->run->gbuffer, 0, p->target[0], 0, 0);
-    return p ? m->run->passes - 1 : -1;
-}
-
-/* splat .. sum of one effect. seen: light of what the picture shows, 0 = none; *out: what sum wrote. */
-static int add_splats(kit_making *m, const kit_pass *from, int effect, GLuint seen, GLuint *out)
-{
-    kit_run *run = m->run;
-    ssgi_gl_desc d = m->gather;
-    kit_pass *p;
-    GLuint levels;
-    int near = 0;
-    d.effect = effect;
-    if (effect > SSGI_GL_EFFECT_BOUNCE || (effect == SSGI_GL_EFFECT_BOUNCE && !seen)) d.span = 0;
-    if (effect == SSGI_GL_EFFECT_OCCLUSION || effect == SSGI_GL_EFFECT_LIGHT) d.sends = SSGI_GL_SENDS_COLOUR;
-    if (d.span && effect == SSGI_GL_EFFECT_BOUNCE && kit_add_seen_senders(m, seen)) return -1;
-    near = d.span ? add_near(m, effect) : 0;
-    if (near < 0) return -1;
-    p = kit_add_pass(m, &d, run->gbuffer, 0, 0, 0, 0);
-    if (!p) return -1;
-    p->lights = m->rows[0];
-    p->array = from->array;
-    memcpy(p->patches, from->patches, sizeof p->patches);
-    p->splits = from->splits;
-    levels = p->target[0];
-    for (int i = SSGI_GL_UNSHUFFLE; i <= SSGI_GL_SUM; ++i)
-        for (d.axis = 0; d.axis < (i == SSGI_GL_SMOOTH ? 2 : 1); ++d.axis) {
-            if (i == SSGI_GL_SMOOTH && (d.levels < 2 || !(kit_method_value(m->method, "smooth") > 0))) continue;
-            d.pass = i;
-            p = kit_add_pass(m, &d, run->gbuffer, 0, levels, 0, 0);
-            if (!p) return -1;
-            levels = p->target[0];
-        }
-    if (d.span) p->vectors = near;
-    *out = levels;
-    return 0;
-}
-
 /* The least depth that the G-buffer shows, a little less; stays where it shows nothing. */
 static int nearest_of(float *front, const kit_gbuffer *g, kit_error *err)
 {
@@ -167,12 +111,11 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { scene, lighting };
     ssgi_surfel_cost cost;
-    kit_pass from = { 0 }, *p;
+    ssgi_gl_chain chain;
     const char *why = "";
     float *vertices;
     ssgi_surfel *surfels = NULL;
     int patches[2], failed = 0, direct = 0, placed_count = 0;
-    GLuint light = 0, bounce = 0;
     ssgi_gl_light *rows = NULL;
     if (!scene)
         return kit_fail(m->err, "method %s: a frame has no triangles to make surfels of; it needs a scene",
@@ -242,55 +185,39 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
         run->buffers[1] = buffer_of(NULL, (3 * run->surfels + run->surfels / 16 + 1024) * sizeof *surfels);
     free(vertices);
     free(surfels);
-    m->gather.tessellate = way > 0;
-    if (way) m->gather.dialect = kit_gl_is_es() ? SSGI_GL_320ES : SSGI_GL_410;
-    from.array = run->arrays[0];
-    if (way) memcpy(from.patches, patches, sizeof patches);
-    from.splits = d.splits;
-    if (way == 1 || (lit && !way)) {                        /* surfels come out of a pass: from patches, or lit */
-        ssgi_gl_desc made = m->gather;
-        made.pass = SSGI_GL_SURFELS;
-        if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
-        p = kit_add_pass(m, &made, g, 0, 0, 0, 0);
-        if (!p) return -1;
-        p->lights = m->rows[0];
-        p->array = way ? run->arrays[0] : run->arrays[2];
-        memcpy(p->patches, from.patches, sizeof p->patches);
-        p->splits = d.splits;
-        p->capture = run->buffers[1];
-        run->arrays[1] = from.array = array_of(run->buffers[1], 3, 4, 1);
-        from.patches[0] = from.patches[1] = 0;
-        m->gather.tessellate = 0;
-        if (way) glGenQueries(1, &run->query);
-    }
-    {
-        ssgi_gl_desc shuffle = m->gather;
-        shuffle.pass = SSGI_GL_SHUFFLE;
-        p = kit_add_pass(m, &shuffle, g, 0, 0, 0, 0);
-        if (!p) return -1;
-        run->shuffled = p->target[0];
-    }
-    if (effect == SSGI_GL_EFFECT_LIGHT) {
-        if (lighting->env.data && add_splats(m, &from, SSGI_GL_EFFECT_LIGHT, 0, &light)) return -1;
-        if (direct) {
-            ssgi_gl_desc lights = m->lights;
-            lights.accumulate = light != 0;
-            p = kit_add_pass(m, &lights, g, 0, light, 0, 0);
-            if (!p) return -1;
-            p->lights = m->rows[0];
-            light = p->target[0];
-        }
-        if (add_splats(m, &from, SSGI_GL_EFFECT_BOUNCE, light, &bounce)) return -1;
-    } else if (effect == SSGI_GL_EFFECT_SCATTER) {
+    chain = kit_chain(m);
+    chain.blur = chain.history = 0;
+    chain.desc.tessellate = way > 0;
+    chain.desc.bounce = effect == SSGI_GL_EFFECT_LIGHT;
+    chain.desc.environment = lit && lighting->env.data ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
+    chain.hidden_sky = m->gather.environment != SSGI_GL_ENVIRONMENT_NONE;
+    chain.unsmoothed = !(kit_method_value(m->method, "smooth") > 0);
+    chain.surfels = way == 1 || (lit && !way);          /* surfels come out of a pass: from patches, or lit */
+    if (direct) chain.lights = m->lights;
+    if (way) chain.desc.dialect = kit_gl_is_es() ? SSGI_GL_320ES : SSGI_GL_410;
+    if (effect == SSGI_GL_EFFECT_SCATTER) {
         const kit_material *material = kit_material_of((int)kit_method_value(m->method, "material"));
         ssgi_dipole dipole;
         ssgi_dipole_set(&dipole, material->sigma_s, material->sigma_a, material->eta, NULL);
         ssgi_gl_dipole_set(&run->frame, &dipole, (float)kit_method_value(m->method, "unit"), NULL);
-        failed = add_splats(m, &from, effect, 0, &light);
-    } else failed = add_splats(m, &from, effect, 0, &light);
-    run->light = light;
-    run->bounce = bounce;
-    return failed ? -1 : 0;
+    }
+    if (lit && !g->albedo) kit_add_grey(m);
+    if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
+    if (chain.surfels) {
+        if (!way) run->arrays[2] = array_of(run->buffers[0], 3, 4, 0);
+        run->arrays[1] = array_of(run->buffers[1], 3, 4, 1);
+        if (way) glGenQueries(1, &run->query);
+    }
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i];
+        const int made = p->desc.pass == SSGI_GL_SURFELS;
+        if (!made && p->desc.pass != SSGI_GL_SPLAT) continue;
+        p->array = !made ? run->arrays[chain.surfels] : way ? run->arrays[0] : run->arrays[2];
+        if (p->desc.tessellate) memcpy(p->patches, patches, sizeof patches);
+        p->splits = d.splits;
+        if (made) p->capture = run->buffers[1];
+    }
+    return 0;
 }
 /* Makes surfels or splats them, from patches or from a buffer. */
 void kit_draw_surfels(kit_run *run, const kit_pass *p)
@@ -305,10 +232,6 @@ void kit_draw_surfels(kit_run *run, const kit_pass *p)
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, p->capture);
         if (counted) glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, run->query);
         glBeginTransformFeedback(GL_POINTS);
-    } else {
-        glClearBufferfv(GL_COLOR, 0, (const GLfloat[4]) { 0, 0, 0, 0 });
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
     }
     if (p->desc.tessellate) {
         glPatchParameteri(GL_PATCH_VERTICES, 3);
@@ -320,7 +243,7 @@ void kit_draw_surfels(kit_run *run, const kit_pass *p)
             glDrawArraysInstanced(GL_PATCHES, 3 * first, 3 * count, first < p->patches[0] ? 1 : p->splits * p->splits);
         }
     } else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
-    else glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * p->desc.levels, (GLsizei)run->surfels);
+    else glDrawArraysInstanced(p->step.primitive, 0, p->step.vertices, (GLsizei)run->surfels);
     if (capture) {
         glEndTransformFeedback();
         if (counted) {
@@ -330,6 +253,6 @@ void kit_draw_surfels(kit_run *run, const kit_pass *p)
         }
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
         glDisable(GL_RASTERIZER_DISCARD);
-    } else glDisable(GL_BLEND);
+    }
     glBindVertexArray((GLuint)was);
 }

@@ -15,94 +15,36 @@
    GLES, save for glClipControl and glGetQueryObjectui64v, taken there from EXT_clip_control and
    EXT_disjoint_timer_query. */
 #define KIT_GL_CORE(X) \
-    X(ActiveTexture, ACTIVETEXTURE) \
-    X(AttachShader, ATTACHSHADER) \
-    X(BeginQuery, BEGINQUERY) \
-    X(BeginTransformFeedback, \
-      BEGINTRANSFORMFEEDBACK) X(BindBuffer, \
-                                BINDBUFFER) X(BindBufferBase, \
-                                              BINDBUFFERBASE) X(BindFramebuffer, \
-                                                                BINDFRAMEBUFFER) X(BindTexture, \
-                                                                                   BINDTEXTURE) X(BindVertexArray, \
-                                                                                                  BINDVERTEXARRAY) \
-        X(BufferData, BUFFERDATA) X(CheckFramebufferStatus, \
-                                    CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, \
-                                                              CLEARBUFFERFV) X(ClearBufferuiv, \
-                                                                               CLEARBUFFERUIV) X(ColorMask, COLORMASK) \
-            X(CompileShader, \
-              COMPILESHADER) X(CreateProgram, \
-                               CREATEPROGRAM) X(CreateShader, \
-                                                CREATESHADER) X(CullFace, \
-                                                                CULLFACE) X(DeleteBuffers, \
-                                                                            DELETEBUFFERS) X(DeleteFramebuffers, \
-                                                                                             DELETEFRAMEBUFFERS) \
-                X(DeleteProgram, \
-                  DELETEPROGRAM) X(DeleteShader, \
-                                   DELETESHADER) X(DeleteTextures, \
-                                                   DELETETEXTURES) X(DeleteQueries, \
-                                                                     DELETEQUERIES) X(DeleteVertexArrays, \
-                                                                                      DELETEVERTEXARRAYS) \
-                    X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X( \
-                        BlendFunc, \
-                        BLENDFUNC) X(DrawArrays, \
-                                     DRAWARRAYS) X(DrawArraysInstanced, \
-                                                   DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) \
-                        X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) X( \
-                            EndTransformFeedback, \
-                            ENDTRANSFORMFEEDBACK) X(Finish, FINISH) \
-                            X(FramebufferTexture2D, \
-                              FRAMEBUFFERTEXTURE2D) X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) \
-                                X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X( \
-                                    GenQueries, \
-                                    GENQUERIES) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \
-                                    X(GetActiveUniformBlockiv, \
-                                      GETACTIVEUNIFORMBLOCKIV) X(GetActiveUniformsiv, \
-                                                                 GETACTIVEUNIFORMSIV) X(GetError, GETERROR) \
-                                        X(GetFragDataLocation, \
-                                          GETFRAGDATALOCATION) X(GetFramebufferAttachmentParameteriv, \
-                                                                 GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, \
-                                                                                                        GETINTEGERV) \
-                                            X(GetProgramInfoLog, \
-                                              GETPROGRAMINFOLOG) X(GetProgramiv, \
-                                                                   GETPROGRAMIV) X(GetShaderInfoLog, \
-                                                                                   GETSHADERINFOLOG) X(GetShaderiv, \
-                                                                                                       GETSHADERIV) \
-                                                X(GetString, \
-                                                  GETSTRING) X(GetStringi, \
-                                                               GETSTRINGI) X(GetQueryObjectuiv, GETQUERYOBJECTUIV) \
-                                                    X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X( \
-                                                        GetUniformIndices, \
-                                                        GETUNIFORMINDICES) X(GetUniformiv, \
-                                                                             GETUNIFORMIV) X(GetUniformLocation, \
-                                                                                             GETUNIFORMLOCATION) \
-                                                        X(LinkProgram, \
-                                                          LINKPROGRAM) X(PixelStorei, \
-                                                                         PIXELSTOREI) X(ReadPixels, READPIXELS) \
-                                                            X(Scissor, \
-                                                              SCISSOR) X(ShaderSource, \
-                                                                         SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) \
-                                                                X(TexImage3D, \
-                                                                  TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) \
-                                                                    X(TexSubImage2D, \
-                                                                      TEXSUBIMAGE2D) X(TransformFeedbackVaryings, \
-                                                                                       TRANSFORMFEEDBACKVARYINGS) \
-                                                                        X(Uniform1f, \
-                                                                          UNIFORM1F) X(Uniform1fv, UNIFORM1FV) \
-                                                                            X(Uniform1i, \
-                                                                              UNIFORM1I) X(Uniform2fv, \
-                                                                                           UNIFORM2FV) X(Uniform3fv, \
-                                                                                                         UNIFORM3FV) \
-                                                                                X(Uniform4fv, UNIFORM4FV) X( \
-                                                                                    UniformBlockBinding, \
-                                                                                    UNIFORMBLOCKBINDING) \
-                                                                                    X(UniformMatrix4fv, \
-                                                                                      UNIFORMMATRIX4FV) X(UseProgram, \
-                                                                                                          USEPROGRAM) \
-                                                                                        X(VertexAttribDivisor, \
-                                                                                          VERTEXATTRIBDIVISOR) \
-                                                                                            X(VertexAttribPointer, \
-                                                                                              VERTEXATTRIBPOINTER) \
-                                                                                                X(Viewport, VIEWPORT)
+    X(ActiveTexture, ACTIVETEXTURE) X(AttachShader, ATTACHSHADER) X(BeginQuery, BEGINQUERY) \
+    X(BeginTransformFeedback, BEGINTRANSFORMFEEDBACK) X(BindBuffer, BINDBUFFER) X(BindBufferBase, BINDBUFFERBASE) \
+    X(BindFramebuffer, BINDFRAMEBUFFER) X(BindTexture, BINDTEXTURE) X(BindVertexArray, BINDVERTEXARRAY) \
+    X(BlendEquation, BLENDEQUATION) X(BlendFunc, BLENDFUNC) X(BufferData, BUFFERDATA) \
+    X(CheckFramebufferStatus, CHECKFRAMEBUFFERSTATUS) X(ClearBufferfv, CLEARBUFFERFV) \
+    X(ClearBufferuiv, CLEARBUFFERUIV) X(ColorMask, COLORMASK) X(CompileShader, COMPILESHADER) \
+    X(CreateProgram, CREATEPROGRAM) X(CreateShader, CREATESHADER) X(CullFace, CULLFACE) \
+    X(DeleteBuffers, DELETEBUFFERS) X(DeleteFramebuffers, DELETEFRAMEBUFFERS) X(DeleteProgram, DELETEPROGRAM) \
+    X(DeleteQueries, DELETEQUERIES) X(DeleteShader, DELETESHADER) X(DeleteTextures, DELETETEXTURES) \
+    X(DeleteVertexArrays, DELETEVERTEXARRAYS) X(DepthFunc, DEPTHFUNC) X(DepthMask, DEPTHMASK) \
+    X(DepthRangef, DEPTHRANGEF) X(Disable, DISABLE) X(DrawArrays, DRAWARRAYS) \
+    X(DrawArraysInstanced, DRAWARRAYSINSTANCED) X(DrawBuffers, DRAWBUFFERS) X(Enable, ENABLE) \
+    X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(EndQuery, ENDQUERY) \
+    X(EndTransformFeedback, ENDTRANSFORMFEEDBACK) X(Finish, FINISH) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) \
+    X(FramebufferTextureLayer, FRAMEBUFFERTEXTURELAYER) X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) \
+    X(GenQueries, GENQUERIES) X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \
+    X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) X(GetActiveUniformsiv, GETACTIVEUNIFORMSIV) \
+    X(GetError, GETERROR) X(GetFragDataLocation, GETFRAGDATALOCATION) \
+    X(GetFramebufferAttachmentParameteriv, GETFRAMEBUFFERATTACHMENTPARAMETERIV) X(GetIntegerv, GETINTEGERV) \
+    X(GetProgramInfoLog, GETPROGRAMINFOLOG) X(GetProgramiv, GETPROGRAMIV) X(GetQueryObjectuiv, GETQUERYOBJECTUIV) \
+    X(GetShaderInfoLog, GETSHADERINFOLOG) X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) \
+    X(GetStringi, GETSTRINGI) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) X(GetUniformIndices, GETUNIFORMINDICES) \
+    X(GetUniformLocation, GETUNIFORMLOCATION) X(GetUniformiv, GETUNIFORMIV) X(LinkProgram, LINKPROGRAM) \
+    X(PixelStorei, PIXELSTOREI) X(ReadPixels, READPIXELS) X(Scissor, SCISSOR) X(ShaderSource, SHADERSOURCE) \
+    X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) \
+    X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) X(Uniform1f, UNIFORM1F) \
+    X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform2fv, UNIFORM2FV) X(Uniform3fv, UNIFORM3FV) \
+    X(Uniform4fv, UNIFORM4FV) X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) \
+    X(UseProgram, USEPROGRAM) X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) \
+    X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
     X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
     X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
@@ -292,19 +234,19 @@ enum { KIT_MAX_TARGETS = 6, KIT_HISTORIES = 2, KIT_MAX_PASSES = 128, KIT_MAX_TEX
 typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
-    /* target: 0 when it draws into a slice of senders */
-    GLuint             program, framebuffer, target[KIT_MAX_TARGETS];
+    ssgi_gl_step       step;               /* desc is its, until a test gives the pass another */
+    /* target: 0 when it draws into one of slices, an array */
+    GLuint             program, framebuffer, target[KIT_MAX_TARGETS], slices;
+    GLuint             input[16];          /* of the step's inputs those that steps wrote; 0: others */
     GLuint             last[KIT_HISTORIES]; /* history: what it wrote for the last frame */
-    GLuint             source, lights;     /* t_ssgi_ao or t_ssgi_light, t_ssgi_lights or t_ssgi_occluders */
-    /* field: occluders drawn at once, blended over what is there; the first such pass clears */
-    int                instances;
-    int                vectors;            /* the pass whose targets it reads as vectors; -1 = none */
+    GLuint             lights;             /* t_ssgi_lights or t_ssgi_occluders */
+    int                instances;          /* field: occluders */
     GLuint             array, capture;     /* surfels, splat: vertex array; what transform feedback writes */
     /* triangles, small ones and behind them those that are split, as patches; 0: surfels of a buffer, all of the
        run's */
     int                patches[2], splits;
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
-    int                frame, width, height;
+    int                width, height;
     int                box[4];             /* x, y, width, height: what is drawn of its targets; 0 = all */
     uint64_t           key;                /* equal ones share their program */
     ssgi_gl_io        *io;                 /* what it reads and writes: so many rows */
@@ -322,7 +264,7 @@ typedef struct kit_run {
     /* the result: ambient visibility or irradiance over pi; that of the bounce */
     GLuint        light, bounce;
     GLuint        texture[KIT_MAX_TEXTURES];   /* all that are the run's own */
-    GLuint        noise, kernel, environment, irradiance, senders, view_senders, view_depth, atlas, grey;
+    GLuint        noise, kernel, environment, irradiance, view_depth, atlas, grey;
     GLuint        block[KIT_FRAMES];
     kit_gbuffer   view[KIT_MAX_VIEWS];     /* of the extra cameras */
     int           margin;                  /* pixels beyond each side of the picture that a gather sees; 0 = none */
@@ -334,7 +276,7 @@ typedef struct kit_run {
     int           occluders;
     size_t        surfels;                 /* that the splats' buffer holds */
     double        splat_pixels;            /* predicted, all splats of the first splat pass */
-    GLuint        shuffled, arrays[3], buffers[3], query;
+    GLuint        arrays[3], buffers[3], query;
     size_t        field_bytes;             /* of those fields */
     GLuint        joint;                   /* what bounce holds beside the bounce; 0 = nothing */
     /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
@@ -358,6 +300,8 @@ void kit_run_draw(kit_run *run, int timed);
 /* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
    must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
+/* What inputs of that name, written by a pass of the run, read; instead != 0: they read that from now on. */
+GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */

@@ -9,7 +9,7 @@ typedef struct kit_making {
     kit_run           *run;
     const kit_method  *method;
     const kit_world   *world;
-    ssgi_gl_desc       gather, lights, blur, shade;
+    ssgi_gl_desc       gather, lights;                 /* of the pass that the method is named for, and of lights */
     int                blurred, kept;                  /* kept: averaged over frames */
     /* lights, as the picture's camera and the extra ones have them; 0 = none */
     GLuint             rows[1 + KIT_MAX_VIEWS];
@@ -25,11 +25,10 @@ int       kit_settings_apply(kit_making *m, float radius);
 /* ---- >>run */
 
 GLuint    kit_keep(kit_run *run, GLuint texture);     /* becomes the run's own */
-/* A pass and its targets: own ones, or, when array is not 0, a slice of that. NULL on failure. */
-kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source,
-                       GLuint array, int slice);
-/* Filters *texture, which a pass of that desc draws. */
-int       kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture);
+/* The chain of what the method gathers: blur, history and sizes as the method has them. */
+ssgi_gl_chain kit_chain(const kit_making *m);
+/* The chain's steps as passes, and where their results are (NULL: not asked). aside: see kit_pass. */
+int       kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *light, GLuint *bounce);
 
 /* ---- >>lights */
 
@@ -59,8 +58,7 @@ GLuint    kit_light_rows(const kit_placed_light *placed, int first, int last, co
 /* The environment as the passes read it: harmonics, a map over a direction's solid angle, irradiance (and light over
    cones). */
 int       kit_add_environment(kit_making *m);
-/* what the picture shows sends what lights it */
-int       kit_add_seen_senders(kit_making *m, GLuint light);
+void      kit_add_grey(kit_making *m);                 /* albedo of meshes without a material */
 int       kit_open_lit(kit_making *m, const float picture[16]);
 int       kit_open_field(kit_making *m, const float picture[16]);
 

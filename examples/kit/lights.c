@@ -9,65 +9,6 @@
 
 /* ---- >>passes of light ----------------------------------------------------------------------------------------- */
 
-/* The direct light of a layer that camera v sees (-1: the picture's own): environment, then lights. *light: the
-   texture, 0 = there is none. */
-static int add_direct(kit_making *m, const kit_gbuffer *g, int v, int receiver, GLuint *light)
-{
-    ssgi_gl_desc gather = m->gather, lights = m->lights;
-    const int picture = v < 0 && !receiver;
-    *light = 0;
-    if (v >= 0) {
-        gather.views = lights.views = 0;
-        gather.layers = lights.layers = m->gather.view_layers;
-        gather.depth = lights.depth = SSGI_GL_DEPTH_WINDOW;
-        gather.orthographic = lights.orthographic = 0;
-    }
-    gather.receiver = lights.receiver = receiver;
-    /* depth gives the normals of what is seen alone */
-    if (!picture) gather.normal = lights.normal = SSGI_GL_NORMAL_SIGNED;
-    gather.bounce = SSGI_GL_BOUNCE_NONE;
-    if (!picture) gather.half = gather.restore = 0;     /* nothing filters it */
-    if (gather.environment) {
-        kit_pass *p = kit_add_pass(m, &gather, g, v < 0 ? 0 : 1 + 2 * v, 0, 0, 0);
-        if (!p) return -1;
-        *light = p->target[0];
-        if (picture && kit_add_blur(m, &gather, light)) return -1;
-    }
-    if (m->rows[1 + v]) {
-        kit_pass *p;
-        lights.accumulate = *light != 0;
-        p = kit_add_pass(m, &lights, g, v < 0 ? 0 : 1 + 2 * v, *light, 0, 0);
-        if (!p) return -1;
-        p->lights = m->rows[1 + v];
-        *light = p->target[0];
-    }
-    return 0;
-}
-
-static int add_senders(kit_making *m, const kit_gbuffer *g, int v, int receiver, GLuint light)
-{
-    const int albedo = m->gather.pass == SSGI_GL_S3HO;
-    ssgi_gl_desc d = m->lights;
-    d.pass = SSGI_GL_SENDERS;
-    d.receiver = receiver;
-    d.layers = v < 0 ? m->gather.layers : m->gather.view_layers;
-    d.views = 0;
-    if (v >= 0 || receiver) d.normal = SSGI_GL_NORMAL_SIGNED;
-    if (v >= 0) {
-        d.depth = SSGI_GL_DEPTH_WINDOW;
-        d.orthographic = 0;
-        d.world_normals = 1;                /* that camera's view space to the picture's */
-    }
-    d.radiance = albedo               ? SSGI_GL_RADIANCE_ALBEDO
-                 : light && g->direct ? SSGI_GL_RADIANCE_BOTH
-                 : light              ? SSGI_GL_RADIANCE_LIGHT
-                                      : SSGI_GL_RADIANCE_DIRECT;
-    return kit_add_pass(m, &d, g, v < 0 ? 0 : 2 + 2 * v, light, v < 0 ? m->run->senders : m->run->view_senders,
-                        v < 0 ? receiver : v * m->gather.view_layers + receiver)
-               ? 0
-               : -1;
-}
-
 /* ---- >>cameras: what is seen, extra cameras, shadow maps --------------------------------------------------------- */
 static int by_value(const void *a, const void *b)
 {
@@ -448,9 +389,9 @@ int kit_add_environment(kit_making *m)
     enum { SIZE = 64, OPEN = 32, CONES = 8 };
     const kit_image *env = &m->world->lighting->env;
     const size_t pixels = (size_t)env->width * (size_t)env->height;
-    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->shade.shading,
+    const int s3ho = m->gather.pass == SSGI_GL_S3HO, cones = s3ho && m->gather.shading,
               mapped = !s3ho && m->gather.environment == SSGI_GL_ENVIRONMENT_MAP;
-    const int slices = m->shade.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
+    const int slices = m->gather.shading == SSGI_GL_SHADING_BENT_CONE ? CONES : 1, open_too = mapped || cones;
     kit_run *run = m->run;
     const char *why = "out of memory";
     float *map = malloc(3 * SIZE * SIZE * sizeof *map), *four = malloc(4 * SIZE * SIZE * sizeof *four),
@@ -484,38 +425,6 @@ int kit_add_environment(kit_making *m)
     free(open);
     return failed ? kit_fail(m->err, "--env: %s", why) : 0;
 }
-/* s3ho: a vector a pixel, or one a channel, met with the light; *light: what comes out. When nothing else wants the
-   vectors, the gather meets it itself. aside: see kit_pass. */
-static int add_vectors(kit_making *m, int transfer, int aside, GLuint *light)
-{
-    kit_run *run = m->run;
-    const int vectors = !(kit_method_value(m->method, "filtered") > 0), first = run->passes;
-    ssgi_gl_desc gather = m->gather, blur = m->blur, shade = m->shade;
-    const double fetches = run->fetches;
-    kit_pass *p;
-    gather.transfer = blur.transfer = shade.transfer = transfer;
-    /* blockers may send more than is missing; a bounce that is told apart by its difference wants both alike */
-    if (gather.restore && (aside || transfer)) gather.restore = SSGI_GL_RESTORE_DIFFERENCE;
-    if (vectors) gather.restore = SSGI_GL_RESTORE_NONE;
-    shade.restore = gather.restore;
-    /* parts are told apart after the same rounding */
-    gather.packed = blur.packed = shade.packed = m->gather.packed || transfer || aside;
-    gather.shaded = !vectors && !shade.shading && !shade.lights;
-    blur.colour = SSGI_GL_COEFFICIENTS;
-    p = kit_add_pass(m, &gather, run->gbuffer, 0, 0, 0, 0);
-    if (p && vectors && m->blurred && (p = kit_add_pass(m, &blur, run->gbuffer, 0, 0, 0, 0)))
-        p->vectors = run->passes - 2;
-    if (p && !gather.shaded && (p = kit_add_pass(m, &shade, run->gbuffer, 0, 0, 0, 0))) p->vectors = run->passes - 2;
-    if (!p) return -1;
-    p->lights = m->rows[0];
-    *light = p->target[0];
-    if (!vectors && kit_add_blur(m, gather.shaded ? &gather : &shade, light)) return -1;
-    run->pass[run->passes - 1].lights = m->rows[0];         /* blur restores them, too */
-    if (aside) run->fetches = fetches;
-    for (int i = first; i < run->passes; ++i) run->pass[i].aside = aside;
-    return 0;
-}
-
 /* s3ho: suns as lobes of the environment's harmonics; the placed that are left, which depend on where a pixel is, to
    the front; and what all of those harmonics lack. */
 static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
@@ -530,7 +439,7 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     int left = 0, n = 0, failed = !map || !four;
     for (int i = 0; i < *count && !failed; ++i) {
         const ssgi_gl_light *l = &placed[i].light;
-        if (l->kind > 0 || m->shade.shading) { placed[left++] = placed[i]; continue; }
+        if (l->kind > 0 || m->gather.shading) { placed[left++] = placed[i]; continue; }
         memcpy(suns[n].direction, l->at, sizeof suns[n].direction);
         memcpy(suns[n].irradiance, l->colour, sizeof suns[n].irradiance);
         failed = ssgi_sh_light(run->harmonics, bands, l->at, 0, suns[n++].irradiance, window, &why) != SSGI_OK;
@@ -538,7 +447,7 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     *count = left;
     memset(run->frame.window, 0, sizeof run->frame.window);
     ssgi_sh_window(run->frame.window, bands, window);
-    if (m->gather.residual && !m->shade.shading && !failed)
+    if (m->gather.residual && !m->gather.shading && !failed)
         failed =
             (env->data && ssgi_environment_map(map, OPEN, run->equirect, env->width, env->height, 0, &why) != SSGI_OK)
             || ssgi_sh_residual(map, OPEN, run->harmonics, bands, suns, n, &why) != SSGI_OK
@@ -548,22 +457,7 @@ static int add_harmonics(kit_making *m, kit_placed_light *placed, int *count)
     return failed ? kit_fail(m->err, "harmonics: %s", why) : 0;
 }
 
-/* The light of placed over what light there is. */
-static int add_placed_lights(kit_making *m, GLuint *light)
-{
-    ssgi_gl_desc d = m->lights;
-    kit_pass *p;
-    if (!m->rows[0]) return 0;
-    d.accumulate = 1;
-    p = kit_add_pass(m, &d, m->run->gbuffer, 0, *light, 0, 0);
-    if (!p) return -1;
-    p->lights = m->rows[0];
-    *light = p->target[0];
-    return 0;
-}
-
-/* The grey of meshes without a material. */
-static void add_grey(kit_making *m)
+void kit_add_grey(kit_making *m)
 {
     const kit_gbuffer *g = m->run->gbuffer;
     const size_t texels = (size_t)g->width * (size_t)g->height;
@@ -573,104 +467,51 @@ static void add_grey(kit_making *m)
     free(grey);
 }
 
-/* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
-static int add_hidden(kit_making *m)
+/* s3ho: indirect: 0 no bounce, 1 in one gather with the occlusion, 2 in one of its own. What one gather does is told
+   apart by a second, without it. */
+static int add_harmonic_light(kit_making *m, int indirect)
 {
-    const int albedo = m->gather.pass == SSGI_GL_S3HO, layers = m->gather.layers ? m->gather.layers : 1,
-              view_layers = m->gather.view_layers;
     kit_run *run = m->run;
-    GLuint light = 0;
-    run->senders = kit_keep(run, kit_texture_array(run->gbuffer->viewport[2], run->gbuffer->viewport[3], layers,
-                                                   GL_RG32UI, NULL));
-    if (run->views)
-        run->view_senders = kit_keep(run, kit_texture_array(run->view[0].width, run->view[0].height,
-                                                            run->views * view_layers, GL_RG32UI, NULL));
-    for (int k = 0; k < run->views * view_layers + layers - 1; ++k) {
-        const int v = k < run->views * view_layers ? k / view_layers : -1;
-        const int j = v < 0 ? layers - 1 - (k - run->views * view_layers) : k % view_layers;
-        const kit_gbuffer *g = v < 0 ? run->gbuffer : &run->view[v];
-        if (!albedo && add_direct(m, g, v, j, &light)) return -1;
-        if ((albedo || light) && add_senders(m, g, v, j, light)) return -1;
+    const int joint = indirect == 1, store = (int)kit_method_value(m->method, "store");
+    ssgi_gl_chain chain = kit_chain(m), bounce;
+    chain.vectors = !(kit_method_value(m->method, "filtered") > 0);
+    chain.precise = store == 2 ? 2 : 1;
+    chain.desc.packed = store == 1 || joint;            /* alike, so that both are rounded alike */
+    chain.desc.shaded = !chain.vectors && !chain.desc.shading && !chain.desc.lights;
+    bounce = chain;
+    bounce.desc.packed = 1;
+    bounce.desc.transfer = joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED;
+    /* blockers may send more than is missing */
+    if (chain.desc.restore) bounce.desc.restore = SSGI_GL_RESTORE_DIFFERENCE;
+    if (joint) chain.desc.restore = bounce.desc.restore;
+    if (m->rows[0] && kit_method_value(m->method, "lights") > 0) chain.lights = m->lights;
+    if ((indirect && kit_add_steps(m, &bounce, 0, &run->bounce, NULL)) || kit_add_steps(m, &chain, joint, &run->light, NULL))
+        return -1;
+    if (joint) {
+        const kit_pass *last = &run->pass[run->passes - 1];
+        run->joint = run->light;
+        for (int k = 0; k < last->step.inputs && last->desc.pass == SSGI_GL_LIGHTS; ++k)
+            if (!strcmp(last->step.input[k].name, "t_ssgi_light")) run->joint = last->input[k];
     }
     return 0;
-}
-
-/* s3ho: indirect: no bounce, in one gather with the occlusion, in one of its own. */
-static int add_harmonic_light(kit_making *m, int indirect, int harmonics, GLuint *light, GLuint *received)
-{
-    const int joint = indirect == 1;
-    if (indirect && add_senders(m, m->run->gbuffer, -1, 0, 0)) return -1;
-    if (add_vectors(m, SSGI_GL_TRANSFER_DIRECT, joint, light)) return -1;
-    if (indirect && add_vectors(m, joint ? SSGI_GL_TRANSFER_BOTH : SSGI_GL_TRANSFER_REFLECTED, 0, received)) return -1;
-    if (joint) m->run->joint = *light;
-    return harmonics ? 0 : add_placed_lights(m, light);
-}
-
-/* ssdo: environment and bounce in one gather; senders shine with the last frame's light. */
-static int add_reused(kit_making *m, GLuint *light, GLuint *received)
-{
-    kit_run *run = m->run;
-    ssgi_gl_desc bounce = m->gather;
-    kit_pass *p, *senders;
-    bounce.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (add_senders(m, run->gbuffer, -1, 0, 1)) return -1;         /* its source is set below */
-    senders = &run->pass[run->passes - 1];
-    p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
-    if (!p) return -1;
-    *light = p->target[0];
-    *received = p->target[1];
-    if (kit_add_blur(m, &m->gather, light) || kit_add_blur(m, &bounce, received) || add_placed_lights(m, light))
-        return -1;
-    senders->source = *light;
-    return 0;
-}
-
-int kit_add_seen_senders(kit_making *m, GLuint light)
-{
-    kit_run *run = m->run;
-    const kit_gbuffer *g = run->gbuffer;
-    run->senders = kit_keep(run, kit_texture_array(g->viewport[2], g->viewport[3], 1, GL_RG32UI, NULL));
-    if (!g->albedo) add_grey(m);
-    return add_senders(m, g, -1, 0, light);
 }
 
 /* ssdo: what arrives at once, then the bounce of it. vpls: these bring the bounce but for what their clamp leaves
    out. */
-static int add_bounced(kit_making *m, int vpls, GLuint *light, GLuint *received)
-{
-    kit_gbuffer *g = m->run->gbuffer;
-    ssgi_gl_desc d = m->gather;
-    kit_pass *p;
-    if (add_direct(m, g, -1, 0, light)) return -1;
-    if (!d.bounce || !(*light || g->direct)) return 0;
-    d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (vpls) {                             /* just that falloff, of single points */
-        d.falloff = SSGI_GL_FALLOFF_SQUARE;
-        d.fade = d.range = 0;
-        if (d.search == SSGI_GL_POINTS) {
-            d.samples = d.samples * d.steps < 64 ? d.samples * d.steps : 64;
-            d.steps = 1;
-        }
-    }
-    if (add_senders(m, g, -1, 0, *light)) return -1;
-    p = kit_add_pass(m, &d, g, 0, 0, 0, 0);
-    if (!p) return -1;
-    *received = p->target[0];
-    return kit_add_blur(m, &d, received);
-}
-
-static int add_vpls(kit_making *m, const kit_placed_light *placed, int first, int last, const float picture[16],
-                    GLuint *received)
+static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int direct, int count,
+                              const float picture[16])
 {
     kit_run *run = m->run;
-    ssgi_gl_desc d = m->lights;
-    kit_pass *p;
-    d.accumulate = *received != 0;
-    p = kit_add_pass(m, &d, run->gbuffer, KIT_FRAME_VPLS, *received, 0, 0);
-    if (!p) return -1;
-    p->lights = kit_keep(run, kit_light_rows(placed, first, last, picture));
-    *received = p->target[0];
-    run->vpls = last - first;
+    ssgi_gl_chain chain = kit_chain(m);
+    chain.reuse = kit_method_value(m->method, "reuse") > 0;
+    chain.vpls = kit_method_value(m->method, "vpls") > 0;
+    chain.direct = run->gbuffer->direct != 0;
+    if (m->rows[0]) chain.lights = m->lights;
+    if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
+    for (int i = 0; i < run->passes; ++i)
+        if (run->pass[i].step.frame == KIT_FRAME_VPLS)
+            run->pass[i].lights = kit_keep(run, kit_light_rows(placed, direct, count, picture));
+    run->vpls = count - direct;
     return 0;
 }
 
@@ -696,9 +537,8 @@ int kit_open_lit(kit_making *m, const float picture[16])
     static const kit_lighting dark;
     kit_run *run = m->run;
     kit_gbuffer *g = run->gbuffer;
-    const int suns = kit_method_value(m->method, "suns") > 0, vpls = kit_method_value(m->method, "vpls") > 0;
-    const int s3ho = m->gather.pass == SSGI_GL_S3HO, indirect = (int)kit_method_value(m->method, "indirect");
-    const int bounce = s3ho ? indirect : m->gather.bounce, reuse = kit_method_value(m->method, "reuse") > 0;
+    const int suns = kit_method_value(m->method, "suns") > 0, s3ho = m->gather.pass == SSGI_GL_S3HO,
+              indirect = (int)kit_method_value(m->method, "indirect");
     const int harmonics = s3ho && !(kit_method_value(m->method, "lights") > 0);
     const kit_lighting *lighting = m->world->lighting ? m->world->lighting : &dark;
     const kit_world world = { m->world->scene, lighting };
@@ -709,11 +549,10 @@ int kit_open_lit(kit_making *m, const float picture[16])
         return kit_fail(m->err, "method %s: its bounce is of --env and --light alone, the frame's direct.R .. would be "
                                 "left out: take ssdo, or --set indirect=none", m->method->name);
     m->world = &world;
-    m->blur.colour = SSGI_GL_COLOUR;
-    if (!lighting->env.data) m->shade.shading = SSGI_GL_SHADING_HARMONICS;
+    if (!lighting->env.data) m->gather.shading = SSGI_GL_SHADING_HARMONICS;
     m->gather.environment = lighting->env.data && !suns ? environments[(int)kit_method_value(m->method, "environment")]
                                                         : SSGI_GL_ENVIRONMENT_NONE;
-    if (s3ho) m->gather.environment = m->shade.environment = SSGI_GL_ENVIRONMENT_SH;
+    if (s3ho) m->gather.environment = SSGI_GL_ENVIRONMENT_SH;
     if (!m->blurred || !m->gather.environment) m->gather.restore = 0;
     if (lighting->env.data && kit_add_environment(m)) return -1;
     kit_rotation_of(run->frame.rotation, picture, NULL);
@@ -725,40 +564,22 @@ int kit_open_lit(kit_making *m, const float picture[16])
         int lobes = harmonics ? direct : 0;
         if (add_harmonics(m, placed, &lobes)) { free(placed); return -1; }
         if (harmonics) count = direct = lobes;
-        m->shade.lights = lobes > 0;
+        m->gather.lights = lobes > 0;
     }
     ssgi_gl_harmonics_set(&run->frame, run->harmonics, m->gather.bands, picture, NULL);
     run->frame.lights = direct;
     failed = add_sources(m, placed, direct, count, picture, &seen.middle);
-    if (!failed && !g->albedo) add_grey(m);
-    failed = failed || (bounce && add_hidden(m))
-          || (s3ho ? add_harmonic_light(m, indirect, harmonics, &run->light, &run->bounce)
-              : bounce && m->gather.environment && reuse ? add_reused(m, &run->light, &run->bounce)
-              : add_bounced(m, vpls, &run->light, &run->bounce))
-          || (vpls && add_vpls(m, placed, direct, count, picture, &run->bounce));
+    if (!failed && !g->albedo) kit_add_grey(m);
+    failed = failed || (s3ho ? add_harmonic_light(m, indirect) : add_occluded_light(m, placed, direct, count, picture));
     free(placed);
     return failed ? -1 : 0;
-}
-
-/* Occluders first .. last - 1 of the rows in one draw. */
-static int add_occluders(kit_making *m, const ssgi_gl_occluder *rows, int first, int last)
-{
-    kit_run *run = m->run;
-    const GLuint rows_texture =
-        kit_keep(run, kit_texture(10, last > first ? last - first : 1, GL_RGBA32F, rows[first].at));
-    kit_pass *p = kit_add_pass(m, &m->gather, run->gbuffer, 0, 0, 0, 0);
-    if (!p) return -1;
-    p->lights = rows_texture;
-    p->instances = last - first;
-    run->light = p->target[0];
-    return rows_texture ? 0 : kit_fail(m->err, "no memory for %d occluders", last - first);
 }
 
 /* The casting objects' fields, and where they stand. */
 int kit_open_field(kit_making *m, const float picture[16])
 {
     const kit_scene *scene = m->world->scene;
-    const int all = kit_method_value(m->method, "occluders") > 0, each = kit_method_value(m->method, "draw") > 0;
+    const int all = kit_method_value(m->method, "occluders") > 0;
     kit_run *run = m->run;
     ssgi_field_desc d;
     const ssgi_field **field;
@@ -801,12 +622,14 @@ int kit_open_field(kit_making *m, const float picture[16])
                 failed = kit_fail(m->err, "object %s: %s", o->name, why);
         }
     }
-    if (!failed && !count) failed = add_occluders(m, rows, 0, 0);
-    if (!failed && count) {
-        run->fields = kit_keep(run, kit_field_atlas(field, fields));
-        if (!run->fields) failed = kit_fail(m->err, "no memory for %d fields", fields);
-        for (int i = 0; i < count && !failed; i += each ? 1 : count)
-            failed = add_occluders(m, rows, i, each ? i + 1 : count);
+    if (!failed && count && !(run->fields = kit_keep(run, kit_field_atlas(field, fields))))
+        failed = kit_fail(m->err, "no memory for %d fields", fields);
+    if (!failed && !(m->rows[0] = kit_keep(run, kit_texture(10, count ? count : 1, GL_RGBA32F, rows[0].at))))
+        failed = kit_fail(m->err, "no memory for %d occluders", count);
+    if (!failed) {
+        const ssgi_gl_chain chain = kit_chain(m);
+        failed = kit_add_steps(m, &chain, 0, &run->light, NULL);
+        if (!failed) run->pass[run->passes - 1].instances = count;
     }
     run->occluders = count;
     free(field);

@@ -75,115 +75,112 @@ GLuint kit_keep(kit_run *run, GLuint texture)
     return texture;
 }
 
-/* The format of an output, from its row: vectors as many floats or integers a texel as their bands need. */
-static GLenum target_format(const kit_making *m, const ssgi_gl_desc *desc, const ssgi_gl_io *out)
+/* A step's program, framebuffer and targets; textures: what its steps' numbers are, 0 = not yet. NULL on failure. */
+static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textures[], int aside)
 {
-    const int stored = (int)kit_method_value(m->method, "store"), more = out->name[strlen(out->name) - 1] != '0';
-    /* blended */
-    if ((desc->pass == SSGI_GL_FIELD || (desc->pass == SSGI_GL_SPLAT && !strcmp(out->type, "float"))) && kit_gl_is_es())
-        return GL_R16F;
-    if (desc->pass == SSGI_GL_SPLAT && kit_gl_is_es()) return GL_RGBA16F;
-    if (desc->pass == SSGI_GL_SHUFFLE) return GL_RGBA32UI;
-    if (!strcmp(out->type, "float")) return GL_R32F;
-    if (!strcmp(out->type, "vec2")) return GL_RG32F;
-    if (!strcmp(out->type, "uvec4"))
-        return desc->bands == (more ? 3 : 1) ? GL_R32UI : desc->bands == 2 ? GL_RG32UI : GL_RGBA32UI;
-    if (strncmp(out->name, "o_ssgi_sh", 9)) return GL_RGBA32F;
-    if (desc->bands == 1 || (desc->bands == 3 && !strcmp(out->name, "o_ssgi_sh2"))) return stored ? GL_R32F : GL_R16F;
-    return stored ? GL_RGBA32F : GL_RGBA16F;
-}
-
-kit_pass *kit_add_pass(kit_making *m, const ssgi_gl_desc *desc, const kit_gbuffer *g, int frame, GLuint source,
-                       GLuint array, int slice)
-{
-    static const GLenum attachment[KIT_MAX_TARGETS] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
-                                                        GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3,
-                                                        GL_COLOR_ATTACHMENT4, GL_COLOR_ATTACHMENT5 };
     kit_run *run = m->run;
     kit_pass *p = &run->pass[run->passes];
-    const int half = desc->half && desc->pass != SSGI_GL_BLUR,
-              levelled = desc->pass >= SSGI_GL_SHUFFLE && desc->pass <= SSGI_GL_SMOOTH;
-    const uint64_t key = ssgi_gl_key(desc);
-    int outputs = 0;
+    const int camera = step->frame && step->frame < KIT_FRAME_VPLS ? (step->frame - 1) / 2 : -1;
+    const kit_gbuffer *g = camera < 0 ? run->gbuffer : &run->view[camera];
+    const uint64_t key = ssgi_gl_key(&step->desc);
+    GLenum attachment[KIT_MAX_TARGETS];
     if (run->passes == KIT_MAX_PASSES) {
         kit_fail(m->err, "method %s: more than %d passes", m->method->name, KIT_MAX_PASSES);
         return NULL;
     }
     memset(p, 0, sizeof *p);
-    p->desc = *desc;
+    p->step = *step;
+    p->desc = step->desc;
     p->gbuffer = g;
-    p->frame = frame;
-    p->source = source;
-    p->vectors = -1;
-    p->width = levelled ? run->frame.level[0] : half ? (g->viewport[2] + 1) / 2 : g->viewport[2];
-    p->height = levelled ? run->frame.level[1] * desc->levels : half ? (g->viewport[3] + 1) / 2 : g->viewport[3];
+    p->aside = aside;
+    p->lights = m->rows[1 + camera];
+    p->width = camera < 0 ? step->width : g->viewport[2];
+    p->height = camera < 0 ? step->height : g->viewport[3];
     for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
     if (kit_pass_make(p, m->err)) return NULL;
     p->key = key;
     ++run->passes;
-    if (desc->pass == SSGI_GL_SURFELS) return p;                    /* draws nothing */
+    if (!step->outputs) return p;
     glGenFramebuffers(1, &p->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-    for (int i = 0; i < p->rows; ++i) {
-        if (p->io[i].kind != SSGI_GL_OUTPUT) continue;
-        if (array) glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, slice);
-        else {
-            const int blended = desc->pass == SSGI_GL_FIELD && p > run->pass;       /* occluders, over each other */
-            p->target[outputs] = blended ? run->pass[0].target[0]
-                : kit_keep(run, kit_texture(p->width, p->height, target_format(m, desc, &p->io[i]), NULL));
-            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[outputs], GL_TEXTURE_2D, p->target[outputs], 0);
+    for (int i = 0; i < step->outputs; ++i) {
+        const ssgi_gl_output *o = &step->output[i];
+        GLuint *made = &textures[o->texture];
+        attachment[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+        if (o->slices) {
+            const kit_gbuffer *widest = camera < 0 ? g : &run->view[0];
+            if (!*made)
+                *made = kit_keep(run, kit_texture_array(widest->viewport[2], widest->viewport[3], o->slices,
+                                                        o->format->internal, NULL));
+            p->slices = *made;
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment[i], *made, 0, o->slice);
+            continue;
         }
-        ++outputs;
+        *made = p->target[i] = kit_keep(run, kit_texture(p->width, p->height, o->format->internal, NULL));
+        if (o->kept) p->last[i] = kit_keep(run, kit_texture(p->width, p->height, o->format->internal, NULL));
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[i], GL_TEXTURE_2D, *made, 0);
     }
-    glDrawBuffers(outputs, attachment);
+    glDrawBuffers(step->outputs, attachment);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(desc->pass));
+        kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(step->desc.pass));
         return NULL;
     }
-    if (desc->pass == SSGI_GL_SSDO || desc->pass == SSGI_GL_LIGHTS)
-        for (int i = 0; i < outputs && !array; ++i) glClearBufferfv(GL_COLOR, i, (const GLfloat[4]){ 0, 0, 0, 0 });
-    if (desc->pass != SSGI_GL_SPLAT)
-        run->fetches +=
-            kit_fetches(desc) * (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
+    for (int i = 0; i < step->outputs; ++i)
+        if (step->output[i].format->type != GL_UNSIGNED_INT)
+            glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
+    if (step->desc.pass != SSGI_GL_SPLAT && !aside)
+        run->fetches += kit_fetches(&step->desc) * (double)p->width * p->height
+                        / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
 
-/* What blur reads becomes an average over frames, then what it writes. */
-int kit_add_blur(kit_making *m, const ssgi_gl_desc *of, GLuint *texture)
+ssgi_gl_chain kit_chain(const kit_making *m)
 {
-    ssgi_gl_desc d = *of;
-    kit_pass *p;
-    d.colour = m->blur.colour;
-    d.filter = m->blur.filter;
-    d.filter_radius = m->blur.filter_radius;
-    d.filter_normals = m->blur.filter_normals;
-    d.half = m->blur.half;
-    /* a bounce differs across creases, and nothing restores it */
-    if (of->bounce && !of->environment && kit_method_value(m->method, "bounce_normals") > 0) d.filter_normals = 1;
-    if (m->kept) {
-        d.pass = SSGI_GL_HISTORY;
-        d.motion = m->run->gbuffer->motion != 0;
-        p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
-        if (!p) return -1;
-        for (int i = 0; i < p->rows; ++i)
-            if (p->io[i].kind == SSGI_GL_OUTPUT)
-                p->last[p->io[i].slot] =
-                    kit_keep(m->run, kit_texture(p->width, p->height, target_format(m, &d, &p->io[i]), NULL));
-        *texture = p->target[0];
-    }
-    if (!m->blurred) return 0;
-    d.pass = SSGI_GL_BLUR;
-    p = kit_add_pass(m, &d, m->run->gbuffer, 0, *texture, 0, 0);
-    if (!p) return -1;
-    *texture = p->target[0];
-    return 0;
+    ssgi_gl_chain chain;
+    memset(&chain, 0, sizeof chain);
+    chain.desc = m->gather;
+    chain.desc.motion = m->kept && m->run->gbuffer->motion;
+    chain.width = m->run->gbuffer->viewport[2];
+    chain.height = m->run->gbuffer->viewport[3];
+    chain.blur = m->blurred > 0;
+    chain.history = m->kept;
+    chain.precise = 1;
+    return chain;
 }
+
+int kit_add_steps(kit_making *m, const ssgi_gl_chain *chain, int aside, GLuint *light, GLuint *bounce)
+{
+    kit_run *run = m->run;
+    const char *why = "out of memory";
+    GLuint textures[KIT_MAX_TEXTURES] = { 0 };
+    const int first = run->passes, count = ssgi_gl_steps(NULL, 0, chain, &why);
+    ssgi_gl_step *step = malloc((size_t)(count + 1) * sizeof *step);
+    int failed = !count || !step;
+    if (failed) kit_fail(m->err, "method %s: %s", m->method->name, why);
+    else ssgi_gl_steps(step, count, chain, NULL);
+    /* parts are told apart by passes that embedders would not draw; lights are drawn all the same */
+    for (int i = 0; i < count && !failed; ++i)
+        failed = !add_pass(m, &step[i], textures, aside && step[i].desc.pass != SSGI_GL_LIGHTS);
+    for (int i = 0; i < count && !failed; ++i) {
+        kit_pass *p = &run->pass[first + i];
+        for (int k = 0; k < step[i].inputs; ++k) {
+            const ssgi_gl_input *in = &step[i].input[k];
+            if (in->texture >= 0) p->input[k] = textures[in->texture];
+            for (int o = 0; o < step[i].outputs && in->texture >= 0 && in->last; ++o)
+                if (step[i].output[o].texture == in->texture) p->input[k] = p->last[o];
+        }
+        for (int o = 0; o < step[i].outputs; ++o) {
+            if (step[i].output[o].result == SSGI_GL_RESULT_LIGHT && light) *light = p->target[o];
+            if (step[i].output[o].result == SSGI_GL_RESULT_BOUNCE && bounce) *bounce = p->target[o];
+        }
+    }
+    free(step);
+    return failed ? -1 : 0;
+}
+
+/* What a row names: a texture of the steps, or of the G-buffer, or of the run. */
 static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name)
 {
-    const kit_pass *from = p->vectors < 0 ? NULL : &run->pass[p->vectors];
-    for (int i = 0; from && i < from->rows; ++i)
-        if (from->io[i].kind == SSGI_GL_OUTPUT && !strcmp(from->io[i].name + 1, name + 1))
-            return from->target[from->io[i].slot];
     const struct { const char *name; GLuint texture;
     } table[] = { { "depth", p->gbuffer->depth },
                   { "layers", p->gbuffer->layer_depth },
@@ -198,20 +195,14 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
                   { "kernel", run->kernel },
                   { "environment", run->environment },
                   { "irradiance", run->irradiance },
-                  { "senders", run->senders },
-                  { "view_senders", run->view_senders },
-                  { "shuffled", run->shuffled },
-                  { "levels", p->source },
                   { "lights", p->lights },
                   { "occluders", p->lights },
                   { "fields", run->fields },
                   { "objects", p->gbuffer->object },
-                  { "history", p->last[0] },
-                  { "means", p->last[1] },
                   { "motion", p->gbuffer->motion },
-                  { "shadow", run->atlas },
-                  { "light", p->source },
-                  { "ao", p->source } };
+                  { "shadow", run->atlas } };
+    for (int k = 0; k < p->step.inputs; ++k)
+        if (p->input[k] && !strcmp(name, p->step.input[k].name)) return p->input[k];
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
         if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
@@ -268,7 +259,7 @@ static double bytes_of(const kit_run *run)
             double texels, texel;
             if (!in && (io->kind != SSGI_GL_OUTPUT || !p->framebuffer)) continue;
             /* without targets of its own it draws into a slice */
-            texture = in ? texture_of(run, p, io->name) : p->target[0] ? p->target[io->slot] : run->senders;
+            texture = in ? texture_of(run, p, io->name) : p->target[0] ? p->target[io->slot] : p->slices;
             if (!texture) continue;
             /* of the G-buffer's farther layers */
             slices = texture == g->layer_depth ? p->desc.layers - 1 : texture == g->layer_normal
@@ -361,7 +352,9 @@ static void limit_passes(kit_run *run)
             const int reach = rim[j] + (p->desc.pass == SSGI_GL_BLUR ? 2 * p->desc.filter_radius + 2 : 0);
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
-                if ((i != p->vectors && !draws(&run->pass[i], p->source)) || rim[i] >= wanted) continue;
+                int read = 0;
+                for (int k = 0; k < p->step.inputs; ++k) read |= draws(&run->pass[i], p->input[k]);
+                if (!read || rim[i] >= wanted) continue;
                 rim[i] = wanted;
                 changed = 1;
             }
@@ -370,7 +363,7 @@ static void limit_passes(kit_run *run)
     run->fetches = 0;
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const int half = p->desc.half && p->desc.pass != SSGI_GL_BLUR, from = run->margin - rim[i];
+        const int half = p->step.size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
         for (int k = 0; k < 2 && rim[i] >= 0 && from > 0; ++k) {
             const int to = run->frame.size[k] - from;
             p->box[k] = half ? from / 2 : from;
@@ -422,14 +415,11 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     } else if (m->gather.pass == SSGI_GL_SPLAT) {
         failed = kit_open_deep(m, &view, picture);
     } else {
-        kit_pass *p;
         kit_sight seen = { .point = NULL };
+        const ssgi_gl_chain chain = kit_chain(m);
         failed = m->gather.views && (kit_seen(g, &seen, m->err) || kit_add_views(m, picture, &seen.middle));
         free(seen.point);
-        p = failed ? NULL : kit_add_pass(m, &m->gather, g, 0, 0, 0, 0);
-        failed = !p;
-        if (p) run->light = p->target[0];
-        failed = failed || kit_add_blur(m, &m->gather, &run->light);
+        failed = failed || kit_add_steps(m, &chain, 0, &run->light, NULL);
     }
     if (m->gather.kernel) {
         const int sets = (int)kit_method_value(m->method, "sets");
@@ -490,33 +480,39 @@ void kit_run_draw(kit_run *run, int timed)
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, run->block[KIT_FRAME_VIEWS]);
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const ssgi_gl_frame *f = p->frame > 0 && p->frame < KIT_FRAME_VPLS ? &run->extra[p->frame - 1] : &run->frame;
+        const ssgi_gl_step *step = &p->step;
+        const ssgi_gl_frame *f =
+            step->frame && step->frame < KIT_FRAME_VPLS ? &run->extra[step->frame - 1] : &run->frame;
+        const int half = step->size == SSGI_GL_SIZE_HALF, levels = step->size == SSGI_GL_SIZE_LEVELS;
         for (int k = 0; k < p->rows; ++k)
             if (p->io[k].kind == SSGI_GL_TEXTURE) {
                 glActiveTexture(GL_TEXTURE0 + (GLenum)p->io[k].slot);
                 glBindTexture(target_of(&p->io[k]), texture_of(run, p, p->io[k].name));
             }
-        glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[p->frame]);
+        glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[step->frame]);
         /* surfels: any complete one, which a context without a surface has not */
         glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer ? p->framebuffer : run->pass[run->passes - 1].framebuffer);
-        if (p->desc.pass >= SSGI_GL_SHUFFLE && p->desc.pass <= SSGI_GL_SMOOTH) glViewport(0, 0, p->width, p->height);
-        else if (p->desc.half && p->desc.pass != SSGI_GL_BLUR)
-            glViewport(f->target[0] / 2, f->target[1] / 2, (f->size[0] + 1) / 2, (f->size[1] + 1) / 2);
-        else glViewport(f->target[0], f->target[1], f->size[0], f->size[1]);
+        if (levels) glViewport(0, 0, p->width, p->height);
+        else glViewport(f->target[0] >> half, f->target[1] >> half, (f->size[0] + half) >> half,
+                        (f->size[1] + half) >> half);
         if (p->box[2]) {
             glEnable(GL_SCISSOR_TEST);
             glScissor(p->box[0], p->box[1], p->box[2], p->box[3]);
         }
         glUseProgram(p->program);
         if (timed && !p->aside) kit_timer_begin();
-        if (p->desc.pass == SSGI_GL_FIELD) {
-            if (!i) glClearBufferfv(GL_COLOR, 0, (const GLfloat[4]) { 1, 1, 1, 1 });
+        if (step->clear)
+            for (GLint k = 0; k < step->outputs; ++k)
+                glClearBufferfv(GL_COLOR, k, (const GLfloat[4]) { step->clear_to, step->clear_to, step->clear_to,
+                                                                  step->clear_to });
+        if (step->blend[0]) {
             glEnable(GL_BLEND);
-            glBlendFunc(GL_DST_COLOR, GL_ZERO);
-            glDrawArraysInstanced(GL_TRIANGLES, 0, 6, p->instances);
-            glDisable(GL_BLEND);
-        } else if (p->array) kit_draw_surfels(run, p);
-        else glDrawArrays(GL_TRIANGLES, 0, 3);
+            glBlendEquation(step->blend[0]);
+            glBlendFunc(step->blend[1], step->blend[2]);
+        }
+        if (p->array) kit_draw_surfels(run, p);
+        else glDrawArraysInstanced(step->primitive, 0, step->vertices, step->instances ? step->instances : p->instances);
+        glDisable(GL_BLEND);
         if (timed && !p->aside) p->ms = kit_timer_end();
         if (p->box[2]) glDisable(GL_SCISSOR_TEST);
     }
@@ -533,7 +529,10 @@ static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
         for (int i = 0; i < run->textures && a != b; ++i)
             run->texture[i] = run->texture[i] == x ? y : run->texture[i] == y ? x : run->texture[i];
         for (int i = 0; i < run->passes; ++i)
-            run->pass[i].source = run->pass[i].source == x ? y : run->pass[i].source == y ? x : run->pass[i].source;
+            for (int k = 0; k < run->pass[i].step.inputs; ++k) {
+                GLuint *in = &run->pass[i].input[k];
+                *in = *in == x ? y : *in == y ? x : *in;
+            }
     }
 }
 
@@ -564,6 +563,19 @@ int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
     }
     kit_run_update(run);
     return 0;
+}
+
+GLuint kit_run_input(kit_run *run, const char *name, GLuint instead)
+{
+    GLuint was = 0;
+    for (int i = 0; i < run->passes; ++i)
+        for (int k = 0; k < run->pass[i].step.inputs; ++k) {
+            GLuint *in = &run->pass[i].input[k];
+            if (!*in || strcmp(run->pass[i].step.input[k].name, name)) continue;
+            if (!was) was = *in;
+            if (instead) *in = instead;
+        }
+    return was;
 }
 
 double kit_run_ms(const kit_run *run)

@@ -36,16 +36,15 @@ THICKNESS(most_thick_row, 0.7)
 ROW(behind_row, "behind", "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
     "constant solid back slabs", 0, 0, 3, 1, GATHER, DESC(behind))
 ROW(half_row, "half", "1: one pixel of every 2x2, brought to full size by the filter",
-    NULL, 0, 0, 1, 1, GATHER | BLUR, DESC(half))
+    NULL, 0, 0, 1, 1, GATHER, DESC(half))
 ROW(hard_row, "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1, GATHER, DESC(hard))
 ROW(offset_row, "offset", "lift of the receiver along its normal, in half pixels",
     NULL, 1.5, 0, 100, 0, FRAME, FRAMED(offset))
 ROW(blur_row, "blur", "radius of the filter, pixels; 0 = none", NULL, 1, 0, 4, 1, PLAN, 0)
-ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, BLUR, DESC(filter))
-ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, BLUR, DESC(filter_normals))
+ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, GATHER, DESC(filter))
+ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
 ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
-    "none ratio difference", 1, 0, 2, 1, GATHER | BLUR, DESC(restore))
-ROW(like_row, "bounce_normals", "1: the filter of the bounce compares normals", NULL, 1, 0, 1, 1, PLAN, 0)
+    "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -98,7 +97,7 @@ ROW(vpls_row, "vpls", "virtual point lights of the first --light: the bounce bey
     NULL, 0, 0, 4096, 1, PLAN, 0)
 
 ROW(bands_row, "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients",
-    NULL, 4, 1, 4, 1, GATHER | BLUR, DESC(bands))
+    NULL, 4, 1, 4, 1, GATHER, DESC(bands))
 ROW(few_bands_row, "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1, GATHER, DESC(bands))
 ROW(store_row, "store", "coefficients as halves, halves packed into integers, or floats",
     "half packed float", 0, 0, 2, 1, PLAN, 0)
@@ -119,7 +118,6 @@ ROW(reach_row, "reach", "influence of occluders, in radii of their bounding sphe
 ROW(ramp_row, "ramp", "start of their fade, as a share of the reach", NULL, 0.75, 0, 0.99, 0, PLAN, 0)
 ROW(inside_row, "inside", "A_0: occlusion deep in the convex hull; -1 = as measured", NULL, -1, -1, 1, 0, PLAN, 0)
 ROW(power_row, "power", "p: exponent of the blend toward it", NULL, 1, 0.01, 100, 0, PLAN, 0)
-ROW(draw_row, "draw", "occluders instanced, or each by a draw of its own", "instanced each", 0, 0, 1, 1, PLAN, 0)
 ROW(own_row, "own", "1: occluders occlude themselves too", NULL, 0, 0, 1, 1, PLAN, 0)
 ROW(occluders_row, "occluders", "which objects: solid ones that contain no other, or all",
     "solid all", 0, 0, 1, 1, PLAN, 0)
@@ -210,14 +208,14 @@ static const plan plans[] = {
       { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
         &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row } },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
-      SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
-    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK, &like_row) },
+      SSGI_GL_BALANCED, SSDO(WALK) },
+    { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
     { "ssdo-best", "the same, full size, more taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BEST,
-      SSDO(WALK, &like_row) },
+      SSDO(WALK) },
     { "ssdo-points", "the same by the paper's points along directions", SSGI_GL_SSDO, SSGI_GL_POINTS, SSGI_GL_BALANCED,
       SSDO(POINTS) },
     { "ssdo-bounce", "the same, all for the bounce: one slice of many taps, two slabs, the last frame's light",
-      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK, &like_row) },
+      SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_BALANCED, SSDO(WALK) },
     { "s3ho", "occlusion as spherical harmonics, --env and --light dotted with it, one bounce", SSGI_GL_S3HO,
       SSGI_GL_SLICES, SSGI_GL_BALANCED, S3HO(WALK) },
     { "s3ho-fast", "the same, fewer taps", SSGI_GL_S3HO, SSGI_GL_SLICES, SSGI_GL_FAST, S3HO(WALK) },
@@ -265,7 +263,7 @@ static const plan plans[] = {
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &draw_row, &own_row,
+      { &resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &own_row,
         &occluders_row, &normal_row } }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
@@ -391,25 +389,23 @@ ssgi_field_desc kit_method_field(const kit_method *method)
 int kit_settings_apply(kit_making *m, float radius)
 {
     const plan *of = NULL;
-    ssgi_gl_desc *to[3] = { &m->gather, &m->lights, &m->blur };
+    ssgi_gl_desc *to[2] = { &m->gather, &m->lights };
     for (int i = 0; i < PLANS; ++i) if (!strcmp(plans[i].name, m->method->name)) of = &plans[i];
     if (!of) return kit_fail(m->err, "method %s: there is none of that name", m->method->name);
     m->gather.pass = of->pass;
     if (of->pass == SSGI_GL_SPLAT) m->gather.effect = of->search; else m->gather.search = of->search;
-    m->lights = m->blur = m->shade = m->gather;
+    m->lights = m->gather;
     m->lights.pass = SSGI_GL_LIGHTS;
-    m->blur.pass = SSGI_GL_BLUR;
-    m->shade.pass = SSGI_GL_SHADE;
     for (int i = 0; i < m->method->count; ++i) {
         const row *w = of->rows[i];
         const double v = m->method->setting[i].value;
         const int whole = (int)v;
         const float real = (float)(w->where == SCALED ? v * (double)radius : v);
-        for (int k = 0; k < 3; ++k) if (w->where & 1 << k) memcpy((char *)to[k] + w->offset, &whole, sizeof whole);
+        for (int k = 0; k < 2; ++k) if (w->where & 1 << k) memcpy((char *)to[k] + w->offset, &whole, sizeof whole);
         if (w->where & (FRAME | SCALED)) memcpy((char *)&m->run->frame + w->offset, &real, sizeof real);
     }
     m->blurred = (int)kit_method_value(m->method, "blur");
-    m->blur.filter_radius = m->blurred;
+    m->gather.filter_radius = m->blurred;
     m->kept = kit_method_value(m->method, "history") > 0;
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
@@ -421,17 +417,13 @@ int kit_settings_apply(kit_making *m, float radius)
         const int bent = !m->gather.bands;
         if (bent) {
             m->gather.bands = 2;
-            m->shade.shading =
+            m->gather.shading =
                 kit_method_value(m->method, "cone") > 0 ? SSGI_GL_SHADING_BENT_CONE : SSGI_GL_SHADING_BENT_NORMAL;
         }
         m->gather.packed = (int)kit_method_value(m->method, "store") == 1;
-        m->shade.bands = m->blur.bands = m->gather.bands;
-        m->shade.half = m->gather.half && kit_method_value(m->method, "filtered") > 0;
-        m->shade.residual = m->gather.residual;
-        m->shade.normal = m->gather.normal;
         if (!(kit_method_value(m->method, "lights") > 0)) m->lights.shadow = SSGI_GL_SHADOW_NONE;
     }
     if (kit_method_value(m->method, "normal") > 0)
-        m->gather.normal = m->lights.normal = m->blur.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+        m->gather.normal = m->lights.normal = SSGI_GL_NORMAL_FROM_DEPTH;
     return 0;
 }
