@@ -18,7 +18,7 @@ enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 static int condition(const char *s, const char *end)
 {
     static const char *const signs[] = { "&&", "||", "==", "!=", "<", ">", "!", "(", ")" };
-    const ssgi_gl__field *field = NULL;
+    const ssgi_gl_choice *field = NULL;
     int compared = 0, terms = 0;
     while (s < end) {
         size_t n = 0, k = 0;
@@ -82,7 +82,7 @@ static void conditions(void)
         CHECK(!when || condition(when, when + strlen(when)), "pass %s: %s", ssgi_gl__passes[i].name, when);
     }
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
-        const ssgi_gl__field *f = &ssgi_gl__fields[i];
+        const ssgi_gl_choice *f = &ssgi_gl__fields[i];
         int words = *f->values != 0;
         for (const char *s = f->values; *s; ++s) words += *s == ' ';
         CHECK(!words || words == f->most + 1, "desc.%s has %d values with names and a limit of %d", f->name, words,
