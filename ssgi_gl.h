@@ -101,6 +101,10 @@
                 outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
                 An input: a row. What a text reads is what its functions name; nothing else says it again.
 
+   OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
+                       make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
+                       what gcc -E -P '-D__attribute__(x)=' prints; bindgen -- --target=x86_64-pc-windows-msvc
+                       -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
                        stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
