@@ -6,6 +6,8 @@
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/PASSES.md, the table of them
+#   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
+#   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
 #   make clean
 
 CFLAGS   ?= -O2 -g
@@ -49,7 +51,8 @@ build/sanitized/render.o: examples/render.c $(HEADERS) | deps
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-build/examples/%.o: examples/%.c $(HEADERS) examples/report.h examples/page.h examples/choices.h | deps
+EXAMPLE_H = examples/report.h examples/page.h examples/choices.h examples/manifest.h
+build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
@@ -60,8 +63,9 @@ build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 build/stability: examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
 
-build/glsl-text: examples/glsl.c build/examples/choices.o $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/examples/choices.o $(KIT_O) $(KIT_LIBS) -o $@
+GLSL_O = build/examples/choices.o build/examples/manifest.o
+build/glsl-text: examples/glsl.c $(GLSL_O) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
@@ -107,7 +111,7 @@ fit: build/report
 	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/fit.c -lm -o build/fit
 	build/fit report/plan-fit.csv
 
-# The text of every pass, dialect and feature choice, as plain files.
+# The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
 glsl: build/glsl-text
 	build/glsl-text build/glsl
 
@@ -118,6 +122,41 @@ golden: build/glsl-text
 # examples/PASSES.md: what each pass reads and writes, and every choice.
 passes: build/glsl-text
 	build/glsl-text --passes ssgi_gl.h >examples/PASSES.md
+
+# The headers, where pkg-config and CMake's find_package(ssgi) see them under PREFIX.
+PREFIX ?= /usr/local
+VERSION = $(shell sed -n 's/^.define SSGI_VERSION_M[AI][JN]OR //p' ssgi.h | paste -sd.)
+TO      = $(DESTDIR)$(PREFIX)
+INSTALLED = include/ssgi.h include/ssgi_gl.h share/pkgconfig/ssgi.pc share/cmake/ssgi/ssgi-config.cmake \
+            share/cmake/ssgi/ssgi-config-version.cmake
+install:
+	@mkdir -p '$(TO)/include' '$(TO)/share/pkgconfig' '$(TO)/share/cmake/ssgi'
+	@for f in $(INSTALLED); do from=$${f##*/}; test -e $$from || from=examples/packages/$$from; \
+	  sed 's/@VERSION@/$(VERSION)/' $$from >'$(TO)'/$$f && chmod 644 '$(TO)'/$$f || exit 1; done
+	@echo 'ssgi $(VERSION): $(TO)/include'
+
+uninstall:
+	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
+
+# The headers as WebAssembly, without a C library; examples/wasm/ssgi.mjs loads it.
+WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Os -fno-builtin -fno-math-errno -fdata-sections \
+             -nostdlib -nostdlibinc -isystem examples/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
+wasm: build/wasm/ssgi.wasm
+build/wasm/ssgi.wasm: examples/wasm/ssgi.c examples/wasm/ssgi.mjs $(wildcard examples/wasm/libc/*.h) ssgi.h ssgi_gl.h
+	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || \
+	  { echo 'wasm: clang or wasm-ld is missing (apt-get install clang lld)' >&2; exit 2; }
+	@mkdir -p $(@D)
+	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
+	@cp examples/wasm/ssgi.mjs $(@D)
+
+# An npm package: ssgi.mjs with its types and ssgi.wasm, the texts of WebGL 2 with their manifest.
+npm: build/wasm/ssgi.wasm build/glsl-text
+	@rm -rf build/npm && mkdir -p build/npm
+	@build/glsl-text build/npm/glsl 300es >/dev/null
+	@cp build/wasm/ssgi.wasm examples/wasm/ssgi.mjs LICENSE build/npm
+	@{ build/glsl-text --types && cat examples/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
+	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
+	@echo 'build/npm: ssgi $(VERSION)'
 
 TESTS = main t test_math test_trace test_files test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
@@ -130,4 +169,4 @@ test: build/render build/render-sanitized build/glsl-text build/test
 clean:
 	rm -rf build report
 
-.PHONY: all passes demo test chart light peers stability fit glsl golden deps clean
+.PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean

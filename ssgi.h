@@ -62,7 +62,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SSGI_VERSION 200 /* 0.2.0 */
+#define SSGI_VERSION_MAJOR 0
+#define SSGI_VERSION_MINOR 2
+#define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
 #ifdef SSGI_STATIC
 #define SSGI_DEF static
@@ -628,7 +630,6 @@ enum { SSGI_PLAN_CHOICES = 39 };
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #ifdef __cplusplus
@@ -3517,9 +3518,12 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
     static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "dss", "fields" };
+    static const int ten[5] = { 10000, 1000, 100, 10, 1 };
     ssgi_plan best, p;
     float goal = 0.0f;
-    int tried = 0, found = 0;
+    const char *words = ": no choice that may be taken comes within a tenth of #.####; this is the cheapest within a "
+                        "tenth of the least: #.####";
+    int tried = 0, found = 0, digit = 0;
     SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
@@ -3548,13 +3552,13 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         best = p;
         found = 1;
     }
-    if (best.meets)
-        snprintf(best.why, sizeof best.why, "%s: of %d choices the cheapest within a tenth of %.3g: errs by %.3g",
-                 method[best.method], tried, (double)s->error, (double)best.error);
-    else
-        snprintf(best.why, sizeof best.why, "%s: none of %d choices%s comes within a tenth of %.3g; "
-                 "this is the cheapest within a tenth of the least: %.3g", method[best.method], tried,
-                 s->budget > 0.0f ? " within the budget" : "", (double)s->error, (double)best.error);
+    if (best.meets) words = ": of all choices the cheapest within a tenth of #.####: errs by #.####";
+    memcpy(best.why, method[best.method], strlen(method[best.method]));
+    for (char *at = best.why + strlen(best.why); *words; ++words) {     /* digits by hand: no stdio.h, no locale */
+        const float x = digit < 5 ? s->error : best.error;
+        const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
+        *at++ = *words != '#' ? *words : (char)('0' + n / ten[digit++ % 5] % 10);
+    }
     *plan = best;
     return SSGI_OK;
 }
@@ -3564,7 +3568,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 #endif
 #endif /* SSGI_IMPLEMENTATION */
 
-/* CHANGES from 0.1 to 0.2, old -> new:
+/* From 1.0 on a minor version adds: sources still compile, names, units and what zeros mean stay; pixels may change.
+   Before that a minor version may rename: its changes are listed here.
+   CHANGES from 0.1 to 0.2, old -> new:
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_survey_of -> ssgi_depth_statistics_of; ssgi_trial, ssgi_plan_try ->
    ssgi_calibration, ssgi_plan_calibrate; surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small,
    .max_distance; splat.most, .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most ->

@@ -101,6 +101,10 @@
                 outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
                 An input: a row. What a text reads is what its functions name; nothing else says it again.
 
+   OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
+                       make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
+                       what gcc -E -P '-D__attribute__(x)=' prints; bindgen -- --target=x86_64-pc-windows-msvc
+                       -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
                        stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
@@ -318,6 +322,15 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
+/* An int of ssgi_gl_desc (version and fetch are the only fields that are none): 0 .. most. values: an enum's words, in
+   order from 0, blanks between; the sentence has the prefix that makes enumerators of them. Other fields': "". */
+typedef struct ssgi_gl_choice { const char *name, *values, *sentence; size_t offset; int most; } ssgi_gl_choice;
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past the last */
+
+/* What a desc that is SSGI_OK means: the defaults of its pass in place, and 0 what that pass does not look at. The text
+   of both is the same. */
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
+
 /* ==== >>emit ====================================================================================================== */
 
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
@@ -365,6 +378,9 @@ typedef struct ssgi_gl_io {
 /* Writes the rows of a pass in this variant, in the order of the text, at most capacity; returns how many there
    are, 0 for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
+
+/* Row i of kind PARAM, whatever the pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
+SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
 
@@ -2551,16 +2567,13 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
-/* Every int of ssgi_gl_desc: 0 .. most. values: their names in #if lines, in order from 0. */
-typedef struct ssgi_gl__field { const char *name; size_t offset; int most; const char *values, *sentence;
-} ssgi_gl__field;
-
+/* Names and values are those of #if lines, too. */
 #define SSGI_GL__I(field, most, text) \
-    { #field, offsetof(ssgi_gl_desc, field), most, "", "desc." #field ": must be " text }
+    { #field, "", "desc." #field ": must be " text, offsetof(ssgi_gl_desc, field), most }
 #define SSGI_GL__B(field) SSGI_GL__I(field, 1, "0 or 1")
 #define SSGI_GL__E(field, most, prefix, values) \
-    { #field, offsetof(ssgi_gl_desc, field), most, values, "desc." #field ": must be " prefix "_ and one of " values }
-static const ssgi_gl__field ssgi_gl__fields[] = {
+    { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), most }
+static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
                "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY STATISTICS"),
     SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"), SSGI_GL__B(orthographic),
@@ -2664,6 +2677,11 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     return SSGI_OK;
 }
 
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
+{
+    return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
     static const struct counts { unsigned char half, samples, directions, steps, rays, faded; } table[5][3] = {
@@ -2736,9 +2754,9 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return r;
 }
 
-/* The desc with its defaults in place, and off what its pass does not look at, so that #if lines need not ask for the
-   pass: s3ho has the bounce that its transfer asks for, and gathers harmonics where it keeps what is free. */
-static ssgi_gl_desc ssgi_gl__resolve(const ssgi_gl_desc *desc)
+/* So that #if lines need not ask for the pass: s3ho has the bounce that its transfer asks for, and gathers harmonics
+   where it keeps what is free. */
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d = *desc;
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
@@ -2797,7 +2815,7 @@ static size_t ssgi_gl__word(const char **s)         /* after blanks; *s is at it
     return n;
 }
 
-static const ssgi_gl__field *ssgi_gl__field_named(const char *name, size_t length)
+static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
 {
     int i;
     for (i = 0; i < SSGI_GL__FIELDS; ++i)
@@ -2806,7 +2824,7 @@ static const ssgi_gl__field *ssgi_gl__field_named(const char *name, size_t lengt
     return NULL;
 }
 
-static int ssgi_gl__value(const ssgi_gl__field *field, const char *name, size_t length)     /* -1: there is none */
+static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)     /* -1: there is none */
 {
     const char *s = field->values;
     size_t n;
@@ -2818,7 +2836,7 @@ static int ssgi_gl__value(const ssgi_gl__field *field, const char *name, size_t 
 
 static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
 {
-    const ssgi_gl__field *field;
+    const ssgi_gl_choice *field;
     size_t n = ssgi_gl__word(s);
     int value, other;
     char sign;
@@ -2964,7 +2982,7 @@ typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssg
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
 {
     int i;
-    p->d = ssgi_gl__resolve(desc);
+    p->d = ssgi_gl_resolve(desc);
     p->pass = NULL;
     for (i = 0; i < SSGI_GL__VARIANTS; ++i) {
         const ssgi_gl__pass *pass = &ssgi_gl__passes[i];
@@ -3183,6 +3201,13 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
+}
+
+SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
+{
+    int k = 0, n = 0;
+    while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
+    return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
 }
 
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
@@ -3610,7 +3635,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     s->desc = d;
     s->frame = frame;
-    d = ssgi_gl__resolve(&d);
+    d = ssgi_gl_resolve(&d);
     s->size = pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH ? SSGI_GL_SIZE_LEVELS
             : d.half && pass != SSGI_GL_BLUR ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
     if (s->size == SSGI_GL_SIZE_LEVELS) ssgi_splat_size(level, chain->width, chain->height, d.levels, NULL);

@@ -9,6 +9,12 @@
    fields alone: FOLDER/field.table.glsl (ssgi_gl_field). ssdo's default here is an environment map. FOLDER/sh4.glsl:
    ssgi_gl_sh(.., 4), and so on.
 
+   FOLDER/manifest.json says which files belong together and what they read and write, and what the fields of
+   ssgi_gl_desc and the members of the blocks are (its "about" explains it): for build steps in any language.
+
+      build/glsl-text FOLDER 300es   one dialect alone
+      build/glsl-text --types        the fields of ssgi_gl_desc as TypeScript
+
       build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the
                                      fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all
@@ -24,11 +30,12 @@
 #include <sys/stat.h>
 
 #include "choices.h"
+#include "manifest.h"
 
 enum { MOST = 1 << 14 };
 
-static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
 static uint64_t seen[MOST];
+static char file_name[MOST][80];
 static int files;
 
 static int write_file(const char *path, char *text, size_t n)
@@ -43,6 +50,7 @@ static int write_file(const char *path, char *text, size_t n)
 /* The texts of a desc that none before was: of every stage, of functions alone. */
 static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *first, const char *second)
 {
+    const char *together[SSGI_GL_STAGES + 1] = { NULL };
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
         const int alone = kind == SSGI_GL_STAGES;
         const size_t n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
@@ -56,13 +64,17 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
         if (text && !alone) ssgi_gl_emit(text, n + 1, d, kind);
         if (text) key = kit_hash(key, text, strlen(text));
         while (i < files && seen[i] != key) ++i;
+        together[kind] = file_name[i];
         if (text && i < files) { free(text); continue; }
         seen[files++] = key;
-        snprintf(path, sizeof path, "%s/%s%s%s%s%s%s%s.%s", folder, ssgi_gl_pass_name(d->pass), alone ? "" : ".",
+        snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s%s%s%s.%s", ssgi_gl_pass_name(d->pass), alone ? "" : ".",
                  alone ? "" : ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second,
                  endings[kind]);
+        snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
         if (write_file(path, text, n)) return -1;
     }
+    if (together[SSGI_GL_FRAGMENT]) manifest_variant(d, together);
+    if (together[SSGI_GL_STAGES]) manifest_functions(together[SSGI_GL_STAGES]);
     return 0;
 }
 
@@ -266,6 +278,13 @@ static int fail(const kit_error *err)
     return *err->text ? 2 : 0;
 }
 
+static int dialect_named(const char *name)          /* -1: there is none */
+{
+    int i = 0;
+    while (ssgi_gl_dialect_name(i) && strcmp(ssgi_gl_dialect_name(i), name)) ++i;
+    return i < SSGI_GL_DIALECTS ? i : -1;
+}
+
 int main(int argc, char **argv)
 {
     kit_error err = { "" };
@@ -275,8 +294,14 @@ int main(int argc, char **argv)
         if (!print_fields(argv[2], &err)) kit_streams_close(&err);
         return fail(&err);
     }
-    if (argc != 2 || (!strncmp(argv[1], "--", 2) && strcmp(argv[1], "--golden"))) {
-        fputs("usage: glsl-text FOLDER | --passes ssgi_gl.h | --golden\n", stderr);
+    if (argc == 2 && !strcmp(argv[1], "--types")) {
+        manifest_types();
+        kit_streams_close(&err);
+        return fail(&err);
+    }
+    if (argc < 2 || argc > 3 || (!strncmp(argv[1], "--", 2) && (argc > 2 || strcmp(argv[1], "--golden")))
+        || (argc == 3 && dialect_named(argv[2]) < 0)) {
+        fputs("usage: glsl-text FOLDER [DIALECT] | --passes ssgi_gl.h | --golden | --types\n", stderr);
         return 2;
     }
     if (!strcmp(argv[1], "--golden")) {
@@ -293,6 +318,7 @@ int main(int argc, char **argv)
             for (int a = 0; a < choices_count; ++a)
                 for (int b = 0; b <= (dialect == SSGI_GL_450 ? a : 0); ++b) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, b);
+                    if (argc == 3 && dialect_named(argv[2]) != dialect) continue;
                     if (write_texts(argv[1], &d, choices[a].name, choices[b].name)) return 2;
                 }
     for (int bands = 1; bands <= 4; ++bands) {
@@ -301,7 +327,11 @@ int main(int argc, char **argv)
         if (text) ssgi_gl_sh(text, n + 1, bands);
         snprintf(path, sizeof path, "%s/sh%d.glsl", argv[1], bands);
         if (write_file(path, text, n)) return 2;
+        manifest_functions(strrchr(path, '/') + 1);
     }
+    char manifest[1024];
+    snprintf(manifest, sizeof manifest, "%s/manifest.json", argv[1]);
+    if (manifest_write(manifest, &err)) return fail(&err);
     printf("%s: %d texts\n", argv[1], files);
     kit_streams_close(&err);
     return fail(&err);

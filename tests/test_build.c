@@ -68,7 +68,8 @@ static const char *const rooms =
     "    bad += !ssgi_gl_emit(text, sizeof text, &desc, SSGI_GL_FRAGMENT) || !ssgi_gl_reflect(&desc, io, "
     "SSGI_GL_MAX_IO) || !ssgi_gl_key(&desc);\n"
     "    bad += ssgi_gl_preset(&desc, SSGI_GL_FAST, NULL) != SSGI_OK || !ssgi_gl_pass_name(0) || "
-    "!ssgi_gl_dialect_name(0);\n"
+    "!ssgi_gl_dialect_name(0) || !ssgi_gl_choice_at(0) || !ssgi_gl_member_at(0);\n"
+    "    bad += !ssgi_gl_resolve(&desc).steps;\n"
     "    bad += ssgi_gl_frame_init(&f, &v, 1.0f, NULL) != SSGI_OK || ssgi_trace_size(1) > sizeof memory;\n"
     "    return bad + light() + field() + deep();\n"
     "}\n"
@@ -316,7 +317,7 @@ static void documentation(void)
           "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.2 ' '%s/ssgi.h' && grep -q 'v0.2 ' '%s/ssgi_gl.h'", getenv("PWD"),
                  getenv("PWD"))
-              && SSGI_VERSION == 200,
+              && SSGI_VERSION == 200 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 2,
           "the headers' first lines and SSGI_VERSION disagree");
 }
 
@@ -328,6 +329,195 @@ static void fuzz(void)
                        "fuzz %s && ./fuzz 60000",
                        getenv("PWD"), "-lm");
     CHECK(!status, "60,000 inputs under address and undefined-behaviour sanitizers: %s", text);
+}
+
+/* Is a program here? Says that what it is for is not tried when it is not. */
+static int has(const char *program)
+{
+    char text[400];
+    const int here = !shell(text, sizeof text, "command -v %s%s", program, "");
+    if (!here) t_note("%s is not here: not tried", program);
+    return here;
+}
+
+/* Are brackets and strings of a JSON text closed? */
+static int balanced(const char *s)
+{
+    char open[64];
+    int depth = 0, quoted = 0;
+    for (; *s; ++s) {
+        if (quoted) { if (*s == '\\' && s[1]) ++s; else quoted = *s != '"'; continue; }
+        quoted = *s == '"';
+        if ((*s == '[' || *s == '{') && depth < 64) open[depth++] = *s;
+        if ((*s == ']' || *s == '}') && (!depth || open[--depth] != (*s == ']' ? '[' : '{'))) return 0;
+    }
+    return !depth && !quoted;
+}
+
+/* Every file is a variant's, every variant has its files, members fill their blocks. */
+static void manifest(void)
+{
+    static const char *const check =
+        "import json, os\n"
+        "m = json.load(open('texts/manifest.json'))\n"
+        "files = {f for v in m['variants'] for f in v['files'].values()} | set(m['functions']) | {'manifest.json'}\n"
+        "assert files == set(os.listdir('texts')), files ^ set(os.listdir('texts'))\n"
+        "for v in m['variants']:\n"
+        "    rows = [m['rows'][i] for i in m['row_lists'][v['rows']]]\n"
+        "    assert any(r['kind'] in ('OUTPUT', 'CAPTURE') for r in rows), v\n"
+        "    for r in rows:\n"
+        "        assert any(r['name'] in open('texts/' + f).read() for f in v['files'].values()), (v, r)\n"
+        "    for name, value in v['desc'].items():\n"
+        "        f = next(f for f in m['desc']['fields'] if f['name'] == name)\n"
+        "        value = f['values'].index(value) if f['values'] else value\n"
+        "        assert 0 <= value <= f['most'], v\n"
+        "for b in m['frame'], m['views']:\n"
+        "    end = 0\n"
+        "    for x in b['members']:\n"
+        "        assert x['offset'] == end, x\n"
+        "        end += x['bytes']\n"
+        "    assert end == b['size'], end\n"
+        "assert m['defaults']['hsao']['steps'] == 6 and m['defaults']['lights']['samples'] == 8\n"
+        "print(len(m['variants']), 'variants')\n";
+    char text[4000], path[256], *json;
+    if (!CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' texts 300es%s", getenv("PWD"), ""), "%s", text)) return;
+    snprintf(path, sizeof path, "%s/texts/manifest.json", folder);
+    json = read_text(path);
+    CHECK(json && balanced(json), "manifest.json: brackets or strings are not closed");
+    free(json);
+    write_text("manifest.py", check);
+    if (has("python3")) CHECK(!shell(text, sizeof text, "python3 manifest.py%s%s", "", ""), "%s", text);
+}
+
+/* The headers without a C library, in node: every text and row of the manifest, blocks as C makes them, errors. */
+static void wasm(void)
+{
+    static const char *const blocks =
+        "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include \"ssgi_gl.h\"\n#include <stdio.h>\n"
+        "int main(void) {\n"
+        "    float m[16] = { 1.3f,0,0,0, 0,2.4f,0,0, 0,0,-1.002f,-1, 0,0,-0.2002f,0 }, id[16] = { 1,0,0,0, 0,1,0,0, "
+        "0,0,1,0, 0,0,0,1 }, last[16] = { 1,0,0,0, 0,1,0,0, 0,0,1,0, 0.25f,0,0,1 }, sh[3] = { 1, 2, 3 };\n"
+        "    ssgi_view v; ssgi_gl_frame f;\n"
+        "    ssgi_view_from_projection(&v, m, SSGI_CLIP_GL, 64, 48, NULL);\n"
+        "    ssgi_gl_frame_init(&f, &v, 0.5f, NULL);\n"
+        "    ssgi_gl_frame_history(&f, &v, id, last, NULL);\n"
+        "    ssgi_gl_harmonics_set(&f, sh, 1, NULL, NULL);\n"
+        "    f.phase = ssgi_gl_phase(5);\n"
+        "    return fwrite(&f, 1, sizeof f, stdout) != sizeof f;\n"
+        "}\n";
+    static const char *const script =
+        "import { readFileSync as read } from 'node:fs';\n"
+        "import { equal, deepEqual, throws } from 'node:assert/strict';\n"
+        "const { load } = await import(process.argv[2] + '/ssgi.mjs');\n"
+        "const ssgi = await load();\n"
+        "for (const folder of ['texts', 'others']) {\n"
+        "    const m = JSON.parse(read(folder + '/manifest.json', 'utf8'));\n"
+        "    for (const v of m.variants) {\n"
+        "        const desc = v.fetch ? { ...v.desc, fetch: m.fetch } : v.desc;\n"
+        "        for (const [stage, file] of Object.entries(v.files))\n"
+        "            equal(ssgi.text(desc, stage), read(folder + '/' + file, 'utf8'), file);\n"
+        "        deepEqual(ssgi.rows(desc), m.row_lists[v.rows].map(i => m.rows[i]));\n"
+        "    }\n"
+        "    deepEqual(ssgi.members.length, m.frame.members.length + m.views.members.length);\n"
+        "    deepEqual(ssgi.resolve({ pass: 'HSAO' }), m.defaults.hsao);\n"
+        "}\n"
+        "const id = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], last = [...id];\n"
+        "last[12] = 0.25;\n"
+        "const view = ssgi.view([1.3,0,0,0, 0,2.4,0,0, 0,0,-1.002,-1, 0,0,-0.2002,0], 64, 48);\n"
+        "const frame = ssgi.harmonics(ssgi.history(ssgi.frame(view, 0.5), view, id, last), [1, 2, 3], 1);\n"
+        "frame.phase[0] = ssgi.phase(5);\n"
+        "deepEqual(Buffer.from(frame.buffer), read('frame.bin'));\n"
+        "equal(frame.radius[0], 0.5);\n"
+        "const d = ssgi.preset({ pass: 'HSAO', version: '' }, 'FAST');\n"
+        "equal(d.half, 1);\n"
+        "equal(ssgi.text(d).indexOf('#version'), -1);\n"
+        "equal(typeof ssgi.key(d), 'bigint');\n"
+        "throws(() => ssgi.text({ pass: 'HSAO', steps: 99 }), /^Error: desc.steps: must be 0..64$/);\n"
+        "throws(() => ssgi.text({ pass: 'NONE' }), /^Error: desc.pass: must be/);\n"
+        "throws(() => ssgi.text({ stpes: 1 }), /^Error: desc.stpes: there is no such field$/);\n"
+        "throws(() => ssgi.frame(view, -1), /^Error: radius: /);\n"
+        "throws(() => ssgi.view(id, 0, 1), /^Error: width: /);\n"
+        "throws(() => ssgi.preset({}, 'GOOD'), /^Error: preset: /);\n";
+    char text[4000], path[256], *bytes = NULL;
+    size_t size = 0;
+    if (!(has("clang") & has("wasm-ld") & has("node"))) return;
+    if (!CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' wasm%s", getenv("PWD"), ""), "%s", text)) return;
+    snprintf(path, sizeof path, "%s/build/wasm/ssgi.wasm", getenv("PWD"));
+    if (CHECK(!kit_file_read(&bytes, &size, path, NULL) && size <= 150 * 1024, "ssgi.wasm has %zu bytes", size))
+        t_note("ssgi.wasm has %zu bytes", size);
+    free(bytes);
+    write_text("blocks.c", blocks);
+    write_text("wasm.mjs", script);
+    CHECK(!shell(text, sizeof text, "'%s/build/glsl-text' others 330 && gcc -I. blocks.c -o blocks %s && "
+                 "./blocks >frame.bin", getenv("PWD"), "-lm"), "%s", text);
+    CHECK(!shell(text, sizeof text, "node wasm.mjs '%s/build/wasm'%s", getenv("PWD"), ""), "%s", text);
+}
+
+/* What make install and make npm leave serves their tools. */
+static void packages(void)
+{
+    static const char *const program =
+        "#define SSGI_IMPLEMENTATION\n#define SSGI_GL_IMPLEMENTATION\n#include <ssgi_gl.h>\n"
+        "int main(void) { ssgi_gl_desc d = { 0 }; return ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT) < 100; }\n";
+    static const char *const script =
+        "import { load } from 'ssgi';\n"
+        "import { readFileSync as read } from 'node:fs';\n"
+        "import { createRequire } from 'node:module';\n"
+        "const m = createRequire(import.meta.url)('ssgi/manifest.json'), ssgi = await load();\n"
+        "const file = new URL(import.meta.resolve('ssgi/glsl/hsao.300es.frag'));\n"
+        "if (ssgi.version !== m.ssgi || ssgi.text(m.variants.find(v => v.files.frag === 'hsao.300es.frag').desc) !== "
+        "read(file, 'utf8')) throw new Error('the package disagrees with itself');\n";
+    char text[4000];
+    CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' install DESTDIR='%s/to' PREFIX=/usr", getenv("PWD"),
+                 folder), "%s", text);
+    shell(text, sizeof text, "mkdir -p app%s%s", "", "");
+    write_text("app/app.c", program);
+    if (has("pkg-config"))
+        CHECK(!shell(text, sizeof text, "export PKG_CONFIG_PATH=$PWD/to/usr/share/pkgconfig && pkg-config "
+                     "--exact-version=0.2 ssgi && gcc $(pkg-config --cflags ssgi) app/app.c -o app/app "
+                     "$(pkg-config --libs ssgi) && app/app%s%s", "", ""), "%s", text);
+    if (has("cmake")) {
+        write_text("app/CMakeLists.txt",
+                   "cmake_minimum_required(VERSION 3.5)\nproject(app C)\nfind_package(ssgi 0.2 REQUIRED)\n"
+                   "find_package(ssgi 0.1 QUIET)\nif(ssgi_FOUND)\n  message(FATAL_ERROR \"0.2 passes for 0.1\")\n"
+                   "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
+        CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
+                     "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);
+    }
+    CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' uninstall DESTDIR='%s/to' PREFIX=/usr && test -z "
+                 "\"$(find to -type f)\"", getenv("PWD"), folder), "left behind: %s", text);
+    if (has("clang") & has("wasm-ld") & has("node")) {
+        write_text("npm.mjs", script);
+        CHECK(!shell(text, sizeof text, "MAKEFLAGS= make -s -C '%s' npm && mkdir node_modules && ln -s '%s/build/npm' "
+                     "node_modules/ssgi && node npm.mjs", getenv("PWD"), getenv("PWD")), "%s", text);
+    }
+}
+
+/* Readers of C headers in other languages: constants have the fields' type, a call works. */
+static void bindings(void)
+{
+    static const char *const script =
+        "import cffi\n"
+        "ffi = cffi.FFI()\n"
+        "ffi.cdef(open('plain.h').read())\n"
+        "lib = ffi.dlopen('./libssgi.so')\n"
+        "d = ffi.new('ssgi_gl_desc *', { 'dialect': lib.SSGI_GL_300ES })\n"
+        "setattr(d, 'pass', lib.SSGI_GL_HSAO)\n"
+        "n = lib.ssgi_gl_emit(ffi.NULL, 0, d, lib.SSGI_GL_FRAGMENT)\n"
+        "out = ffi.new('char[]', n + 1)\n"
+        "lib.ssgi_gl_emit(out, n + 1, d, lib.SSGI_GL_FRAGMENT)\n"
+        "assert ffi.string(out).decode() == open('texts/hsao.300es.frag').read()\n"
+        "print(ffi.sizeof('ssgi_gl_frame'))\n";
+    char text[4000];
+    write_text("bind.py", script);
+    if (shell(text, sizeof text, "python3 -c 'import cffi'%s%s", "", "")) t_note("cffi is not here: not tried");
+    else CHECK(!shell(text, sizeof text, "gcc -E -P %s ssgi_gl.h >plain.h && gcc -shared -fPIC implementation.c -o "
+                      "libssgi.so %s && python3 bind.py", "'-D__attribute__(x)='", "-lm"), "%s", text);
+    if (has("bindgen"))
+        CHECK(!shell(text, sizeof text, "bindgen ssgi_gl.h --allowlist-var 'SSGI_GL_HSAO' --allowlist-type 'ssgi_gl_d"
+                     "esc' -- --target=x86_64-pc-windows-msvc -ffreestanding >bind.rs && grep -q '_bindgen_ty_[0-9]* = "
+                     "::std::os::raw::c_int' bind.rs && grep -q 'pub pass: ::std::os::raw::c_int' bind.rs%s%s", "", ""),
+              "%s", text);
 }
 
 /* One small picture of each method, every object of the kit under address and undefined-behaviour sanitizers. */
@@ -484,6 +674,10 @@ void test_build(void)
     RUN("a baked field has the same bytes at any optimisation", optimised);
     RUN("an optimiser is quick with both implementations", compile_time);
     RUN("the code in the headers' openings, in the README and in examples/minimal.c compiles and runs", documentation);
+    RUN("the manifest names every file, what belongs together, and rows that the texts have", manifest);
+    RUN("the headers as WebAssembly, without a C library, give the same texts, rows and blocks", wasm);
+    RUN("what make install and make npm leave serves pkg-config, CMake and node", packages);
+    RUN("cffi and bindgen take the headers", bindings);
     RUN("60,000 random inputs neither crash nor trip a sanitizer", fuzz);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
     RUN("what cannot be written is said, with status 2; links are written through, lines may end in CR", streams);

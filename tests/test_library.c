@@ -18,7 +18,7 @@ enum { CODES = SSGI_GL__CODES, ROWS = SSGI_GL__ROWS };
 static int condition(const char *s, const char *end)
 {
     static const char *const signs[] = { "&&", "||", "==", "!=", "<", ">", "!", "(", ")" };
-    const ssgi_gl__field *field = NULL;
+    const ssgi_gl_choice *field = NULL;
     int compared = 0, terms = 0;
     while (s < end) {
         size_t n = 0, k = 0;
@@ -82,7 +82,7 @@ static void conditions(void)
         CHECK(!when || condition(when, when + strlen(when)), "pass %s: %s", ssgi_gl__passes[i].name, when);
     }
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
-        const ssgi_gl__field *f = &ssgi_gl__fields[i];
+        const ssgi_gl_choice *f = &ssgi_gl__fields[i];
         int words = *f->values != 0;
         for (const char *s = f->values; *s; ++s) words += *s == ' ';
         CHECK(!words || words == f->most + 1, "desc.%s has %d values with names and a limit of %d", f->name, words,
@@ -164,8 +164,61 @@ static void names(void)
     }
 }
 
+static void set(ssgi_gl_desc *d, const ssgi_gl_choice *c, int value)
+{
+    memcpy((char *)d + c->offset, &value, sizeof value);
+}
+
+/* What other languages go by: the tables leave nothing of the structs out, and what zeros mean gives the same text. */
+static void reflection(void)
+{
+    const size_t ints = offsetof(ssgi_gl_desc, version) / sizeof(int);
+    const ssgi_gl_choice *c, *k;
+    char seen[sizeof(ssgi_gl_desc) / sizeof(int)] = { 0 };
+    size_t count = 0, end[2] = { 0, 0 };
+    int resolved = 0;
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i, ++count)
+        CHECK(c->offset % sizeof(int) == 0 && c->offset / sizeof(int) < ints && !seen[c->offset / sizeof(int)]++,
+              "desc.%s is there twice, or out of place", c->name);
+    CHECK((count == ints || (count == ints - 1 && ints % 2 == 0))           /* a gap before pointers */
+              && !ssgi_gl_choice_at(-1) && !ssgi_gl_choice_at(1 << 30),
+          "%zu fields of %zu ints", count, ints);
+    for (int i = 0; i < ROWS; ++i) {
+        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
+        if (io->kind != SSGI_GL_PARAM) continue;
+        CHECK(io->offset == end[io->slot], "%s is at %zu, the one before ends at %zu", io->name, io->offset,
+              end[io->slot]);
+        end[io->slot] = io->offset + ssgi_gl__rows[i].bytes;
+    }
+    CHECK(end[0] == sizeof(ssgi_gl_frame) && end[1] == sizeof(ssgi_gl_views), "members end at %zu and %zu", end[0],
+          end[1]);
+    CHECK(!strcmp(ssgi_gl_member_at(0)->name, "u_ssgi_project") && !ssgi_gl_member_at(-1) && !ssgi_gl_member_at(99),
+          "members");
+    for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
+        for (int i = 1; (c = ssgi_gl_choice_at(i)) != NULL; ++i)
+            for (int j = i; j > 0 && (k = ssgi_gl_choice_at(j)) != NULL; j = j == i ? (i * 7 + pass) % i : 0) {
+                ssgi_gl_desc d, r, again;
+                memset(&d, 0, sizeof d);
+                d.pass = pass;
+                d.environment = pass == SSGI_GL_SSDO ? SSGI_GL_ENVIRONMENT_SH : 0;
+                d.fetch = "float ssgi_custom_depth(ivec2 texel, int layer) { return 1.0; }";
+                set(&d, k, k->most);
+                set(&d, c, c->most);
+                if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;
+                r = ssgi_gl_resolve(&d);
+                again = ssgi_gl_resolve(&r);
+                CHECK(ssgi_gl_check(&r, NULL) == SSGI_OK && ssgi_gl_key(&r) == ssgi_gl_key(&d)
+                          && !memcmp(&again, &r, sizeof r),
+                      "%s, %s, %s: what zeros mean gives another text", ssgi_gl_pass_name(pass), c->name, k->name);
+                ++resolved;
+            }
+    CHECK(resolved > 500, "%d descs", resolved);
+}
+
 void test_library(void)
 {
+    RUN("tables name every field of a desc and every member of the blocks; what zeros mean gives the same text",
+        reflection);
     RUN("every #if names fields of the desc and their values", conditions);
     RUN("every name in the library is a function before it or a row; none is out of reach", names);
 }

@@ -1,0 +1,15 @@
+/* manifest.h - what glsl.c wrote, as JSON for build steps in any language, and the fields of a desc as TypeScript. */
+#ifndef MANIFEST_H
+#define MANIFEST_H
+
+#include "kit/kit.h"
+
+extern const char *const endings[SSGI_GL_STAGES + 1];          /* of files, by stage: "vert" ..; functions: "glsl" */
+
+/* A variant's files by stage, NULL where it has none; nothing when one before has the very same. */
+void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STAGES]);
+void manifest_functions(const char *file);                     /* a file of functions alone */
+int  manifest_write(const char *path, kit_error *err);
+void manifest_types(void);
+
+#endif

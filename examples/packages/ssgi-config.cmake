@@ -1,0 +1,10 @@
+# find_package(ssgi), then target_link_libraries(yours ssgi::ssgi): the headers' folder, and libm where there is one.
+get_filename_component(_ssgi_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+if(NOT TARGET ssgi::ssgi)
+  add_library(ssgi::ssgi INTERFACE IMPORTED)
+  set_target_properties(ssgi::ssgi PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${_ssgi_prefix}/include")
+  if(UNIX)
+    set_target_properties(ssgi::ssgi PROPERTIES INTERFACE_LINK_LIBRARIES m)
+  endif()
+endif()
+unset(_ssgi_prefix)
