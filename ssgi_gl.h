@@ -43,6 +43,7 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur     edge-preserving filter of what the others wrote
                 history  averages what they wrote over frames; before blur
+                compose  blends the result onto your picture; of ambient visibility blur does that itself
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
@@ -120,7 +121,7 @@ extern "C" {
 
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_STATISTICS, SSGI_GL_PASSES /* how many */ };               /* desc.pass */
+       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_STATISTICS, SSGI_GL_PASSES };             /* desc.pass */
 enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES,
        SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
@@ -203,6 +204,11 @@ enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
        SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
 /* desc.colour: what blur and history filter: ambient visibility; light, three channels; coefficients of s3ho */
 enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
+/* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE */
+enum { SSGI_GL_ONTO_NONE = 0,
+       SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
+       SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
+       SSGI_GL_ONTO_AMBIENT };     /* what is occluded of t_ssgi_ambient, the ambient part of the picture, is subtracted */
 /* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
    creases: blur puts it back unfiltered, at full size */
 enum { SSGI_GL_RESTORE_NONE = 0,
@@ -290,9 +296,10 @@ typedef struct ssgi_gl_desc {
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;            /* smooth  0: along x; 1: along y */
 
-    /* blur, history */
+    /* blur, history, compose */
     int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
     int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
+    int onto;            /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..: what they write */
     int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
     int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
@@ -454,7 +461,7 @@ typedef struct ssgi_gl_step {
 } ssgi_gl_step;
 
 /* Writes the draws in their order, at most capacity; returns how many there are, 0 for a bad chain: why. The steps'
-   textures are cleared to 0 once, and start anew with another size. No two textures of one step are the same. */
+   textures are cleared to 0 once, and start anew with another size. With desc.onto the last draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
@@ -2220,6 +2227,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
     "#endif\n}\n" },
+{ "ssgi_onto", __LINE__, "// what is blended onto a picture\n"
+    "vec4 ssgi_onto(ivec2 p, float ao) {\n"
+    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
+    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
+    "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
+    "}\n" },
+{ "main_compose", __LINE__, "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "#if colour == GREY\n"
+    "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
+    "#else\n"
+    "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz; // #if bounce\n"
+    "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
+    "#endif\n}\n" },
 { "main_blur", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if colour == COEFFICIENTS && half\n"
@@ -2285,7 +2307,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if restore == RATIO\n"
     "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open(P, n), 0.0); // #if restore == DIFFERENCE\n"
     "#else\n"
-    "    o_ssgi_ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
+    "    float ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
+    "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
+    "    o_ssgi_ao = ao; // #if !onto\n"
     "#endif\n}\n" },
 { "ssgi_texel", __LINE__, "// light or visibility, view depth\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
@@ -2480,6 +2504,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
+    SSGI_GL__T("bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
+    SSGI_GL__T("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
     SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
@@ -2500,6 +2526,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
     SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
                "R16F if nothing filters"),
+    SSGI_GL__O("picture", NULL, "vec4", "your picture"),
     SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
     SSGI_GL__O("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
     SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
@@ -2553,6 +2580,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
     SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle", unshuffle), SSGI_GL__PLAIN(SMOOTH, "smooth", smooth),
     SSGI_GL__PLAIN(SUM, "sum", sum), SSGI_GL__PLAIN(BLUR, "blur", blur), SSGI_GL__PLAIN(HISTORY, "history", history),
+    SSGI_GL__PLAIN(COMPOSE, "compose", compose),
     SSGI_GL__PLAIN(STATISTICS, "statistics", statistics)
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
@@ -2575,7 +2603,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), most }
 static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY STATISTICS"),
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE STATISTICS"),
     SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"), SSGI_GL__B(orthographic),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
@@ -2605,7 +2633,8 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__I(span, 64, "0..64"), SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
     SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
-    SSGI_GL__B(filter_normals), SSGI_GL__B(motion)
+    SSGI_GL__B(filter_normals), SSGI_GL__B(motion),
+    SSGI_GL__E(onto, SSGI_GL_ONTO_AMBIENT, "SSGI_GL_ONTO", "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
@@ -2780,7 +2809,9 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!ssdo && pass != SSGI_GL_LIGHTS && pass != SSGI_GL_SENDERS) d.receiver = 0;
     if (!points || slices) d.fade = d.range = 0;
     if (!s3ho && !reads) d.transfer = 0;
-    if (!ssdo) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+    if (pass == SSGI_GL_COMPOSE) d.onto = d.onto ? d.onto : SSGI_GL_ONTO_MULTIPLY;
+    else if (!blur || d.colour != SSGI_GL_GREY) d.onto = SSGI_GL_ONTO_NONE;
+    if (!ssdo && pass != SSGI_GL_COMPOSE) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
     else if (!ssdo && !surfels && !restores) d.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (!(shade || (restores && !d.shaded))) d.shading = 0;
@@ -3627,6 +3658,8 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
+    /* multiply, add, subtract */
+    static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
     int i, m, rows, level[2] = { 0, 0 };
     d.pass = pass;
     ++b->count;
@@ -3650,8 +3683,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
         s->vertices = s->instances = 0;
     }
     if (pass == SSGI_GL_FIELD || pass == SSGI_GL_SPLAT) {
-        const unsigned multiply[3] = { 0x8006, 0x0306, 0 }, add[3] = { 0x8006, 1, 1 };
-        memcpy(s->blend, pass == SSGI_GL_FIELD ? multiply : add, sizeof add);
+        memcpy(s->blend, blend[pass == SSGI_GL_SPLAT], sizeof s->blend);
         s->clear = 1;
         s->clear_to = pass == SSGI_GL_FIELD ? 1.0f : 0.0f;
     }
@@ -3678,10 +3710,11 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
         if (row[i].kind != SSGI_GL_OUTPUT || s->outputs == 6) continue;
         ++s->outputs;
         out->name = row[i].name;
-        out->format = &ssgi_gl__formats[ssgi_gl__format_of(chain, &d, &row[i])];
+        out->format = d.onto ? NULL : &ssgi_gl__formats[ssgi_gl__format_of(chain, &d, &row[i])];
         out->kept = pass == SSGI_GL_HISTORY;
         if (pass == SSGI_GL_SENDERS) continue;          /* a slice of what all of them write */
-        out->texture = b->textures++;
+        out->texture = d.onto ? -1 : b->textures++;
+        if (d.onto) memcpy(s->blend, blend[d.colour ? 1 : d.onto == SSGI_GL_ONTO_AMBIENT ? 2 : 0], sizeof s->blend);
         *ssgi_gl__texture(b, row[i].name + 7) = out->texture;
     }
     for (i = 0; i < s->inputs && pass == SSGI_GL_HISTORY; ++i)       /* its own, of the last frame */
@@ -3705,7 +3738,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     if (!grey) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
     if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
-    return *ssgi_gl__texture(b, grey ? "ao" : "light");
+    return grey && b->chain->blur && d.onto ? -1 : *ssgi_gl__texture(b, grey ? "ao" : "light");
 }
 
 /* Your lights over what `light` holds, -1: nothing. */
@@ -3905,13 +3938,22 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         else if (pass == SSGI_GL_SPLAT) ssgi_gl__deep(&b, &light, &bounce);
         else light = ssgi_gl__add(&b, &chain->desc, pass, 0)->output[0].texture;
         if (pass < SSGI_GL_SSDO) light = ssgi_gl__filter(&b, &chain->desc, "ao");
+        if (chain->desc.onto && (pass > SSGI_GL_HSAO || !chain->blur)) {
+            ssgi_gl_desc d = chain->desc;
+            d.colour = pass == SSGI_GL_FIELD || (pass == SSGI_GL_SPLAT && !d.effect) || pass < SSGI_GL_SSDO
+                     ? SSGI_GL_GREY : SSGI_GL_COLOUR;
+            d.bounce = light >= 0 && bounce >= 0;
+            *ssgi_gl__texture(&b, "light") = light < 0 ? bounce : light;
+            *ssgi_gl__texture(&b, "bounce") = bounce;
+            ssgi_gl__add(&b, &d, SSGI_GL_COMPOSE, 0);
+        }
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
     for (i = 0; i < b.count && i < b.capacity; ++i) {
         ssgi_gl_step *s = &steps[i];
         for (k = 0; k < s->outputs; ++k)
             s->output[k].result = s->output[k].texture == light ? SSGI_GL_RESULT_LIGHT
-                                : s->output[k].texture == bounce ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_NONE;
+                                : s->output[k].texture == bounce && bounce >= 0 ? SSGI_GL_RESULT_BOUNCE : 0;
         for (k = 0; k < s->inputs; ++k) {
             ssgi_gl_input *in = &s->input[k];
             if (in->meaning >= 0) continue;
