@@ -800,8 +800,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (depth << 12u) | (e.y << 6u) | e.x;\n}\n" },
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
-{ "ssgi_lift", __LINE__, "// the receiver lifted along its normal, so that nearest fetches of its own plane stay\n"
-    "// below it [HSAO08 eq. 13]\n"
+{ "ssgi_lift", __LINE__, "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n}\n" },
 { "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
@@ -823,8 +822,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z; // #if views\n"
     "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz; // #if views\n"
     "    return ssgi_position(vec2(p) + 0.5, z);\n}\n" },
-{ "ssgi_sender", __LINE__ + 1,
-    "vec4 ssgi_sender; // radiance from the surface at the sample to the receiver; its distance from the sample\n" },
+{ "ssgi_sender", __LINE__, "vec4 ssgi_sender; // radiance from it to the receiver; its distance from the sample\n" },
 { "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
 { "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
@@ -838,10 +836,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c = abs(c); // #if two_sided\n"
     "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
     "    return ssgi_unpack_radiance(s.x) * (area * max(r, 0.0) * max(c, 0.0) / (dd * max(dd, least * least)));\n"
-    "#elif two_sided\n"
-    "    return ssgi_unpack_radiance(s.x);\n"
     "#else\n"
-    "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
+    "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
+    "    return ssgi_unpack_radiance(s.x);\n"
     "#endif\n}\n" },
 { "ssgi_faded", __LINE__, "float ssgi_faded(vec3 Q) { // weight of an occluder at Q in the depth buffer\n"
     "    vec3 d = Q - ssgi_P;\n"
@@ -862,8 +859,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
     "    return ssgi_depth(p);\n}\n" },
 { "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
-{ "ssgi_offer", __LINE__ + 1,
-    "// of the surfaces around the sample that send light the one closest to the segment is the sender\n"
+{ "ssgi_offer", __LINE__, "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
     "void ssgi_offer(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -929,11 +925,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    bool found = -S.z > z;\n"
     "    found = found && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
-    "#if behind == BACK || behind == SLABS\n"
-    "    vec3 back = ssgi_slabs(p);\n"
-    "    vec2 end_ = vec2(z, back.y) + ssgi_deep(vec2(z, back.y), back.xz, vec2(ssgi_footprint(z)));\n"
-    "    found = found && -S.z < end_.x;\n"
-    "#endif\n"
+    "    vec3 back = ssgi_slabs(p); // #if behind > SOLID\n"
+    "    vec2 front = vec2(z, back.y); // #if behind > SOLID\n"
+    "    vec2 end_ = front + ssgi_deep(front, back.xz, vec2(ssgi_footprint(z))); // #if behind > SOLID\n"
+    "    found = found && -S.z < end_.x; // #if behind > SOLID\n"
     "#if behind == SLABS\n"
     "    if (-S.z > back.y && -S.z < end_.y) {\n"
     "        ssgi_sender.xyz *= found ? 1.0 : 0.0; // its radiance is unknown // #if bounce\n"
@@ -954,8 +949,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 d; // #if bands > 3\n};\n" },
 { "ssgi_coefficients", __LINE__, "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
     "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
-{ "ssgi_sh_basis", __LINE__ + 1,
-    "// real spherical harmonics at a unit direction, l*l + l + m, without the Condon-Shortley sign\n"
+{ "ssgi_sh_basis", __LINE__, "// real spherical harmonics of a unit direction, l*l + l + m, no Condon-Shortley sign\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
     "    ssgi_sh y;\n"
     "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
@@ -997,8 +991,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s;\n}\n" },
 { "ssgi_sh_complex", __LINE__, "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n" },
-{ "ssgi_sh_about_z", __LINE__ + 1,
-    "// turns the bands from the third on about z, by the angle whose cosine and sine are u\n"
+{ "ssgi_sh_about_z", __LINE__, "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
     "    vec2 uu = ssgi_sh_complex(u, u);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
@@ -1230,9 +1223,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
     "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n}\n" },
-{ "ssgi_light_harmonics", __LINE__ + 1,
-    "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
-    "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
+{ "ssgi_light_harmonics", __LINE__, "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
+    "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
@@ -1303,13 +1295,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n}\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSAO\n"
-    "// occlusion from point samples: cosine-weighted directions; the distribution of lengths gives the attenuation\n"
-    "// of desc.falloff\n"
+    "// occlusion from points along cosine-weighted directions; the distribution of lengths attenuates by falloff\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "#elif pass == SSDO && search == POINTS\n"
-    "// cosine-weighted directions: the environment along unoccluded ones, a sender's light along occluded ones\n"
-    "// [SSDO09 section 3]\n"
+    "// the environment along unoccluded cosine-weighted directions, senders' light along occluded ones [SSDO09 3]\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "#elif pass == S3HO && search == POINTS\n"
     "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less its occluded part,\n"
@@ -1341,31 +1331,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float blocked = ssgi_blocked(start + basis * k.xyz * t);\n"
     "#endif\n"
     "        sum += blocked; // #if pass == SSAO\n"
-    "#if environment == SH\n"
-    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), blocked * (-3.14159265 / float(SSGI_SAMPLES)));\n"
-    "#elif environment == MAP\n"
-    "        vec3 L = ssgi_environment(world * k.xyz);\n"
-    "        all += L;\n"
-    "        dark += L * blocked;\n"
-    "#endif\n"
-    "#if pass == SSDO && bounce == PATCH\n"
-    "        // divide by the cosine pdf: the patch area pi r^2/N assumes uniform directions\n"
-    "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05));\n"
-    "#elif pass == SSDO && bounce\n"
-    "        bounce += ssgi_sender.xyz * blocked;\n"
-    "#elif pass == S3HO && bounce\n"
-    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
-    "        if (blocked > 0.0) ssgi_reflected(v, ssgi_unpack_normal(ssgi_sender_place), basis * k.xyz, albedo);\n"
-    "#endif\n"
+    "        float less = blocked * (-3.14159265 / float(SSGI_SAMPLES)); // #if environment == SH\n"
+    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), less); // #if environment == SH\n"
+    "        vec3 L = ssgi_environment(world * k.xyz); // #if environment == MAP\n"
+    "        all += L; // #if environment == MAP\n"
+    "        dark += L * blocked; // #if environment == MAP\n"
+    "        bounce += ssgi_sender.xyz * blocked; // #if pass == SSDO && bounce == SOLID_ANGLE\n"
+    "        // over the cosine pdf: pi r^2/N assumes uniform directions // #if pass == SSDO && bounce == PATCH\n"
+    "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05)); // #if pass == SSDO && bounce == PATCH\n"
+    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)); // #if pass == S3HO && bounce\n"
+    "        vec3 o = ssgi_unpack_normal(ssgi_sender_place); // #if pass == S3HO && bounce\n"
+    "        if (blocked > 0.0) ssgi_reflected(v, o, basis * k.xyz, albedo); // #if pass == S3HO && bounce\n"
     "    }\n"
     "    return sum / float(SSGI_SAMPLES); // #if pass == SSAO\n"
     "#if environment == SH\n"
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
     "    ssgi_sh_turn(lobe, basis);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "#endif\n"
-    "#if pass == SSDO && environment == SH\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
     "#elif environment == MAP\n"
     "    // the unoccluded share of the samples' light: exact without occlusion\n"
     "    o_ssgi_light.xyz = 1.0 - dark / max(all, 1e-30);\n"
@@ -1415,8 +1398,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "    }\n"
     "    return r;\n}\n" },
-{ "ssgi_above", __LINE__ + 1,
-    "// occlusion above a horizon H in direction t: equal weights over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
+{ "ssgi_above", __LINE__, "// occlusion above H in direction t: even over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
@@ -1439,8 +1421,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
 
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
-{ "SSGI_JOINED", __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // slope up to which taps are of one surface, if desc.behind is CONSTANT\n" },
+{ "SSGI_JOINED", __LINE__, "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
 { "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 from, vec2 to) { // the sectors from one to another, a bit each\n"
     "    uvec2 a = uvec2(from), b = uvec2(to), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
     "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n}\n" },
@@ -1470,8 +1451,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sector", __LINE__, "// sector of an elevation with cosine c; 0 where not up\n"
     "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
     "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n}\n" },
-{ "ssgi_behind", __LINE__ + 1,
-    "// moves points at x, y, depth z along their rays, away from the viewer; returns their sectors\n"
+{ "ssgi_behind", __LINE__, "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
     "    x += by * s.x; // #if orthographic\n"
     "    y += by * s.y; // #if orthographic\n"
@@ -1480,15 +1460,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n}\n" },
-{ "ssgi_fresh", __LINE__ + 1,
-    "// counts the sectors of an arc that were not covered before, attenuated by a distance, and covers them\n"
+{ "ssgi_fresh", __LINE__, "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    fresh *= ssgi_near(d); // #if span\n"
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n}\n" },
-{ "ssgi_second", __LINE__ + 1,
-    "// the same for the second slabs behind taps at x, y, depth z; moves x, y to their front faces\n"
+{ "ssgi_second", __LINE__, "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
     "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
@@ -1504,8 +1482,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
     "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n};\n" },
-{ "ssgi_parts", __LINE__ + 1,
-    "// occlusion of both sides of a slice, with weighted sums of their elevations' cosines and sines\n"
+{ "ssgi_parts", __LINE__, "// occlusion of a slice's two sides, with weighted sums of elevations' cosines and sines\n"
     "struct ssgi_parts { vec2 w, c, s; };\n" },
 { "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
@@ -1533,8 +1510,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w += 0.5 * second; // #if behind == SLABS\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
     "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n}\n" },
-{ "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
-    "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
+{ "ssgi_walk_slice", __LINE__, "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // #if span\n"
     "    pixels *= share; // #if span\n"
@@ -1594,6 +1570,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        lowc = c;\n"
     "        lows = h;\n"
     "#endif\n"
+    "        ssgi_sends(got, q0, d0, w.x); // #if bounce && behind != SLABS\n"
+    "        ssgi_sends(got, q1, d1, w.y); // #if bounce && behind != SLABS\n"
     "#if behind == SLABS\n"
     "        vec2 first = w; // #if bounce\n"
     "        w = ssgi_second(s, x, y, z, back0.yz, back1.yz, gap, in_, mask) * s.share;\n"
@@ -1601,14 +1579,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_part(parts, x, max(y, 0.0), w); // #if environment\n"
     "        ssgi_sends(got, q0, d0, first.x, w.x); // #if bounce\n"
     "        ssgi_sends(got, q1, d1, first.y, w.y); // #if bounce\n"
-    "#elif bounce\n"
-    "        ssgi_sends(got, q0, d0, w.x);\n"
-    "        ssgi_sends(got, q1, d1, w.y);\n"
     "#endif\n"
     "    }\n"
-    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n#endif\n" },
-{ "ssgi_walk", __LINE__, "#if search == SLICES\n"
-    "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
+    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n" },
+{ "ssgi_walk", __LINE__, "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
@@ -1619,45 +1593,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
-    "    }\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "    ssgi_got got = ssgi_got(0.0);\n"
-    "    ssgi_walk(p, P, n, xi, got);\n"
-    "    return got.all;\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == SSDO && search == SLICES\n"
-    "// what is blocked, taken from what the open pixel gets; what senders bring where it is\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    }\n}\n" },
+{ "ssgi_gather", __LINE__, "#if search == SLICES\n"
+    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == HSAO\n"
+    "// what is blocked, taken from what the open pixel gets; what senders bring where it is // #if pass == SSDO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
+    "// the cosine lobe less what is blocked of it, and the lobes of what blocks // #if pass == S3HO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) { // #if pass == S3HO\n"
     "    ssgi_got got;\n"
+    "    got.all = 0.0; // #if pass == HSAO\n"
     "    got.dark = vec3(0.0); // #if environment == MAP\n"
     "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
-    "    got.bounce = vec3(0.0); // #if bounce\n"
+    "    got.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
+    "    got.bounce = v; // #if pass == S3HO && bounce\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
+    "    return got.all; // #if pass == HSAO\n"
+    "    v = got.bounce; // #if pass == S3HO && bounce\n"
     "#if environment == MAP\n"
     "    vec3 open = ssgi_open(P, n); // #if restore != DIFFERENCE\n"
     "    o_ssgi_light.xyz = max(open - got.dark, 0.0); // #if !restore\n"
     "    o_ssgi_light.xyz = clamp(1.0 - got.dark / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    o_ssgi_light.xyz = -got.dark; // #if restore == DIFFERENCE\n"
     "#elif environment == SH\n"
-    "    ssgi_coefficients v;\n"
-    "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
-    "#endif\n"
-    "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == S3HO && search == SLICES\n"
-    "// the cosine lobe less what is blocked of it, and the lobes of what blocks\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
-    "    ssgi_got got;\n"
-    "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
-    "    got.bounce = v; // #if bounce\n"
-    "    ssgi_walk(p, P, n, xi, got);\n"
-    "    v = got.bounce; // #if bounce\n"
-    "#if environment == SH\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
     "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
     "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "#endif\n}\n#endif\n" },
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
+    "#endif\n"
+    "    o_ssgi_bounce.xyz = got.bounce; // #if pass == SSDO && bounce\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1669,9 +1633,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
     "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
     "        sum += h.y;\n"
-    "#if normal_rays\n"
-    "        sum += ssgi_above(start, n, t, h.x, vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y));\n"
-    "#endif\n"
+    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
+    "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
     "    }\n"
     "    return sum / float(SSGI_DIRECTIONS);\n}\n#endif\n" },
 { "main_gather", __LINE__, "void main() {\n"
@@ -1695,20 +1658,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_store(v); // #if pass == S3HO && !shaded\n}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
+{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
+    "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
+    "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
     "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // of influence\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
-    "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
-    "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
-    "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
+    "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n}\n" },
 { "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
     "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n}\n" },
-{ "ssgi_field_fetch", __LINE__ + 1,
-    "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
+{ "ssgi_field_fetch", __LINE__, "// components in [0,1] along w, bilinear with the border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: the face\n"
     "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
@@ -1757,8 +1720,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n}\n" },
-{ "ssgi_field_visibility", __LINE__ + 1,
-    "// ambient visibility by occluders 0 .. occluders - 1, except those of the object itself\n"
+{ "ssgi_field_visibility", __LINE__, "// ambient visibility by occluders 0 .., except those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
     "    for (int i = 0; i < occluders; ++i) {\n"
@@ -1776,11 +1738,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
-    "#if objects\n"
     "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
-    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
-    "#endif\n"
+    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects == TEXTURE\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion // #if objects\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n}\n" },
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
 
@@ -1863,11 +1823,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
     "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
-    "#if sends == LIGHTS\n"
-    "    vec3 sum = ssgi_lit(P, n, 0.0) * 0.31830989;\n"
-    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
-    "    return colour * sum;\n"
-    "#endif\n}\n" },
+    "    vec3 sum = ssgi_lit(P, n, 0.0) * 0.31830989; // #if sends == LIGHTS\n"
+    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if sends == LIGHTS && environment\n"
+    "    return colour * sum; // #if sends == LIGHTS\n}\n" },
 { "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
@@ -1891,8 +1849,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
     "}\n" },
-{ "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
-    "void main() {\n}\n" },
+{ "main_nothing", __LINE__, "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
 { "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
@@ -1926,13 +1883,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat out float v_ssgi_end; // outer^2\n"
     "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty if it covers none\n"
-    "#if span\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
-    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
-    "#if effect == BOUNCE\n"
+    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz))); // #if span\n"
+    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w); // #if span\n"
+    "#if span && effect == BOUNCE\n"
     "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as what is seen\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
-    "#endif\n"
     "#endif\n"
     "    float most = 1.0; // #if effect < BOUNCE\n"
     "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT\n"
@@ -1952,13 +1907,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n}\n" },
-{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 b, int corner) {\n"
-    "    vec2 at = vec2((corner & 1) == 1 ? b.z : b.x, corner > 1 ? b.w : b.y);\n"
-    "    return vec4(at / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "main_quad", __LINE__, "void main() {\n"
-    "    int corner = gl_VertexID % 6;\n"
+    "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner < 3 ? corner : 6 - corner);\n}\n" },
+    "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n}\n" },
 { "main_strip", __LINE__, "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
@@ -1967,7 +1919,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        for (int corner = 0; corner < 4; ++corner) { // outputs are undefined after each vertex\n"
     "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
     "            if (b.x >= b.z) break;\n"
-    "            gl_Position = ssgi_corner(b, corner);\n"
+    "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
     "            EmitVertex();\n"
     "            if (corner == 3) EndPrimitive();\n"
     "        }\n}\n" },
@@ -1980,8 +1932,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n}\n" },
-{ "ssgi_form", __LINE__ + 1,
-    "// form factor of a disc without its area, weight and cosine; v: vector to its centre, m: its normal\n"
+{ "ssgi_form", __LINE__, "// a disc's form factor without area, weight, cosine; v: to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "#if near_samples > 1\n"
     "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
@@ -3266,14 +3217,13 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
 }
 
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
-   of another camera; and back. none: the sentence for a missing matrix of that. */
+   of another camera; and back. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char *none, const char **why)
+                                      const float *other, const char **why)
 {
     double m[16], b[16];
     SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
-    SSGI_GL__CHECK(other, none);
     SSGI_GL__CHECK(ssgi_gl__finite(main_view) && ssgi_gl__finite(other),
                    "main_world_to_view: both matrices must be finite");
     ssgi_gl__relative(m, other, main_view);
@@ -3308,13 +3258,11 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 {
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
-    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view,
-                                    "extra_world_to_view: must not be NULL", why));
+    SSGI_GL__THERE(extra_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
     ssgi_gl__decode(views->decode[i], view);
-    views->size[i][0] = (float)view->width;
-    views->size[i][1] = (float)view->height;
-    views->size[i][2] = 2.0f * ssgi_pixel_footprint(view, 1.0f);
-    views->size[i][3] = 0.0f;
+    const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
+    memcpy(views->size[i], size, sizeof size);
     return SSGI_OK;
 }
 
@@ -3324,8 +3272,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 {
     float to[16], from[16];
     SSGI_GL__THERE(frame);
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view,
-                                    "last_world_to_view: must not be NULL", why));
+    SSGI_GL__THERE(last_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
     SSGI_GL__CHECK(view->width == frame->size[0] && view->height == frame->size[1],
                    "view: must have this frame's size; a history of another size is none");
     memcpy(frame->last_to, to, sizeof to);
@@ -3346,15 +3294,13 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     float to[16], from[16];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
-    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view,
-                                    "light_world_to_view: must not be NULL", why));
+    SSGI_GL__THERE(light_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
     for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
     ssgi_gl__decode(light->decode, view);
-    light->tile[0] = (float)x;
-    light->tile[1] = (float)y;
-    light->tile[2] = (float)view->width;
-    light->tile[3] = (float)view->height;
+    const float tile[4] = { (float)x, (float)y, (float)view->width, (float)view->height };
+    memcpy(light->tile, tile, sizeof tile);
     return SSGI_OK;
 }
 
