@@ -150,8 +150,7 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
    below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not known
-   beforehand. */
+/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not yet known. */
 SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
@@ -179,23 +178,20 @@ SSGI_DEF float ssgi_sh_cosine(int l);
 /* Radiance projected onto the basis: out[3*i + c], 3 * bands^2 floats. Values that are not finite count as 0.
      bands          [limit: 1..SSGI_SH_MAX_BANDS]
      width, height  [limit: 1..65536]
-     faces          six of GL's cube map, in its order and orientation (+x -x +y -y +z -z), rgb interleaved, size * size
-                    each [limit: 1..65536] */
+     faces          six of GL's cube map, its order and orientation (+x -x +y -y +z -z), size^2 rgb [limit: 1..65536] */
 SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float *rgb, int width, int height,
                                               const char **why);
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why);
 
 /* Windows: factors of the bands that reduce the ringing of a narrow light. Beside each, for a directional light in 4
-   bands of irradiance 1 on a facing surface: the series' peak, the least irradiance of an unoccluded surface, the least
-   of a partly occluded one, negated. */
+   bands of irradiance 1 on a facing surface: the series' peak, the least irradiance unoccluded, and partly, negated. */
 enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
        SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
        /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
        SSGI_SH_WINDOW_POSITIVE };
 
-/* A window's factors: bands floats, the first 1 [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many; a
-   window out of range is NONE]. */
+/* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
 SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
@@ -205,8 +201,7 @@ SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const fl
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
-     bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]
-   About 20 us for 4 bands. */
+     bands, channels    [limit: bands as ssgi_sh_basis; channels any, below 1 nothing]; 4 bands take about 20 us */
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
@@ -317,8 +312,7 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 when triangles is 0 or above SSGI_TRACE_MAX_TRIANGLES, or
-   when size_t cannot hold the answer. */
+/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0: no triangles, more than that, or than size_t can hold. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
@@ -392,9 +386,8 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* Makes surfels of triangles; their areas sum to the triangle's. Writes at most capacity, and to *count how many there
-   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for
-   a radius above 0 give none; normals that are not finite count as 0. seed depends only on the triangle's vertex
-   indices and the position in it. */
+   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for a
+   radius above 0 give none; normals not finite count as 0. seed depends on the vertex indices and the place only. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -486,8 +479,7 @@ typedef struct ssgi_field_limits {
     float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
-/* Bytes of texels, and of the work memory of a bake, not needed afterwards: about 59 a triangle + 960 resolution^2. 0
-   for bad arguments. */
+/* Bytes of texels; of a bake's work memory, not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
@@ -523,12 +515,10 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* A file, the same on every machine. Returns its size in bytes, writes only when out is not NULL and capacity suffices.
-   0: field is NULL, or no field. */
+/* A file, the same on every machine. Returns its bytes, 0: no field; writes if out is there and capacity suffices. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
 /* Loads one. size: of texels, in bytes [limit: ssgi_field_size(field->resolution)]; NULL, 0 fills field but for its
-   texels: ask so first. SSGI_BAD_ARGUMENT when the file is cut short, too long, foreign, of another version or corrupt;
-   SSGI_TOO_SMALL. */
+   texels: ask so first. SSGI_BAD_ARGUMENT: cut short, too long, foreign, another version or corrupt; SSGI_TOO_SMALL. */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
@@ -930,11 +920,9 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
 {
     double f = 1.0, r = 0.0;
-    float result;
     if (base < 2) return 0.0f;
     for (; i; i /= base) { f /= (double)base; r += f * (double)(i % base); }
-    result = (float)r;
-    return result < 1.0f ? result : 1.0f - FLT_EPSILON / 2;  /* 0.99999999 rounds up to 1 */
+    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2);      /* 0.99999999 rounds up to 1 */
 }
 
 SSGI__FN float ssgi__fract(double x)
@@ -962,8 +950,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
     SSGI__THERE(out);
     SSGI__RANGE(sets, 1, 4096);
     SSGI__RANGE(samples, 1, 4096);
-    /* A step coprime to the count visits every stratum of length once; near sqrt(2)-1 of it, so that lengths follow
-       neither u nor the azimuth. */
+    /* coprime to the count: visits every stratum of length once; near sqrt(2)-1 of it: follows neither u nor azimuth */
     for (step = (int)(0.41421356 * samples + 0.5); ssgi__gcd(step, samples) != 1; ++step) {}
     for (int set = 0; set < sets; ++set) {
         double turn = (double)ssgi_radical_inverse(2, (uint32_t)set),
@@ -1297,9 +1284,8 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
         for (int y = i * height / SSGI__CELLS_Y; y * SSGI__CELLS_Y < (i + 1) * height; ++y) {
             const float *row = rgb + 3 * (size_t)y * (size_t)width;
             int top, bottom, left, right;
-            double weight;
             ssgi__overlap(&top, &bottom, y * SSGI__CELLS_Y, SSGI__CELLS_Y, i * height, height);
-            weight = cos(SSGI__PI * top / unit) - cos(SSGI__PI * bottom / unit);
+            const double weight = cos(SSGI__PI * top / unit) - cos(SSGI__PI * bottom / unit);
             area += weight * width;
             for (int j = 0; j < SSGI__CELLS_X; ++j)
                 for (int x = j * width / SSGI__CELLS_X; x * SSGI__CELLS_X < (j + 1) * width; ++x) {
@@ -1346,10 +1332,9 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
             if (d[1] * polar[i][1] + most * polar[i][0] <= least) continue;
             for (int j = 0; j < SSGI__CELLS_X; ++j) {
                 const float cosine = d[1] * polar[i][1] + flat[j] * polar[i][0], ramp = (cosine - least) * slope;
-                double weight;
                 if (cosine <= least) continue;
-                weight = kappa > 0.0f ? (double)(polar[i][2] * expf(kappa * (cosine - 1.0f)))
-                                      : (double)(polar[i][2] * (ramp < 1.0f ? ramp * cosine : cosine));
+                const double weight = kappa > 0.0f ? (double)(polar[i][2] * expf(kappa * (cosine - 1.0f)))
+                                                   : (double)(polar[i][2] * (ramp < 1.0f ? ramp * cosine : cosine));
                 all += weight;
                 for (int c = 0; c < 3; ++c) sum[c] += weight * (double)cell[i][j][c];
             }
@@ -1495,9 +1480,8 @@ SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coeffic
             ssgi__along(sum, sum, -((double)ssgi_sh_cosine(ssgi__sh_band[i]) * (double)basis[i]), v);
         }
         for (int i = 0; i < count; ++i) {
-            double cosine;
             ssgi__doubles(v, suns[i].direction);
-            cosine = ssgi__dot(normal, v);
+            const double cosine = ssgi__dot(normal, v);
             ssgi__doubles(v, suns[i].irradiance);
             if (cosine > 0.0) ssgi__along(sum, sum, cosine, v);
         }
@@ -1561,8 +1545,7 @@ typedef struct ssgi__trace_item { float lower[3], upper[3]; uint32_t triangle; }
 
 typedef struct ssgi__trace_range {                /* items to become one child */
     uint32_t first, count, depth;
-    float    lower[3], upper[3];                  /* bounds */
-    float    clower[3], cupper[3];                /* bounds of the centres, times two */
+    float    lower[3], upper[3], clower[3], cupper[3];      /* bounds; bounds of the centres, times two */
 } ssgi__trace_range;
 
 typedef struct ssgi__trace_job {
@@ -1615,14 +1598,6 @@ SSGI__FN int ssgi__trace_item_set(const ssgi__trace_job *job, uint32_t triangle,
     return e[1] * f[2] != e[2] * f[1] || e[2] * f[0] != e[0] * f[2] || e[0] * f[1] != e[1] * f[0];
 }
 
-SSGI__FN void ssgi__trace_empty(float lower[3], float upper[3])
-{
-    for (int i = 0; i < 3; i++) {
-        lower[i] = 4.0f * SSGI__TRACE_LIMIT;
-        upper[i] = -4.0f * SSGI__TRACE_LIMIT;
-    }
-}
-
 SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3], const float u[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -1633,8 +1608,10 @@ SSGI__FN void ssgi__trace_grow(float lower[3], float upper[3], const float l[3],
 
 SSGI__FN void ssgi__trace_bound(const ssgi__trace_item *items, ssgi__trace_range *range)
 {
-    ssgi__trace_empty(range->lower, range->upper);
-    ssgi__trace_empty(range->clower, range->cupper);
+    for (int i = 0; i < 3; i++) {
+        range->lower[i] = range->clower[i] = 4.0f * SSGI__TRACE_LIMIT;
+        range->upper[i] = range->cupper[i] = -4.0f * SSGI__TRACE_LIMIT;
+    }
     for (uint32_t k = range->first; k < range->first + range->count; k++) {
         float centre[3];
         for (int i = 0; i < 3; i++) centre[i] = items[k].lower[i] + items[k].upper[i];
@@ -1716,12 +1693,8 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
     for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
-        for (uint32_t c = 0; k < range->count && c < 3; c++) {
-            const float *p = ssgi__trace_corner(job, id[k], c);
-            block->corner[c][0][k] = p[0];
-            block->corner[c][1][k] = p[1];
-            block->corner[c][2][k] = p[2];
-        }
+        for (uint32_t c = 0; k < range->count && c < 3; c++)
+            for (int i = 0; i < 3; i++) block->corner[c][i][k] = ssgi__trace_corner(job, id[k], c)[i];
     }
 }
 
@@ -1739,12 +1712,9 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
             if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
         }
         if (widest < 0) break;
-        for (int k = count; k > widest + 1; k--) range[k] = range[k - 1];
-        {
-            const ssgi__trace_range both = range[widest];
-            ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
-        }
-        count++;
+        for (int k = count++; k > widest + 1; k--) range[k] = range[k - 1];
+        const ssgi__trace_range both = range[widest];
+        ssgi__trace_split(job->items, &both, &range[widest], &range[widest + 1]);
     }
     for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
@@ -1778,11 +1748,10 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
     ssgi__trace_range all = { 0, 0, 0, { 0 }, { 0 }, { 0 }, { 0 } };
     const size_t blocks = (triangles + 3) / 4;
     uint32_t count = 0;
-    char *base;
     SSGI__THERE3(trace, memory, position);
     SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
     SSGI__ENOUGH(size, ssgi_trace_size(triangles), "size: must be at least ssgi_trace_size(triangles)");
-    base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
+    char *base = (char *)memory + (64 - (size_t)((uintptr_t)memory & 63)) % 64;
     job.blocks = (ssgi__trace_block *)(void *)base;
     job.nodes = (ssgi__trace_node *)(void *)(base + blocks * sizeof(ssgi__trace_block));
     /* the items end where the blocks end, and blocks are written in the items' order: as four items are smaller than a
@@ -1814,12 +1783,10 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
                                   float outside[4])
 {
     const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
-    const float *x0 = block->corner[0][ray->axis[0]], *y0 = block->corner[0][ray->axis[1]],
-                *z0 = block->corner[0][ray->axis[2]];
-    const float *x1 = block->corner[1][ray->axis[0]], *y1 = block->corner[1][ray->axis[1]],
-                *z1 = block->corner[1][ray->axis[2]];
-    const float *x2 = block->corner[2][ray->axis[0]], *y2 = block->corner[2][ray->axis[1]],
-                *z2 = block->corner[2][ray->axis[2]];
+    const int x = ray->axis[0], y = ray->axis[1], z = ray->axis[2];
+    const float *x0 = block->corner[0][x], *y0 = block->corner[0][y], *z0 = block->corner[0][z];
+    const float *x1 = block->corner[1][x], *y1 = block->corner[1][y], *z1 = block->corner[1][z];
+    const float *x2 = block->corner[2][x], *y2 = block->corner[2][y], *z2 = block->corner[2][z];
     for (int k = 0; k < 4; k++) {
         const float az = z0[k] - oz, ax = x0[k] - ox - sx * az, ay = y0[k] - oy - sy * az;
         const float bz = z1[k] - oz, bx = x1[k] - ox - sx * bz, by = y1[k] - oy - sy * bz;
@@ -1884,10 +1851,8 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
             ssgi__trace_block_hit(block, &ray, weight, enter);
             for (int k = 0; k < 4; k++) {
-                float t, sum;
                 if (enter[k] > 0.0f) continue;
-                t = ssgi__trace_distance(block, k, o, d);
-                sum = weight[0][k] + weight[1][k] + weight[2][k];
+                const float t = ssgi__trace_distance(block, k, o, d), sum = weight[0][k] + weight[1][k] + weight[2][k];
                 if (!(t > tmin && t < tmax && ssgi__abs(sum) > 0.0f)) continue;
                 if (!hit) return 1;
                 found = 1;
@@ -1962,8 +1927,7 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014
     return (x >> 22) ^ x;
 }
 
-/* The level, 1..64, at which so many discs of a radius have the triangle's area: at least 1, for level 0 culls. Beyond
-   3169 discs triangles need splits. */
+/* The level, 1..64 (0 culls), at which so many discs have the triangle's area; beyond 3169 discs it needs splits. */
 SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
@@ -1998,11 +1962,6 @@ static const float *ssgi__surfel_at(const float *data, size_t stride, size_t i)
     return (const float *)(const void *)((const char *)data + i * (stride ? stride : 12));
 }
 
-static void ssgi__surfel_vertex(double out[3], const float *data, size_t stride, size_t i)
-{
-    ssgi__doubles(out, ssgi__surfel_at(data, stride, i));
-}
-
 /* The whole triangle in view space. 0: it gives no surfels. */
 SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, size_t triangle)
 {
@@ -2012,14 +1971,14 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     for (int corner = 0; corner < 3; ++corner) {
         const size_t k = 3 * triangle + (size_t)corner, vertex = s->index ? s->index[k] : k;
         id[corner] = (uint32_t)vertex & 0xffffffu;
-        ssgi__surfel_vertex(v, s->position, s->position_stride, vertex);
+        ssgi__doubles(v, ssgi__surfel_at(s->position, s->position_stride, vertex));
         for (int i = 0; i < 3; ++i) {
             p->at[corner][i] = (double)s->to_view[12 + i];
             for (int n = 0; n < 3; ++n) p->at[corner][i] += (double)s->to_view[4 * n + i] * v[n];
             if (!ssgi__finite((float)p->at[corner][i]) || fabs(p->at[corner][i]) > (double)SSGI_FAR) return 0;
             p->colour[corner][i] = 1.0;
         }
-        if (s->colour) ssgi__surfel_vertex(p->colour[corner], s->colour, s->colour_stride, vertex);
+        if (s->colour) ssgi__doubles(p->colour[corner], ssgi__surfel_at(s->colour, s->colour_stride, vertex));
         if (s->normal) {
             const float *normal = ssgi__surfel_at(s->normal, s->normal_stride, vertex);
             ssgi__doubles(v, normal);
@@ -2075,8 +2034,7 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Part i of n * n, its level and radius, inset from the edges. 0: too far outside the frustum, or thinned out.
-   Twin of the tessellation control shader. */
+/* Part i of n * n, inset from the edges. 0: too far outside the frustum, or thinned out. Twin of main_levels. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place;
@@ -2145,8 +2103,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
                                        const char **why)
 {
     SSGI__THERE(desc);
-    if (!view || view->width < 1 || view->height < 1)
-        return ssgi__bad(why, "view: must come from ssgi_view_from_projection");
+    SSGI__CHECK(view && view->width > 0 && view->height > 0, "view: must come from ssgi_view_from_projection");
     SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
                 "desc.size: must be 1e-4..1, or 0 for the default");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
@@ -2289,26 +2246,21 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Distance beyond which a surfel's contribution is below epsilon; brightest: largest component of what it sends
-   [DSS14 3.2, 4]. */
+/* Beyond it a surfel's contribution is below epsilon; brightest: largest component of what it sends [DSS14 3.2, 4]. */
 SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* Distances covered by a level, (shell[0], shell[1]]: 0 .. reach for level 0, reach 2^(l-1) .. reach 2^l for level
-   l; no farther than `most`. */
+/* Distances that a level covers, (shell[0], shell[1]]: up to reach for 0, reach 2^(l-1) .. reach 2^l for l; to most. */
 SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
-    shell[0] = level > 0 ? ldexp(reach, level - 1) : 0.0;
-    shell[1] = ldexp(reach, level > 0 ? level : 0);
-    if (shell[0] > most) shell[0] = most;
-    if (shell[1] > most) shell[1] = most;
+    shell[0] = level > 0 ? fmin(ldexp(reach, level - 1), most) : 0.0;
+    shell[1] = fmin(ldexp(reach, level > 0 ? level : 0), most);
 }
 
-/* Pixels that the part of a sphere deeper than front covers: bounds x0, y0, x1, y1, clipped to the frame,
-   exact in each axis [Mara, McGuire 2013]. 0: none, and bounds are untouched. front > 0 when perspective. GLSL twin:
-   ssgi_sphere. */
+/* Pixels that the part of a sphere deeper than front (> 0 when perspective) covers: bounds x0, y0, x1, y1, clipped to
+   the frame, exact in each axis [Mara, McGuire 2013]. 0: none, bounds are untouched. GLSL twin: ssgi_sphere. */
 SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const float centre[3], float radius,
                                  float front)
 {
@@ -2359,11 +2311,10 @@ SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, co
 
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why)
 {
-    int l;
     SSGI__THERE(size);
     SSGI__SIZE(width, height);
     SSGI__RANGE(levels, 1, 7);
-    l = (1 << (levels - 1)) - 1;
+    const int l = (1 << (levels - 1)) - 1;
     size[0] = (width + l) & ~l;
     size[1] = (height + l) & ~l;
     return SSGI_OK;
@@ -2480,8 +2431,7 @@ SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
 }
 
 /* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
-   trace) meets from a point, by stratified rays within acos(cosine) of axis (unit). occlusion: NULL, or of four
-   receivers there with these normals. */
+   trace) meets from a point, by rays within acos(cosine) of axis (unit). occlusion: NULL, or of receivers there. */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
                                  const double axis[3], float cosine, int rays, uint32_t seed)
@@ -2557,8 +2507,7 @@ SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, s
     return error;
 }
 
-/* q of the unknowns: q0 = m + e^u0, q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1 with m = 1/most: then q > m on all
-   of [0,1], for any u. */
+/* q of the unknowns: q0, q2 = m + e^u0, e^u2, q1 = m - e^((u0 + u2)/2) + e^u1, m = 1/most: above m on all of [0,1]. */
 SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
@@ -2682,9 +2631,8 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
             const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
             for (int k = 0; k < 4 && block->triangle[k] != SSGI__TRACE_NONE; ++k)
                 for (int c = 0; c < 3; ++c) {
-                    double s;
                     for (int i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
-                    s = ssgi__dot(n, p);
+                    const double s = ssgi__dot(n, p);
                     if (s > best) { best = s; memcpy(out, p, sizeof p); }
                 }
         } else {
@@ -2721,13 +2669,11 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 /* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
-/* Where the ray leaves the hull. From a face of a small octahedron about the centre, which belongs to the hull so that
-   even flat occluders have one: the farthest corner along the portal's normal splits it, until there is none beyond its
-   plane. */
+/* Where the ray leaves the hull. From a face of a small octahedron about the centre, part of the hull so that even flat
+   occluders have one: the farthest corner along the portal's normal splits it, until none is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
     const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
-    double facing;
     memset(p, 0, sizeof *p);
     for (int i = 0; i < 3; ++i)
         p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
@@ -2751,7 +2697,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         }
         *p = split[best];
     }
-    facing = ssgi__dot(p->normal, w);
+    const double facing = ssgi__dot(p->normal, w);
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
@@ -2853,12 +2799,11 @@ SSGI__FN void ssgi__field_look(double sum[4], double occlusion[4], double normal
                                int rays, uint32_t seed)
 {
     double at[3], axis[3];
-    float cosine;
     for (int k = 0; k < 3; ++k) {
         at[k] = r * w[k];
         point[k] = (float)(at[k] + b->occluder.centre[k]);
     }
-    cosine = ssgi__field_cone(axis, &b->occluder, at, portal->normal);
+    const float cosine = ssgi__field_cone(axis, &b->occluder, at, portal->normal);
     ssgi__field_sample(sum, occlusion, normal, &b->occluder.trace, b->desc->hit, b->desc->user, point, axis, cosine,
                        rays, seed);
 }
@@ -3050,9 +2995,8 @@ SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and o
 
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles)
 {
-    size_t rest;
     if (ssgi__field_check(desc, NULL) != SSGI_OK || !ssgi_trace_size(triangles)) return 0;
-    rest = 64 + ssgi__field_floats(ssgi__field_resolve(desc).resolution) * sizeof(float);
+    const size_t rest = 64 + ssgi__field_floats(ssgi__field_resolve(desc).resolution) * sizeof(float);
     return rest > (size_t)-1 - ssgi_trace_size(triangles) ? 0 : rest + ssgi_trace_size(triangles);
 }
 
@@ -3061,16 +3005,14 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
                                      const uint32_t *index, size_t triangles, const char **why)
 {
     ssgi__field_bake b;
-    ssgi_field_desc d;
     ssgi_field f;
-    int all, block;
     SSGI__THERE3(field, texels, work);
     SSGI__TRY(ssgi__field_check(desc, why));
     SSGI__THERE(position);
     SSGI__TRY(ssgi__trace_bad(stride_bytes, triangles, why));
     SSGI__ENOUGH(work_size, ssgi_field_bake_size(desc, triangles),
                  "work_size: must be at least ssgi_field_bake_size(desc, triangles)");
-    d = ssgi__field_resolve(desc);
+    const ssgi_field_desc d = ssgi__field_resolve(desc);
     memset(&b, 0, sizeof b);
     memset(&f, 0, sizeof f);
     b.desc = &d;
@@ -3086,11 +3028,10 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
     f.inside = ssgi__field_inside(&b);
     f.resolution = d.resolution;
     f.radii = d.radii;
-    all = 24 * d.resolution * d.resolution;
-    block = (all + 23) / 24;
+    const int block = d.resolution * d.resolution, all = 24 * block;
     for (b.first = 0; b.first < all; b.first += block) {
         if (d.progress && d.progress(d.user, (float)b.first / (float)all)) {
-            if (why) *why = "desc.progress: gave the bake up";
+            ssgi__bad(why, "desc.progress: gave the bake up");
             return SSGI_CANCELLED;
         }
         ssgi__field_run(&d, all - b.first < block ? all - b.first : block, ssgi__field_texel, &b);
@@ -3108,8 +3049,7 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 /* ---- looking up */
 
-/* The integral of the clamped cosine over a cap: by the two arcs, of the cap and of the horizon, that bound its part
-   above the horizon. */
+/* The integral of the clamped cosine over a cap: by the two arcs that bound its part above the horizon. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
 {
     const float pi = 3.14159265f;
@@ -3143,8 +3083,7 @@ SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w
     int cell[2];
     for (int k = 0; k < 2; ++k) {
         at[k] = (0.5f * at[k] + 0.5f) * (float)f->resolution + 0.5f;
-        cell[k] = at[k] > 0.0f ? (int)at[k] : 0;
-        cell[k] = cell[k] < f->resolution ? cell[k] : f->resolution;
+        cell[k] = ssgi__clamp((int)at[k], 0, f->resolution);
         at[k] -= (float)cell[k];
     }
     for (int n = 0; n < 8; ++n) out[n] = 0.0f;
@@ -3235,7 +3174,6 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
     uint32_t number[25];
-    uint64_t h;
     if (!words || capacity < size || !out) return size;
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
@@ -3244,7 +3182,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number);      /* centre .. most */
     for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
-    h = ssgi__field_checksum(bytes, size - 8);
+    const uint64_t h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
     ssgi__field_put(bytes, size / 4 - 1, (uint32_t)(h >> 32));
     return size;
@@ -3257,7 +3195,6 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     float number[25];
     uint32_t head[4] = { 0 };
     size_t words = 0;
-    uint64_t h;
     SSGI__THERE(file);
     for (size_t i = 0; i < 4 && 4 * i + 4 <= size; ++i) head[i] = ssgi__field_get(bytes, i);
     SSGI__CHECK(head[0] == SSGI__FIELD_MAGIC && (head[1] & 0xffffffu) == (SSGI__FIELD_VERSION & 0xffffffu),
@@ -3271,7 +3208,7 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     f->radii = (int)head[3];
     SSGI__CHECK(size >= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is cut short");
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
-    h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
+    const uint64_t h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
     SSGI__CHECK(ssgi__field_checksum(bytes, size - 8) == h, corrupt);
     for (size_t i = 0; i < 25; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
@@ -3289,10 +3226,9 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
                                      size_t file_size, const char **why)
 {
     ssgi_field f;
-    size_t words;
     SSGI__THERE(field);
     SSGI__TRY(ssgi__field_head(&f, file, file_size, why));
-    words = texels ? ssgi_field_size(f.resolution) / 4 : 0;
+    const size_t words = texels ? ssgi_field_size(f.resolution) / 4 : 0;
     SSGI__ENOUGH(size, 4 * words, "size: must be at least ssgi_field_size of the file's resolution");
     for (size_t i = 0; i < words; ++i) texels[i] = ssgi__field_get((const unsigned char *)file, SSGI__FIELD_HEAD + i);
     f.texels = texels;

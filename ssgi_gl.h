@@ -807,20 +807,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (depth << 12u) | (e.y << 6u) | e.x;\n}\n" },
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
 
-{ "ssgi_lift", __LINE__ + 1,
-    "// the receiver lifted along its normal, so that nearest fetches of its own plane stay below it [HSAO08 eq.\n"
-    "// 13]\n"
+{ "ssgi_lift", __LINE__, "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n}\n" },
 { "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
-{ "ssgi_thickness", __LINE__, "// constant thickness of visible surfaces\n"
-    "float ssgi_thickness() {\n"
+{ "ssgi_thickness", __LINE__, "float ssgi_thickness() { // constant thickness of visible surfaces\n"
     "    // short segments must not hit surfaces that float far in front of them\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n}\n" },
-{ "ssgi_deep", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
-    "// surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
+{ "ssgi_deep", __LINE__, "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face\n"
+    "// is the visible surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n}\n" },
@@ -830,22 +826,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
 { "ssgi_point", __LINE__, "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
-    "#if views\n"
-    "    if (v >= 0) {\n"
-    "        float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : z;\n"
-    "        return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz;\n"
-    "    }\n"
-    "#endif\n"
+    "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z; // #if views\n"
+    "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz; // #if views\n"
     "    return ssgi_position(vec2(p) + 0.5, z);\n}\n" },
-{ "ssgi_sender", __LINE__ + 1,
-    "vec4 ssgi_sender; // radiance from the surface at the sample to the receiver; its distance from the sample\n" },
+{ "ssgi_sender", __LINE__, "vec4 ssgi_sender; // radiance from it to the receiver; its distance from the sample\n" },
 { "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
 { "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
     "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n}\n" },
-{ "ssgi_sent", __LINE__, "// radiance from a surface at Q to the receiver\n"
-    "vec3 ssgi_sent(uvec2 s, vec3 Q) {\n"
+{ "ssgi_sent", __LINE__, "vec3 ssgi_sent(uvec2 s, vec3 Q) { // radiance from a surface at Q to the receiver\n"
     "#if bounce == PATCH\n"
     "    vec3 d = ssgi_P - Q;\n"
     "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
@@ -853,66 +843,54 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    c = abs(c); // #if two_sided\n"
     "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
     "    return ssgi_unpack_radiance(s.x) * (area * max(r, 0.0) * max(c, 0.0) / (dd * max(dd, least * least)));\n"
-    "#elif two_sided\n"
-    "    return ssgi_unpack_radiance(s.x);\n"
     "#else\n"
-    "    return dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0 ? ssgi_unpack_radiance(s.x) : vec3(0.0);\n"
+    "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
+    "    return ssgi_unpack_radiance(s.x);\n"
     "#endif\n}\n" },
-{ "ssgi_faded", __LINE__, "// weight of an occluder at Q in the depth buffer\n"
-    "float ssgi_faded(vec3 Q) {\n"
+{ "ssgi_faded", __LINE__, "float ssgi_faded(vec3 Q) { // weight of an occluder at Q in the depth buffer\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
     "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
     "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
     "    return max(weight, 1e-6); // above 0: it is an occluder\n}\n" },
-{ "ssgi_view_depth", __LINE__ + 1,
-    "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
+{ "ssgi_view_depth", __LINE__, "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d;\n"
     "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
     "    return decode.w > 0.0 ? w : 1.0 / w;\n}\n" },
 { "ssgi_surface", __LINE__, "// view depth of layer j at a pixel of camera v\n"
     "float ssgi_surface(int v, ivec2 p, int j) {\n"
-    "#if views\n"
-    "    ivec3 texel = ivec3(p, v * SSGI_VIEW_LAYERS + j);\n"
-    "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, texel, 0).x);\n"
-    "#endif\n"
+    "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j); // #if views\n"
+    "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x); // #if views\n"
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
     "    return ssgi_depth(p);\n}\n" },
 { "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
-{ "ssgi_offer", __LINE__ + 1,
-    "// of the surfaces around the sample that send light the one closest to the segment is the sender\n"
+{ "ssgi_offer", __LINE__, "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
     "void ssgi_offer(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
     "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
     "    ssgi_sender = vec4(L, gap);\n"
     "    ssgi_sender_place = s.y; // #if transfer\n}\n" },
-{ "ssgi_occupancy", __LINE__ + 1,
-    "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd layer to the next; -1 in\n"
-    "// front of the visible surface by more than the slack; 0 unknown.\n"
+{ "ssgi_occupancy", __LINE__, "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd\n"
+    "// layer to the next; -1 in front of the visible surface by more than the slack; 0 unknown.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
     "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
-    "#if bounce\n"
-    "        uvec2 a = ssgi_held(v, p, j), b = j + 1 < layers ? ssgi_held(v, p, j + 1) : uvec2(0xffffffffu);\n"
-    "        float near = ssgi_unpack_depth(a.y), far = ssgi_unpack_depth(b.y), back = far;\n"
-    "#else\n"
-    "        float near = ssgi_surface(v, p, j), far = j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR;\n"
+    "        uvec2 a = ssgi_held(v, p, j); // #if bounce\n"
+    "        uvec2 b = j + 1 < layers ? ssgi_held(v, p, j + 1) : uvec2(0xffffffffu); // #if bounce\n"
+    "        float near = ssgi_unpack_depth(a.y), far = ssgi_unpack_depth(b.y); // #if bounce\n"
+    "        float near = ssgi_surface(v, p, j); // #if !bounce\n"
+    "        float far = j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR; // #if !bounce\n"
     "        float back = far;\n"
-    "#endif\n"
     "        if (far >= SSGI_FAR) back = near + ssgi_thickness(); // #if behind != SOLID\n"
     "        bool inside = !known && s > near && s < back;\n"
     "        if (!known && s <= near - slack) found = -1.0;\n"
-    "#if bounce\n"
-    "        if (inside) {\n"
-    "            ssgi_offer(a, ssgi_point(v, p, near));\n"
-    "            if (far < SSGI_FAR) ssgi_offer(b, ssgi_point(v, p, far));\n"
-    "        }\n"
-    "#endif\n"
+    "        if (inside) ssgi_offer(a, ssgi_point(v, p, near)); // #if bounce\n"
+    "        if (inside && far < SSGI_FAR) ssgi_offer(b, ssgi_point(v, p, far)); // #if bounce\n"
     "        if (inside) found = ssgi_faded(ssgi_point(v, p, s - near < far - s ? near : far)); // #if fade || range\n"
     "        if (inside) found = 1.0; // #if !(fade || range)\n"
     "        // within the slack in front of a surface is unknown, too\n"
@@ -920,8 +898,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    return found;\n}\n" },
 { "ssgi_blocked", __LINE__, "#if layers > 1 || views\n"
-    "// occlusion of S: inside solid geometry\n"
-    "float ssgi_blocked(vec3 S) {\n"
+    "float ssgi_blocked(vec3 S) { // occlusion of S: inside solid geometry\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
     "    ssgi_way = S - ssgi_P; // #if bounce\n"
@@ -943,28 +920,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
-    "#if bounce\n"
-    "    uvec2 s = ssgi_held(-1, p, 0);\n"
-    "    float z = ssgi_unpack_depth(s.y);\n"
-    "    ssgi_sender.xyz = ssgi_sent(s, ssgi_point(-1, p, z));\n"
-    "    ssgi_sender_place = s.y; // #if transfer\n"
-    "#else\n"
-    "    float z = ssgi_depth(p);\n"
-    "#endif\n"
+    "    float z = ssgi_depth(p); // #if !bounce\n"
+    "    uvec2 s = ssgi_held(-1, p, 0); // #if bounce\n"
+    "    float z = ssgi_unpack_depth(s.y); // #if bounce\n"
+    "    ssgi_sender.xyz = ssgi_sent(s, ssgi_point(-1, p, z)); // #if bounce\n"
+    "    ssgi_sender_place = s.y; // #if bounce && transfer\n"
     "    bool found = -S.z > z;\n"
     "    found = found && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
-    "#if behind == BACK || behind == SLABS\n"
-    "    vec3 back = ssgi_slabs(p);\n"
-    "    vec2 end_ = vec2(z, back.y) + ssgi_deep(vec2(z, back.y), back.xz, vec2(ssgi_footprint(z)));\n"
-    "    found = found && -S.z < end_.x;\n"
-    "#endif\n"
-    "#if behind == SLABS\n"
-    "    if (-S.z > back.y && -S.z < end_.y) {\n"
-    "        ssgi_sender.xyz *= found ? 1.0 : 0.0; // its radiance is unknown // #if bounce\n"
-    "        if (!found) z = back.y; // #if fade || range\n"
-    "        found = true;\n"
-    "    }\n"
-    "#endif\n"
+    "    vec3 back = ssgi_slabs(p); // #if behind > SOLID\n"
+    "    vec2 front = vec2(z, back.y); // #if behind > SOLID\n"
+    "    vec2 end_ = front + ssgi_deep(front, back.xz, vec2(ssgi_footprint(z))); // #if behind > SOLID\n"
+    "    found = found && -S.z < end_.x; // #if behind > SOLID\n"
+    "    bool second = !found && -S.z > back.y && -S.z < end_.y; // #if behind == SLABS\n"
+    "    if (second) ssgi_sender.xyz = vec3(0.0); // its radiance is unknown // #if bounce && behind == SLABS\n"
+    "    if (second) z = back.y; // #if (fade || range) && behind == SLABS\n"
+    "    found = found || second; // #if behind == SLABS\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n}\n#endif\n" },
@@ -975,12 +945,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sh", __LINE__, "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
     "    vec4 b, c; // #if bands > 2\n"
-    "    vec4 d; // #if bands > 3\n"
-    "};\n" },
+    "    vec4 d; // #if bands > 3\n};\n" },
 { "ssgi_coefficients", __LINE__, "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
     "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
-{ "ssgi_sh_basis", __LINE__ + 1,
-    "// real spherical harmonics at a unit direction, l*l + l + m, without the Condon-Shortley sign\n"
+{ "ssgi_sh_basis", __LINE__, "// real spherical harmonics of a unit direction, l*l + l + m, no Condon-Shortley sign\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
     "    ssgi_sh y;\n"
     "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
@@ -1015,16 +983,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.b += y.b * w; // #if bands > 2\n"
     "    s.c += y.c * w; // #if bands > 2\n"
     "    s.d += y.d * w; // #if bands > 3\n}\n" },
-{ "ssgi_sh_dot", __LINE__, "// the integral of the product\n"
-    "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) {\n"
+{ "ssgi_sh_dot", __LINE__, "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product\n"
     "    float s = dot(x.a, y.a);\n"
     "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
     "    s += dot(x.d, y.d); // #if bands > 3\n"
     "    return s;\n}\n" },
 { "ssgi_sh_complex", __LINE__, "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n" },
-{ "ssgi_sh_about_z", __LINE__ + 1,
-    "// turns the bands from the third on about z, by the angle whose cosine and sine are u\n"
+{ "ssgi_sh_about_z", __LINE__, "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
     "    vec2 uu = ssgi_sh_complex(u, u);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
@@ -1065,73 +1031,55 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_quarter(s, -1.0);\n"
     "    ssgi_sh_about_z(s, phi);\n"
     "#endif\n}\n" },
-{ "ssgi_pack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
-    "// packHalf2x16, which this language lacks: to nearest even\n"
-    "uint ssgi_pack_half(vec2 v) {\n"
-    "    uvec2 u = floatBitsToUint(clamp(v, -65504.0, 65504.0)), a = u & 0x7fffffffu;\n"
+{ "ssgi_pack_half", __LINE__, "uint ssgi_pack_half(vec2 v) {\n"
+    "    v = clamp(v, -65504.0, 65504.0);\n"
+    "    return packHalf2x16(v); // #if dialect != 330 && dialect != 410\n"
+    "#if dialect == 330 || dialect == 410\n"
+    "    uvec2 u = floatBitsToUint(v), a = u & 0x7fffffffu; // these languages lack it: to nearest even\n"
     "    uvec2 h = (a - 0x38000000u + 0xfffu + ((a >> 13u) & 1u)) >> 13u;\n"
     "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // below 2^-14 the sum rounds\n"
     "    h = uvec2(a.x < 0x38800000u ? small.x : h.x, a.y < 0x38800000u ? small.y : h.y) | ((u >> 16u) & 0x8000u);\n"
     "    return h.x | (h.y << 16u);\n"
-    "}\n"
-    "#else\n"
-    "uint ssgi_pack_half(vec2 v) {\n"
-    "    return packHalf2x16(clamp(v, -65504.0, 65504.0));\n}\n#endif\n" },
-{ "ssgi_unpack_half", __LINE__, "#if dialect == 330 || dialect == 410\n"
-    "vec2 ssgi_unpack_half(uint u) {\n"
+    "#endif\n}\n" },
+{ "ssgi_unpack_half", __LINE__, "vec2 ssgi_unpack_half(uint u) {\n"
+    "    return unpackHalf2x16(u); // #if dialect != 330 && dialect != 410\n"
+    "#if dialect == 330 || dialect == 410\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
     "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
     "    v = vec2(e.x == 0u ? small.x : v.x, e.y == 0u ? small.y : v.y);\n"
     "    return vec2(h.x > 0x7fffu ? -v.x : v.x, h.y > 0x7fffu ? -v.y : v.y);\n"
-    "}\n"
-    "#else\n"
-    "vec2 ssgi_unpack_half(uint u) {\n"
-    "    return unpackHalf2x16(u);\n}\n#endif\n" },
+    "#endif\n}\n" },
 { "ssgi_unpack", __LINE__, "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
-    "    s.a = vec4(ssgi_unpack_half(u.x).x, 0.0, 0.0, 0.0);\n"
-    "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y)); // #if bands > 1\n"
+    "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));\n"
     "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w)); // #if bands > 2\n"
-    "    s.c = vec4(ssgi_unpack_half(v.x).x, 0.0, 0.0, 0.0); // #if bands > 2\n"
-    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y)); // #if bands > 3\n"
+    "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y)); // #if bands > 2\n"
     "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w)); // #if bands > 3\n"
     "    return s;\n}\n" },
-{ "ssgi_load", __LINE__, "// what s3ho wrote at a texel of its targets\n"
-    "ssgi_coefficients ssgi_load(ivec2 p) {\n"
+{ "ssgi_load", __LINE__, "ssgi_coefficients ssgi_load(ivec2 p) { // what s3ho wrote at a texel of its targets\n"
     "    ssgi_coefficients v;\n"
     "#if transfer\n"
-    "    uvec4 red = uvec4(0u), green = red, blue = red;\n"
-    "#if bands > 2\n"
-    "    red = texelFetch(t_ssgi_red1, p, 0);\n"
-    "    green = texelFetch(t_ssgi_green1, p, 0);\n"
-    "    blue = texelFetch(t_ssgi_blue1, p, 0);\n"
-    "#endif\n"
+    "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
+    "    uvec4 red = texelFetch(t_ssgi_red1, p, 0), green = texelFetch(t_ssgi_green1, p, 0); // #if bands > 2\n"
+    "    uvec4 blue = texelFetch(t_ssgi_blue1, p, 0); // #if bands > 2\n"
     "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_red0, p, 0), red);\n"
     "    v.c[1] = ssgi_unpack(texelFetch(t_ssgi_green0, p, 0), green);\n"
     "    v.c[2] = ssgi_unpack(texelFetch(t_ssgi_blue0, p, 0), blue);\n"
     "#elif packed\n"
-    "    uvec4 first = texelFetch(t_ssgi_sh0, p, 0), more = uvec4(0u);\n"
-    "    more = texelFetch(t_ssgi_sh1, p, 0); // #if bands > 2\n"
-    "    v.c[0] = ssgi_unpack(first, more);\n"
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), uvec4(0u)); // #if bands < 3\n"
+    "    v.c[0] = ssgi_unpack(texelFetch(t_ssgi_sh0, p, 0), texelFetch(t_ssgi_sh1, p, 0)); // #if bands > 2\n"
     "#else\n"
     "    v.c[0].a = vec4(texelFetch(t_ssgi_sh0, p, 0).x, 0.0, 0.0, 0.0); // #if bands == 1\n"
     "    v.c[0].a = texelFetch(t_ssgi_sh0, p, 0); // #if bands != 1\n"
-    "#if bands == 3\n"
-    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0);\n"
-    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0);\n"
-    "#elif bands == 4\n"
-    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0);\n"
-    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0);\n"
-    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0);\n"
-    "#endif\n"
+    "    v.c[0].b = texelFetch(t_ssgi_sh1, p, 0); // #if bands > 2\n"
+    "    v.c[0].c = vec4(texelFetch(t_ssgi_sh2, p, 0).x, 0.0, 0.0, 0.0); // #if bands == 3\n"
+    "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0); // #if bands == 4\n"
+    "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0); // #if bands == 4\n"
     "#endif\n"
     "    return v;\n}\n" },
-{ "ssgi_pack_first", __LINE__, "// coefficients 0..7, 8..15\n"
-    "uvec4 ssgi_pack_first(ssgi_sh s) {\n"
-    "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), 0u, 0u, 0u);\n"
-    "    u.y = ssgi_pack_half(s.a.zw); // #if bands > 1\n"
-    "    u.z = ssgi_pack_half(s.b.xy); // #if bands > 2\n"
-    "    u.w = ssgi_pack_half(s.b.zw); // #if bands > 2\n"
+{ "ssgi_pack_first", __LINE__, "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7, 8..15\n"
+    "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
+    "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
     "    return u;\n}\n" },
 { "ssgi_pack_more", __LINE__, "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
@@ -1142,11 +1090,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
     "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n"
-    "#if bands > 2\n"
-    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]);\n"
-    "    o_ssgi_green1 = ssgi_pack_more(v.c[1]);\n"
-    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]);\n"
-    "#endif\n"
+    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]); // #if bands > 2\n"
+    "    o_ssgi_green1 = ssgi_pack_more(v.c[1]); // #if bands > 2\n"
+    "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]); // #if bands > 2\n"
     "#elif packed\n"
     "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]); // #if bands > 2\n"
@@ -1160,8 +1106,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
     "    return v;\n}\n" },
-{ "ssgi_ambient", __LINE__, "// ambient visibility from the coefficients\n"
-    "vec3 ssgi_ambient(ssgi_coefficients v) {\n"
+{ "ssgi_ambient", __LINE__, "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n}\n" },
 { "ssgi_incoming", __LINE__, "// one channel of irradiance from coefficients [S3HO12 eq. 3]\n"
@@ -1180,8 +1125,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
     "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
-{ "ssgi_light_at", __LINE__, "// row i of t_ssgi_lights, as it shines on P\n"
-    "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
+{ "ssgi_light_at", __LINE__, "ssgi_light ssgi_light_at(int i, vec3 P) { // row i of t_ssgi_lights, as it shines on P\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
     "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0);\n"
@@ -1198,11 +1142,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
     "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
     "    return 0.0;\n}\n" },
-{ "ssgi_shadow", __LINE__ + 1,
-    "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by the bias that keeps\n"
-    "// a plane from shadowing itself: half a texel's diagonal times the plane's slope against the map. contact\n"
-    "// returns how far along the ray to the light the map sees what may be the plane itself or an occluder that\n"
-    "// the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
+{ "ssgi_shadow", __LINE__, "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by\n"
+    "// the bias that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against\n"
+    "// the map. contact returns how far along the ray to the light the map sees what may be the plane itself or an\n"
+    "// occluder that the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
     "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
@@ -1222,20 +1165,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    contact = max(q.z - slack - z, 0.0) * length_;\n"
     "    return q.z - b - slack > z ? 1.0 : 0.0;\n}\n" },
 { "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
-    "    vec3 sum = vec3(0.0), start = ssgi_lift(P, n);\n"
-    "#else\n"
-    "vec3 ssgi_lit(vec3 P, vec3 n) {\n"
     "    vec3 sum = vec3(0.0);\n"
-    "#endif\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
     "        ssgi_light s = ssgi_light_at(i, P);\n"
     "        float cosine = dot(n, s.l), g = s.g * cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
-    "#endif\n"
     "#if shadow == MAP || shadow == FILL\n"
     "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
     "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
@@ -1243,13 +1178,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
     "#endif\n"
-    "#if shadow == FILL\n"
-    "        // distances below a pixel are left to the map\n"
-    "        if (contact >= 0.0) reach = contact < ssgi_footprint(-P.z) ? 0.0 : min(reach, contact);\n"
-    "#endif\n"
-    "        ssgi_segment_length = reach; // #if behind != SOLID && (shadow == SEGMENT || shadow == FILL)\n"
     "#if shadow == SEGMENT || shadow == FILL\n"
-    "        g *= 1.0 - ssgi_segment(start, s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
+    "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
+    "        if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
+    "        // distances below a pixel are left to the map // #if shadow == FILL\n"
+    "        if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
+    "        ssgi_segment_length = reach; // #if behind != SOLID\n"
+    "        g *= 1.0 - ssgi_segment(ssgi_lift(P, n), s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
     "#endif\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
@@ -1261,11 +1196,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989;\n"
-    "#else\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n) * 0.31830989;\n"
-    "#endif\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989; // #if shadow == SEGMENT || shadow == FILL\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, n, 0.0) * 0.31830989; // #if shadow != SEGMENT && shadow != FILL\n"
     "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n}\n" },
 { "main_senders", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
@@ -1273,27 +1205,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float z = ssgi_depth(p); // #if !receiver\n"
     "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 sum = vec3(0.0);\n"
-    "#if radiance != DIRECT && receiver\n"
-    "    sum += texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz;\n"
-    "#elif radiance != DIRECT\n"
-    "    sum += texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz;\n"
-    "#endif\n"
+    "    ivec3 at = ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1); // #if radiance != DIRECT && receiver\n"
+    "    vec3 sum = texelFetch(t_ssgi_albedo, at, 0).xyz; // #if radiance != DIRECT && receiver\n"
+    "    vec3 sum = texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if radiance != DIRECT && !receiver\n"
+    "    vec3 sum = vec3(0.0); // #if radiance == DIRECT\n"
     "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n}\n" },
-{ "ssgi_bent", __LINE__ + 1,
-    "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of a cone about it with\n"
-    "// the same spread: cosine-weighted directions in a cone of cosine c have a mean of length 2/3 (1 + c + c^2) /\n"
-    "// (1 + c) [SSBN11, for cosine weights].\n"
+{ "ssgi_bent", __LINE__, "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of\n"
+    "// a cone about it with the same spread: cosine-weighted directions in a cone of cosine c have a mean of length\n"
+    "// 2/3 (1 + c + c^2) / (1 + c) [SSBN11, for cosine weights].\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
     "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n}\n" },
-{ "ssgi_light_harmonics", __LINE__ + 1,
-    "// Irradiance by a light projected onto harmonics: the cap that its sphere subtends, windowed, normalised so\n"
-    "// that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
+{ "ssgi_light_harmonics", __LINE__, "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
+    "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
@@ -1309,33 +1237,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return s.colour.xyz * e * s.g;\n}\n" },
 { "ssgi_shaded", __LINE__, "// irradiance over pi from the coefficients of a receiver\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
-    "#if shading == HARMONICS\n"
-    "    vec3 sum = ssgi_irradiance(v, n);\n"
-    "#else\n"
-    "    vec4 bent = ssgi_bent(v.c[0]);\n"
-    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz, sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0));\n"
-    "#endif\n"
-    "#if shading == BENT_NORMAL\n"
-    "    sum *= ssgi_irradiance_map(axis, 0);\n"
-    "#elif shading == BENT_CONE\n"
-    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
-    "    float slice = min(bent.w * float(last + 1), float(last));\n"
-    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
-    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
-    "#endif\n"
-    "#if lights\n"
-    "    for (int i = 0; i < u_ssgi_lights; ++i) sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989;\n"
-    "#endif\n"
+    "    vec3 sum = ssgi_irradiance(v, n); // #if shading == HARMONICS\n"
+    "    vec3 sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0)); // #if shading != HARMONICS\n"
+    "    vec4 bent = ssgi_bent(v.c[0]); // #if shading != HARMONICS\n"
+    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz; // #if shading != HARMONICS\n"
+    "    sum *= ssgi_irradiance_map(axis, 0); // #if shading == BENT_NORMAL\n"
+    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1; // #if shading == BENT_CONE\n"
+    "    float slice = min(bent.w * float(last + 1), float(last)); // #if shading == BENT_CONE\n"
+    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last)); // #if shading == BENT_CONE\n"
+    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice)); // #if shading == BENT_CONE\n"
+    "    for (int i = 0; i < u_ssgi_lights; ++i) // #if lights\n"
+    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989; // #if lights\n"
     "    return sum;\n}\n" },
-{ "ssgi_open", __LINE__, "// unoccluded irradiance over pi\n"
-    "vec3 ssgi_open(vec3 P, vec3 n) {\n"
-    "#if environment == MAP\n"
-    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
-    "#else\n"
-    "    ssgi_coefficients v;\n"
-    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "    return ssgi_shaded(v, P, n);\n"
-    "#endif\n}\n" },
+{ "ssgi_open", __LINE__, "vec3 ssgi_open(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
+    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment == MAP\n"
+    "    ssgi_coefficients v; // #if environment != MAP\n"
+    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment != MAP\n"
+    "    return ssgi_shaded(v, P, n); // #if environment != MAP\n}\n" },
 { "ssgi_kept", __LINE__, "// what is written of a receiver's light: desc.restore\n"
     "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) {\n"
     "    return max(light, 0.0); // #if !restore\n"
@@ -1359,28 +1277,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>gather: sampling around a pixel ========================================================================== */
 
 { "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
-{ "ssgi_length", __LINE__, "// distance of a sample along its direction\n"
-    "float ssgi_length(float xi) {\n"
+{ "ssgi_length", __LINE__, "float ssgi_length(float xi) { // distance of a sample along its direction\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
     "    return xi; // #if falloff != SQUARE\n}\n" },
 /* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what an occluded direction contributes. */
 
-{ "ssgi_reflected", __LINE__ + 1,
-    "// adds the lobe of a sender with normal o found along w, unoccluded, times its albedo [S3HO12 eq. 5, ours of\n"
-    "// solid angle]\n"
+{ "ssgi_reflected", __LINE__, "// adds the lobe of a sender with normal o found along w, unoccluded, times its albedo\n"
+    "// [S3HO12 eq. 5, ours of solid angle]\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n}\n" },
 { "ssgi_gather", __LINE__, "#if pass == SSAO\n"
-    "// occlusion from point samples: cosine-weighted directions; the distribution of lengths gives the attenuation\n"
-    "// of desc.falloff\n"
+    "// occlusion from points along cosine-weighted directions; the distribution of lengths attenuates by falloff\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "#elif pass == SSDO && search == POINTS\n"
-    "// cosine-weighted directions: the environment along unoccluded ones, a sender's light along occluded ones\n"
-    "// [SSDO09 section 3]\n"
+    "// the environment along unoccluded cosine-weighted directions, senders' light along occluded ones [SSDO09 3]\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "#elif pass == S3HO && search == POINTS\n"
     "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less its occluded part,\n"
@@ -1392,13 +1306,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_n = n; // #if range || bounce == PATCH\n"
     "    vec3 bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
     "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, vec3(0.0, 0.0, 1.0)); // #if environment == SH\n"
-    "#if kernel\n"
-    "    int set = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
-    "    mat3 basis = ssgi_basis(n);\n"
-    "#else\n"
-    "    float a = 6.28318531 * xi.x, c = cos(a), s = sin(a);\n"
-    "    mat3 basis = ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);\n"
-    "#endif\n"
+    "    int set = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y)); // #if kernel\n"
+    "    mat3 basis = ssgi_basis(n); // #if kernel\n"
+    "    float a = 6.28318531 * xi.x, c = cos(a), s = sin(a); // #if !kernel\n"
+    "    mat3 basis = ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0); // #if !kernel\n"
     "    mat3 world = transpose(u_ssgi_rotation) * basis; // #if environment == MAP\n"
     "    vec3 all = vec3(0.0), dark = vec3(0.0); // #if environment == MAP\n"
     "    vec3 start = ssgi_lift(P, n);\n"
@@ -1415,31 +1326,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float blocked = ssgi_blocked(start + basis * k.xyz * t);\n"
     "#endif\n"
     "        sum += blocked; // #if pass == SSAO\n"
-    "#if environment == SH\n"
-    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), blocked * (-3.14159265 / float(SSGI_SAMPLES)));\n"
-    "#elif environment == MAP\n"
-    "        vec3 L = ssgi_environment(world * k.xyz);\n"
-    "        all += L;\n"
-    "        dark += L * blocked;\n"
-    "#endif\n"
-    "#if pass == SSDO && bounce == PATCH\n"
-    "        // divide by the cosine pdf: the patch area pi r^2/N assumes uniform directions\n"
-    "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05));\n"
-    "#elif pass == SSDO && bounce\n"
-    "        bounce += ssgi_sender.xyz * blocked;\n"
-    "#elif pass == S3HO && bounce\n"
-    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
-    "        if (blocked > 0.0) ssgi_reflected(v, ssgi_unpack_normal(ssgi_sender_place), basis * k.xyz, albedo);\n"
-    "#endif\n"
+    "        float less = blocked * (-3.14159265 / float(SSGI_SAMPLES)); // #if environment == SH\n"
+    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), less); // #if environment == SH\n"
+    "        vec3 L = ssgi_environment(world * k.xyz); // #if environment == MAP\n"
+    "        all += L; // #if environment == MAP\n"
+    "        dark += L * blocked; // #if environment == MAP\n"
+    "        bounce += ssgi_sender.xyz * blocked; // #if pass == SSDO && bounce == SOLID_ANGLE\n"
+    "        // over the cosine pdf: pi r^2/N assumes uniform directions // #if pass == SSDO && bounce == PATCH\n"
+    "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05)); // #if pass == SSDO && bounce == PATCH\n"
+    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)); // #if pass == S3HO && bounce\n"
+    "        vec3 o = ssgi_unpack_normal(ssgi_sender_place); // #if pass == S3HO && bounce\n"
+    "        if (blocked > 0.0) ssgi_reflected(v, o, basis * k.xyz, albedo); // #if pass == S3HO && bounce\n"
     "    }\n"
     "    return sum / float(SSGI_SAMPLES); // #if pass == SSAO\n"
     "#if environment == SH\n"
     "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
     "    ssgi_sh_turn(lobe, basis);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "#endif\n"
-    "#if pass == SSDO && environment == SH\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
     "#elif environment == MAP\n"
     "    // the unoccluded share of the samples' light: exact without occlusion\n"
     "    o_ssgi_light.xyz = 1.0 - dark / max(all, 1e-30);\n"
@@ -1466,10 +1370,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (ssgi_blocked(start + direction * d) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
     "    return 0.0;\n}\n" },
-{ "ssgi_horizon", __LINE__ + 1,
-    "// Horizon of one tangent direction t by deflecting a ray toward the surface [HSAO08 fig. 4]: x is H, the sine\n"
-    "// of its elevation, y the occlusion below it, the sum of the increments of H^2, each attenuated by the\n"
-    "// distance at which it was found.\n"
+{ "ssgi_horizon", __LINE__, "// Horizon of one tangent direction t by deflecting a ray toward the surface [HSAO08\n"
+    "// fig. 4]: x is H, the sine of its elevation, y the occlusion below it, the sum of the increments of H^2, each\n"
+    "// attenuated by the distance at which it was found.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
     "    vec3 h = t;\n"
     "    vec2 r = vec2(0.0);\n"
@@ -1490,8 +1393,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "    }\n"
     "    return r;\n}\n" },
-{ "ssgi_above", __LINE__ + 1,
-    "// occlusion above a horizon H in direction t: equal weights over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
+{ "ssgi_above", __LINE__, "// occlusion above H in direction t: even over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
@@ -1499,10 +1401,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += ssgi_ray(start, n * sqrt(zz) + t * sqrt(1.0 - zz), xi.y);\n"
     "    }\n"
     "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n}\n" },
-{ "ssgi_arc", __LINE__ + 1,
-    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c: the integral of\n"
-    "// sin x cos(g - x), where g is the signed angle from the view direction to the projected normal; half its\n"
-    "// cosine and +-half its sine are given.\n"
+{ "ssgi_arc", __LINE__, "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c:\n"
+    "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
+    "// normal; half its cosine and +-half its sine are given.\n"
     "vec2 ssgi_arc(vec2 c, float cosg, vec2 sing) {\n"
     "    vec2 q = c * c; // acos c - c sin acos c, to 0.0015, is 0 at c = 1 and odd about c = 0\n"
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
@@ -1515,56 +1416,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
 
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
-{ "SSGI_JOINED", __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // slope up to which taps are of one surface, if desc.behind is CONSTANT\n" },
-{ "ssgi_between", __LINE__, "// the sectors from one to another, a bit each\n"
-    "uvec2 ssgi_between(vec2 from, vec2 to) {\n"
+{ "SSGI_JOINED", __LINE__, "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
+{ "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 from, vec2 to) { // the sectors from one to another, a bit each\n"
     "    uvec2 a = uvec2(from), b = uvec2(to), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
     "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n}\n" },
-{ "ssgi_count", __LINE__, "#if dialect == 330 || dialect == 300ES\n"
-    "// bitCount, which this language lacks\n"
-    "vec2 ssgi_count(uvec2 m) {\n"
+{ "ssgi_count", __LINE__, "vec2 ssgi_count(uvec2 m) {\n"
+    "    return vec2(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
+    "#if dialect == 330 || dialect == 300ES\n"
     "    m -= (m >> 1u) & 0x55555555u;\n"
     "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
     "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
     "    return vec2((m * 0x01010101u) >> 24u);\n"
-    "}\n"
-    "#else\n"
-    "vec2 ssgi_count(uvec2 m) {\n"
-    "    return vec2(bitCount(m));\n}\n#endif\n" },
-{ "ssgi_slice", __LINE__ + 1,
-    "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the normal over the length of\n"
-    "// its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share of the hemisphere per\n"
-    "// sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y over depth). x is\n"
-    "// along t for one side, along -t for the other.\n"
+    "#endif\n}\n" },
+{ "ssgi_slice", __LINE__, "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the\n"
+    "// normal over the length of its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share\n"
+    "// of the hemisphere per sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y\n"
+    "// over depth). x is along t for one side, along -t for the other.\n"
     "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
 { "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
-    "    ssgi_slice s;\n"
     "    float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
     "    a /= l;\n"
     "    b /= l;\n"
-    "    s.t = along * b - V * a;\n"
-    "    s.up = along * a + V * b;\n"
-    "    s.n = normal / l;\n"
-    "    s.cosg = 0.5 * b;\n"
-    "    s.sing = vec2(0.5, -0.5) * a;\n"
-    "    vec2 whole = max(ssgi_arc(vec2(-a, a), s.cosg, s.sing), 1e-5);\n"
-    "    s.sectors = 32.0 / whole;\n"
-    "    s.noise = noise;\n"
-    "    s.share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
-    "#if orthographic\n"
-    "    s.x = vec2(-s.t.z, s.t.z);\n"
-    "    s.y = vec2(-s.n.z);\n"
-    "#else\n"
-    "    s.x = vec2(dot(P, s.t), -dot(P, s.t));\n"
-    "    s.y = vec2(dot(P, s.n));\n"
-    "#endif\n"
-    "    return s;\n}\n" },
+    "    vec3 t = along * b - V * a, up = along * a + V * b, n = normal / l;\n"
+    "    vec2 sing = vec2(0.5, -0.5) * a, whole = max(ssgi_arc(vec2(-a, a), 0.5 * b, sing), 1e-5);\n"
+    "    vec2 share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
+    "    vec2 x = vec2(-t.z, t.z), y = vec2(-n.z); // #if orthographic\n"
+    "    vec2 x = vec2(dot(P, t), -dot(P, t)), y = vec2(dot(P, n)); // #if !orthographic\n"
+    "    return ssgi_slice(t, up, n, 0.5 * b, sing, 32.0 / whole, noise, share, x, y);\n}\n" },
 { "ssgi_sector", __LINE__, "// sector of an elevation with cosine c; 0 where not up\n"
     "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
     "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n}\n" },
-{ "ssgi_behind", __LINE__ + 1,
-    "// moves points at x, y, depth z along their rays, away from the viewer; returns their sectors\n"
+{ "ssgi_behind", __LINE__, "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
     "    x += by * s.x; // #if orthographic\n"
     "    y += by * s.y; // #if orthographic\n"
@@ -1573,15 +1455,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n}\n" },
-{ "ssgi_fresh", __LINE__ + 1,
-    "// counts the sectors of an arc that were not covered before, attenuated by a distance, and covers them\n"
+{ "ssgi_fresh", __LINE__, "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    fresh *= ssgi_near(d); // #if span\n"
     "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n}\n" },
-{ "ssgi_second", __LINE__ + 1,
-    "// the same for the second slabs behind taps at x, y, depth z; moves x, y to their front faces\n"
+{ "ssgi_second", __LINE__, "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
     "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
@@ -1596,10 +1476,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
     "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
-    "};\n" },
-{ "ssgi_parts", __LINE__ + 1,
-    "// occlusion of both sides of a slice, with weighted sums of their elevations' cosines and sines\n"
+    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n};\n" },
+{ "ssgi_parts", __LINE__, "// occlusion of a slice's two sides, with weighted sums of elevations' cosines and sines\n"
     "struct ssgi_parts { vec2 w, c, s; };\n" },
 { "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
@@ -1607,8 +1485,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    parts.w += w;\n"
     "    parts.c += w * c * unit;\n"
     "    parts.s += w * s * unit;\n}\n" },
-{ "ssgi_blocked_by", __LINE__ + 1,
-    "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
+{ "ssgi_blocked_by", __LINE__, "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
     "    for (int k = 0; k < 2; ++k) {\n"
     "        vec3 way = s.t * (k == 0 ? parts.c.x : -parts.c.y) + s.up * parts.s[k];\n"
@@ -1616,10 +1493,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
     "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
     "    }\n}\n" },
-{ "ssgi_sends", __LINE__ + 1,
-    "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen sides send is a guess\n"
-    "// that measurements support: a quarter of what the seen one sends, a second slab half. Edge-on, within the\n"
-    "// rounding of o, a sender counts as in the receiver's plane.\n"
+{ "ssgi_sends", __LINE__, "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen\n"
+    "// sides send is a guess that measurements support: a quarter of what the seen one sends, a second slab half.\n"
+    "// Edge-on, within the rounding of o, a sender counts as in the receiver's plane.\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
@@ -1629,8 +1505,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w += 0.5 * second; // #if behind == SLABS\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
     "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n}\n" },
-{ "ssgi_walk_slice", __LINE__, "#if search == SLICES\n"
-    "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
+{ "ssgi_walk_slice", __LINE__, "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // #if span\n"
     "    pixels *= share; // #if span\n"
@@ -1639,10 +1514,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
     "    vec2 ended = was; // #if behind != CONSTANT\n"
     "#endif\n"
-    "#if environment\n"
-    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // lower elevation of the covered arc\n"
-    "    ssgi_parts parts = ssgi_parts(vec2(0.0), vec2(0.0), vec2(0.0));\n"
-    "#endif\n"
+    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // lower elevation of the covered arc // #if environment\n"
+    "    ssgi_parts parts = ssgi_parts(vec2(0.0), vec2(0.0), vec2(0.0)); // #if environment\n"
     "    uvec2 mask = uvec2(0u);\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
     "        vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
@@ -1685,15 +1558,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        last = min(far, u_ssgi_radius);\n"
     "        got.all += w.x + w.y; // #if pass == HSAO\n"
     "#if environment\n"
-    "#if behind != SOLID\n"
-    "        vec2 r = inversesqrt(max(bx * bx + by * by, 1e-36));\n"
-    "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined);\n"
-    "        lows = mix(max(by, 0.0) * r, lows, joined);\n"
-    "#endif\n"
+    "        vec2 r = inversesqrt(max(bx * bx + by * by, 1e-36)); // #if behind != SOLID\n"
+    "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined); // #if behind != SOLID\n"
+    "        lows = mix(max(by, 0.0) * r, lows, joined); // #if behind != SOLID\n"
     "        ssgi_part(parts, c + lowc, h + lows, w);\n"
     "        lowc = c;\n"
     "        lows = h;\n"
     "#endif\n"
+    "        ssgi_sends(got, q0, d0, w.x); // #if bounce && behind != SLABS\n"
+    "        ssgi_sends(got, q1, d1, w.y); // #if bounce && behind != SLABS\n"
     "#if behind == SLABS\n"
     "        vec2 first = w; // #if bounce\n"
     "        w = ssgi_second(s, x, y, z, back0.yz, back1.yz, gap, in_, mask) * s.share;\n"
@@ -1701,14 +1574,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_part(parts, x, max(y, 0.0), w); // #if environment\n"
     "        ssgi_sends(got, q0, d0, first.x, w.x); // #if bounce\n"
     "        ssgi_sends(got, q1, d1, first.y, w.y); // #if bounce\n"
-    "#elif bounce\n"
-    "        ssgi_sends(got, q0, d0, w.x);\n"
-    "        ssgi_sends(got, q1, d1, w.y);\n"
     "#endif\n"
     "    }\n"
-    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n#endif\n" },
-{ "ssgi_walk", __LINE__, "#if search == SLICES\n"
-    "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
+    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n" },
+{ "ssgi_walk", __LINE__, "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
@@ -1719,46 +1588,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
-    "    }\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == SLICES\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    }\n}\n" },
+{ "ssgi_gather", __LINE__, "#if search == SLICES\n"
+    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == HSAO\n"
+    "// what is blocked, taken from what the open pixel gets; what senders bring where it is // #if pass == SSDO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
+    "// the cosine lobe less what is blocked of it, and the lobes of what blocks // #if pass == S3HO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) { // #if pass == S3HO\n"
     "    ssgi_got got;\n"
-    "    got.all = 0.0;\n"
-    "    ssgi_walk(p, P, n, xi, got);\n"
-    "    return got.all;\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == SSDO && search == SLICES\n"
-    "// what is blocked, taken from what the open pixel gets; what senders bring where it is\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "    ssgi_got got;\n"
+    "    got.all = 0.0; // #if pass == HSAO\n"
     "    got.dark = vec3(0.0); // #if environment == MAP\n"
     "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
-    "    got.bounce = vec3(0.0); // #if bounce\n"
+    "    got.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
+    "    got.bounce = v; // #if pass == S3HO && bounce\n"
     "    ssgi_walk(p, P, n, xi, got);\n"
+    "    return got.all; // #if pass == HSAO\n"
+    "    v = got.bounce; // #if pass == S3HO && bounce\n"
     "#if environment == MAP\n"
     "    vec3 open = ssgi_open(P, n); // #if restore != DIFFERENCE\n"
     "    o_ssgi_light.xyz = max(open - got.dark, 0.0); // #if !restore\n"
     "    o_ssgi_light.xyz = clamp(1.0 - got.dark / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    o_ssgi_light.xyz = -got.dark; // #if restore == DIFFERENCE\n"
     "#elif environment == SH\n"
-    "    ssgi_coefficients v;\n"
-    "    v.c[0] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "    ssgi_sh_add(v.c[0], got.dark, -3.14159265);\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n);\n"
-    "#endif\n"
-    "    o_ssgi_bounce.xyz = got.bounce; // #if bounce\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == S3HO && search == SLICES\n"
-    "// the cosine lobe less what is blocked of it, and the lobes of what blocks\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
-    "    ssgi_got got;\n"
-    "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
-    "    got.bounce = v; // #if bounce\n"
-    "    ssgi_walk(p, P, n, xi, got);\n"
-    "    v = got.bounce; // #if bounce\n"
-    "#if environment == SH\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
     "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
     "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "#endif\n}\n#endif\n" },
+    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
+    "#endif\n"
+    "    o_ssgi_bounce.xyz = got.bounce; // #if pass == SSDO && bounce\n}\n#endif\n" },
 { "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
@@ -1770,80 +1628,53 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
     "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
     "        sum += h.y;\n"
-    "#if normal_rays\n"
-    "        sum += ssgi_above(start, n, t, h.x, vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y));\n"
-    "#endif\n"
+    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
+    "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
     "    }\n"
     "    return sum / float(SSGI_DIRECTIONS);\n}\n#endif\n" },
-{ "main_gather", __LINE__, "#if half\n"
-    "void main() { // one pixel of every 2x2\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2;\n"
+{ "main_gather", __LINE__, "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "    vec2 xi = ssgi_noise(p);\n"
-    "    p *= 2;\n"
-    "#else\n"
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    vec2 xi = ssgi_noise(p);\n"
-    "#endif\n"
+    "    p *= 2; // one pixel of every 2x2 // #if half\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
     "    float z = ssgi_depth(p); // #if !receiver\n"
-    "#if pass == SSAO || pass == HSAO\n"
-    "    o_ssgi_ao = vec2(1.0, SSGI_FAR);\n"
-    "    if (z < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, ssgi_normal(p, P), xi), 0.0, 1.0), z);\n"
-    "    }\n"
-    "#elif pass == SSDO\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if environment\n"
-    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if bounce\n"
-    "    if (z < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
-    "        ssgi_gather(p, P, ssgi_normal(p, P), xi);\n"
-    "    }\n"
-    "#else\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if shaded\n"
+    "    o_ssgi_ao = vec2(1.0, SSGI_FAR); // #if pass < SSDO\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if pass == SSDO && environment || pass == S3HO && shaded\n"
+    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if pass == SSDO && bounce\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == S3HO\n"
     "    if (z < SSGI_FAR) {\n"
     "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "        ssgi_gather(p, P, n, xi, v);\n"
-    "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if shaded\n"
+    "        o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, n, xi), 0.0, 1.0), z); // #if pass < SSDO\n"
+    "        ssgi_gather(p, P, n, xi); // #if pass == SSDO\n"
+    "        ssgi_gather(p, P, n, xi, v); // #if pass == S3HO\n"
+    "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == S3HO && shaded\n"
     "    }\n"
-    "    ssgi_store(v); // #if !shaded\n"
-    "#endif\n}\n" },
+    "    ssgi_store(v); // #if pass == S3HO && !shaded\n}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
+{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
+    "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
+    "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
     "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // of influence\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
-    "    int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;\n"
-    "    vec2 pixel = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
-    "    gl_Position = vec4(pixel / vec2(u_ssgi_size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
+    "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n}\n" },
 { "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
     "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n}\n" },
-{ "ssgi_field_fetch", __LINE__ + 1,
-    "// the eight components along w in [0,1]: bilinear within a face and its border; at: resolution, slice\n"
+{ "ssgi_field_fetch", __LINE__, "// components in [0,1] along w, bilinear with the border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
-    "    vec3 m = abs(w);\n"
-    "    float face = 4.0, back = w.z;\n"
-    "    vec2 s = vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z;\n"
-    "    if (m.x >= m.y && m.x >= m.z) {\n"
-    "        face = 0.0;\n"
-    "        back = w.x;\n"
-    "        s = vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x;\n"
-    "    } else if (m.y >= m.z) {\n"
-    "        face = 2.0;\n"
-    "        back = w.y;\n"
-    "        s = vec2(w.x, w.y < 0.0 ? -w.z : w.z) / m.y;\n"
-    "    }\n"
-    "    if (back < 0.0) face += 1.0;\n"
-    "    s = (s * 0.5 + 0.5) * at.x + 0.5;\n"
-    "    vec2 f = clamp(floor(s), 0.0, at.x);\n"
-    "    ivec3 p = ivec3(f.x, f.y + face * (at.x + 2.0), at.y);\n"
-    "    f = s - f;\n"
+    "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: the face\n"
+    "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
+    "    else if (m.y >= m.z) s = vec3(vec2(w.x, w.y < 0.0 ? -w.z : w.z) / m.y, w.y < 0.0 ? 3.0 : 2.0);\n"
+    "    s.xy = (s.xy * 0.5 + 0.5) * at.x + 0.5;\n"
+    "    vec2 f = clamp(floor(s.xy), 0.0, at.x);\n"
+    "    ivec3 p = ivec3(f.x, f.y + s.z * (at.x + 2.0), at.y);\n"
+    "    f = s.xy - f;\n"
     "    a = b = vec4(0.0);\n"
     "    ssgi_field_texel(p, (1.0 - f.x) * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
@@ -1851,16 +1682,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
     "    a *= 1.0 / 255.0;\n"
     "    b *= 1.0 / 255.0;\n}\n" },
-{ "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine, at most a hemisphere;\n"
-    "// c: cosine between its axis and the normal\n"
+{ "ssgi_cap", __LINE__, "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
+    "// at most a hemisphere; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n}\n" },
-{ "ssgi_field_at", __LINE__ + 1,
-    "// a point in the occluder's space: direction from the centre, distance; occluder: ssgi_gl_occluder from\n"
-    "// to_field on\n"
+{ "ssgi_field_at", __LINE__, "// a point in the occluder's space: direction from the centre, distance; occluder:\n"
+    "// ssgi_gl_occluder from to_field on\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) {\n"
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
@@ -1886,8 +1715,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
     "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n}\n" },
-{ "ssgi_field_visibility", __LINE__ + 1,
-    "// ambient visibility by occluders 0 .. occluders - 1, except those of the object itself\n"
+{ "ssgi_field_visibility", __LINE__, "// ambient visibility by occluders 0 .., except those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
     "    for (int i = 0; i < occluders; ++i) {\n"
@@ -1905,11 +1733,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    vec4 at = ssgi_field_at(v_ssgi_occluder, P);\n"
     "    if (!(z < SSGI_FAR && at.w < v_ssgi_occluder[3].y)) discard;\n"
-    "#if objects\n"
     "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
-    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects != CUSTOM\n"
-    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion\n"
-    "#endif\n"
+    "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects == TEXTURE\n"
+    "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion // #if objects\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n}\n" },
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
 
@@ -1925,22 +1751,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_tess_count", __LINE__, "int ssgi_tess_count(int level) {\n"
     "    int half_ = (level + 1) / 2;\n"
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n}\n" },
-{ "ssgi_part", __LINE__, "// weights of corner c of part i of n * n\n"
-    "vec3 ssgi_part(int i, int n, int c) {\n"
+{ "ssgi_part", __LINE__, "vec3 ssgi_part(int i, int n, int c) { // weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
     "    return vec3(n - down, down - across, across) / float(n);\n}\n" },
-{ "ssgi_outside", __LINE__, "// distance outside the frustum\n"
-    "float ssgi_outside(vec3 P) {\n"
+{ "ssgi_outside", __LINE__, "float ssgi_outside(vec3 P) { // distance outside the frustum\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
-    "#if orthographic\n"
-    "    vec2 d = max(low - P.xy, P.xy - high);\n"
-    "#else\n"
-    "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low);\n"
-    "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high));\n"
-    "#endif\n"
+    "    vec2 d = max(low - P.xy, P.xy - high); // #if orthographic\n"
+    "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low); // #if !orthographic\n"
+    "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high)); // #if !orthographic\n"
     "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n}\n" },
 { "main_levels", __LINE__, "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
@@ -1988,19 +1809,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
     "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n}\n" },
-{ "ssgi_hash", __LINE__, "uint ssgi_hash(uint x) {\n"
-    "    x = x * 747796405u + 2891336453u;\n"
+{ "ssgi_scramble", __LINE__, "uint ssgi_scramble(uint x) { // PCG's [O'Neill 2014]\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
     "    return (x >> 22) ^ x;\n}\n" },
+{ "ssgi_hash", __LINE__, "uint ssgi_hash(uint x) {\n"
+    "    return ssgi_scramble(x * 747796405u + 2891336453u);\n}\n" },
 { "ssgi_surfel_sent", __LINE__, "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
     "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
-    "#if sends == LIGHTS\n"
-    "    vec3 sum = ssgi_lit(P, n) * 0.31830989;\n"
-    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment\n"
-    "    return colour * sum;\n"
-    "#endif\n}\n" },
+    "    vec3 sum = ssgi_lit(P, n, 0.0) * 0.31830989; // #if sends == LIGHTS\n"
+    "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if sends == LIGHTS && environment\n"
+    "    return colour * sum; // #if sends == LIGHTS\n}\n" },
 { "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
@@ -2024,13 +1844,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
     "}\n" },
-{ "main_nothing", __LINE__, "// nothing is drawn; GLES requires a fragment stage\n"
-    "void main() {\n}\n" },
+{ "main_nothing", __LINE__, "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
 { "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
-    "    uint h = uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask);\n"
-    "    h = ((h >> ((h >> 28) + 4u)) ^ h) * 277803737u;\n"
-    "    h ^= h >> 22;\n"
+    "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n}\n" },
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
 
@@ -2061,13 +1878,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "flat out float v_ssgi_end; // outer^2\n"
     "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
     "vec4 ssgi_shell(vec4 at, vec4 turned, vec3 sent, int l) { // texels, empty if it covers none\n"
-    "#if span\n"
-    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz)));\n"
-    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w);\n"
-    "#if effect == BOUNCE\n"
+    "    ivec2 p = ivec2(floor(ssgi_project(at.xyz))); // #if span\n"
+    "    v_ssgi_seen = float(at.z < 0.0 && ssgi_inside(p) && abs(ssgi_depth(p) + at.z) < 2.0 * at.w); // #if span\n"
+    "#if span && effect == BOUNCE\n"
     "    if (v_ssgi_seen > 0.0 && dot(turned.xyz, ssgi_toward(at.xyz)) > 0.0) // it is as lit as what is seen\n"
     "        sent = ssgi_unpack_radiance(texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, 0), 0).x);\n"
-    "#endif\n"
     "#endif\n"
     "    float most = 1.0; // #if effect < BOUNCE\n"
     "    float most = max(sent.x, max(sent.y, sent.z)) / u_ssgi_sent; // #if effect > LIGHT\n"
@@ -2087,13 +1902,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
     "    return b + from.xyxy;\n}\n" },
-{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 b, int corner) {\n"
-    "    vec2 at = vec2((corner & 1) == 1 ? b.z : b.x, corner > 1 ? b.w : b.y);\n"
-    "    return vec4(at / vec2(u_ssgi_level * ivec2(1, SSGI_LEVELS)) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
 { "main_quad", __LINE__, "void main() {\n"
-    "    int corner = gl_VertexID % 6;\n"
+    "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner < 3 ? corner : 6 - corner);\n}\n" },
+    "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n}\n" },
 { "main_strip", __LINE__, "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
@@ -2102,7 +1914,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        for (int corner = 0; corner < 4; ++corner) { // outputs are undefined after each vertex\n"
     "            vec4 b = ssgi_shell(v_ssgi_surfel0[0], v_ssgi_surfel1[0], v_ssgi_surfel2[0].xyz, l);\n"
     "            if (b.x >= b.z) break;\n"
-    "            gl_Position = ssgi_corner(b, corner);\n"
+    "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
     "            EmitVertex();\n"
     "            if (corner == 3) EndPrimitive();\n"
     "        }\n}\n" },
@@ -2115,8 +1927,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
     "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n}\n" },
-{ "ssgi_form", __LINE__ + 1,
-    "// form factor of a disc without its area, weight and cosine; v: vector to its centre, m: its normal\n"
+{ "ssgi_form", __LINE__, "// a disc's form factor without area, weight, cosine; v: to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "#if near_samples > 1\n"
     "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
@@ -2160,15 +1971,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * v_ssgi_turned.w * rr * away;\n"
     "    if (!(form > 0.0)) discard;\n"
     "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && !hard\n"
-    "#if effect == OCCLUSION\n"
-    "    o_ssgi_levels = form;\n"
-    "#elif effect == LIGHT\n"
-    "    o_ssgi_levels = form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0);\n"
-    "#elif effect == BOUNCE\n"
-    "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0);\n"
-    "#else\n"
-    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away), form);\n"
-    "#endif\n"
+    "    o_ssgi_levels = form; // #if effect == OCCLUSION\n"
+    "    o_ssgi_levels = form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0); // #if effect == LIGHT\n"
+    "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0); // #if effect == BOUNCE\n"
+    "    vec3 glossy = v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away); // #if effect == SPECULAR\n"
+    "    o_ssgi_levels = vec4(glossy, form); // #if effect == SPECULAR\n"
     "#endif\n}\n" },
 /* ==== >>filter ================================================================================================== */
 
@@ -3266,18 +3073,30 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
+/* Argument checks of functions with a parameter `why`. */
+#define SSGI_GL__CHECK(good, sentence) do { if (!(good)) return ssgi_gl__bad(why, sentence); } while (0)
+#define SSGI_GL__THERE(a)              SSGI_GL__CHECK(a, #a ": must not be NULL")
+#define SSGI_GL__VIEW(v) \
+    SSGI_GL__CHECK((v) && (v)->width > 0 && (v)->height > 0, "view: must come from ssgi_view_from_projection")
+#define SSGI_GL__TRY(call)             do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+
+static int ssgi_gl__finite(const float m[16])
+{
+    int i = 0;
+    while (i < 16 && m[i] > -SSGI_FAR && m[i] < SSGI_FAR) ++i;
+    return i == 16;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
 {
     ssgi_gl_frame f;
-    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    if (!view || view->width < 1 || view->height < 1)
-        return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!(radius > 0.0f && radius < SSGI_FAR)) return ssgi_gl__bad(why, "radius: must be > 0 and finite");
+    SSGI_GL__THERE(frame);
+    SSGI_GL__VIEW(view);
+    SSGI_GL__CHECK(radius > 0.0f && radius < SSGI_FAR, "radius: must be > 0 and finite");
     memset(&f, 0, sizeof f);
     memcpy(f.project, view->project, sizeof f.project);
     memcpy(f.unproject, view->unproject, sizeof f.unproject);
-    f.decode[0] = view->depth[0];
-    f.decode[1] = view->depth[1];
+    memcpy(f.decode, view->depth, sizeof view->depth);
     f.decode[2] = view->clear;
     f.size[0] = view->width;
     f.size[1] = view->height;
@@ -3304,15 +3123,11 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
                                          int levels, const float *mesh_to_view, const char **why)
 {
     float scale[4];
-    int size[2], i;
-    ssgi_result r;
-    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    for (i = 0; mesh_to_view && i < 16; ++i)
-        if (!(mesh_to_view[i] > -SSGI_FAR && mesh_to_view[i] < SSGI_FAR))
-            return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    r = ssgi_surfel_scale(scale, desc, view, why);
-    if (r == SSGI_OK) r = ssgi_splat_size(size, view->width, view->height, levels, why);
-    if (r != SSGI_OK) return r;
+    int size[2];
+    SSGI_GL__THERE(frame);
+    SSGI_GL__CHECK(!mesh_to_view || ssgi_gl__finite(mesh_to_view), "mesh_to_view: must be finite");
+    SSGI_GL__TRY(ssgi_surfel_scale(scale, desc, view, why));
+    SSGI_GL__TRY(ssgi_splat_size(size, view->width, view->height, levels, why));
     memcpy(frame->surfel, scale, sizeof scale);
     frame->keep_small = (float)desc->keep_small;
     memcpy(frame->level, size, sizeof size);
@@ -3327,20 +3142,19 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     enum { BINS = 256 };                            /* of what is sent, below the most */
     const double octave = 8.0;
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
-    int pass, b, c, k;
-    size_t i;
-    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    if (!surfels && count) return ssgi_gl__bad(why, "surfels: must not be NULL when there are any");
-    if (!lights && light_count > 0) return ssgi_gl__bad(why, "lights: must not be NULL when there are any");
-    if (light_count < 0) return ssgi_gl__bad(why, "light_count: must be 0 or more");
+    int pass, b, c;
+    SSGI_GL__THERE(frame);
+    SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
+    SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
+    SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     for (c = 0; sky && c < 3; ++c)
-        if (!(sky[c] >= 0.0f && sky[c] < SSGI_FAR)) return ssgi_gl__bad(why, "sky: must be 0 or more and finite");
-    for (pass = 0; pass < 2; ++pass) {
-        for (i = 0; i < count; ++i) {
+        SSGI_GL__CHECK(sky[c] >= 0.0f && sky[c] < SSGI_FAR, "sky: must be 0 or more and finite");
+    for (pass = 0; pass < 2; ++pass)
+        for (size_t i = 0; i < count; ++i) {
             const ssgi_surfel *s = &surfels[i];
             double light[3] = { 0 }, sent = 0.0;
             for (c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
-            for (k = 0; k < light_count; ++k) {
+            for (int k = 0; k < light_count; ++k) {
                 const ssgi_gl_light *l = &lights[k];
                 const double least = (double)l->min_distance * (double)l->min_distance;
                 double to[3], d, g = 0.0, from = 0.0, q[3];
@@ -3374,7 +3188,6 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
             sum[b < BINS ? b : BINS - 1] += sent;
             all += sent;
         }
-    }
     for (b = 0; all > 0.0 && b < BINS; ++b) {
         below += sum[b];
         if (below < 0.5 * all) continue;
@@ -3386,10 +3199,9 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
 
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
 {
-    int c;
-    if (!frame || !dipole) return ssgi_gl__bad(why, "frame, dipole: must not be NULL");
-    if (!(unit > 0.0f && unit < SSGI_FAR)) return ssgi_gl__bad(why, "unit: must be > 0 and finite");
-    for (c = 0; c < 3; ++c) {
+    SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
+    SSGI_GL__CHECK(unit > 0.0f && unit < SSGI_FAR, "unit: must be > 0 and finite");
+    for (int c = 0; c < 3; ++c) {
         frame->dipole[c] = (float)dipole->z_r[c] * unit;
         frame->dipole[4 + c] = (float)dipole->z_v[c] * unit;
         frame->dipole[8 + c] = (float)dipole->sigma_tr[c] / unit;
@@ -3401,52 +3213,55 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why)
 {
-    float turned[48];
-    int i;
-    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    if (!coefficients) return ssgi_gl__bad(why, "coefficients: must not be NULL");
-    if (bands < 1 || bands > 4) return ssgi_gl__bad(why, "bands: must be 1..4");
-    memset(turned, 0, sizeof turned);
+    float turned[48] = { 0 };
+    SSGI_GL__THERE(frame);
+    SSGI_GL__THERE(coefficients);
+    SSGI_GL__CHECK(bands >= 1 && bands <= 4, "bands: must be 1..4");
     memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
     if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
-    for (i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
+    for (int i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
     return SSGI_OK;
 }
 
 /* a * b of two rigid world-to-view matrices: a after the inverse of b */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
-    int c, r, k;
     memset(out, 0, 16 * sizeof *out);
-    for (c = 0; c < 3; ++c) for (r = 0; r < 3; ++r) for (k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) for (int r = 0; r < 3; ++r) for (int k = 0; k < 3; ++k)
         out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
-    for (r = 0; r < 3; ++r)
-        for (c = 0, out[12 + r] = (double)a[12 + r]; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
+    for (int r = 0; r < 3; ++r) {
+        out[12 + r] = (double)a[12 + r];
+        for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
+    }
 }
 
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
    of another camera; and back. */
-static void ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float main_view[16],
-                               const float other[16])
+static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
+                                      const float *other, const char **why)
 {
     double m[16], b[16];
-    int c, r;
+    SSGI_GL__VIEW(view);
+    SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
+    SSGI_GL__CHECK(ssgi_gl__finite(main_view) && ssgi_gl__finite(other),
+                   "main_world_to_view: both matrices must be finite");
     ssgi_gl__relative(m, other, main_view);
     ssgi_gl__relative(b, main_view, other);
-    for (c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c) {
         const double z = -m[4 * c + 2], unit = view->orthographic ? (c == 3 ? 1.0 : 0.0) : z;
         to[4 * c + 0] = (float)((double)view->project[0] * m[4 * c + 0] + (double)view->project[2] * unit);
         to[4 * c + 1] = (float)((double)view->project[1] * m[4 * c + 1] + (double)view->project[3] * unit);
         to[4 * c + 2] = (float)z;
         to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
     }
-    for (r = 0; r < 4; ++r) {       /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+    for (int r = 0; r < 4; ++r) {   /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
         from[r] = (float)(b[r] * (double)view->unproject[0]);
         from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
         from[8 + r] = (float)((view->orthographic ? 0.0 : shift) - b[8 + r]);
         from[12 + r] = (float)((view->orthographic ? shift : 0.0) + b[12 + r]);
     }
+    return SSGI_OK;
 }
 
 static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
@@ -3456,36 +3271,17 @@ static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
     decode[3] = (float)view->orthographic;
 }
 
-static ssgi_result ssgi_gl__check_camera(const ssgi_view *view, const float *main_view, const float *other,
-                                         const char *name, const char **why)
-{
-    int i;
-    if (!view || view->width < 1 || view->height < 1)
-        return ssgi_gl__bad(why, "view: must come from ssgi_view_from_projection");
-    if (!main_view) return ssgi_gl__bad(why, "main_world_to_view: must not be NULL");
-    if (!other) return ssgi_gl__bad(why, name);
-    for (i = 0; i < 16; ++i)
-        if (!(main_view[i] > -SSGI_FAR && main_view[i] < SSGI_FAR && other[i] > -SSGI_FAR && other[i] < SSGI_FAR))
-            return ssgi_gl__bad(why, "main_world_to_view: both matrices must be finite");
-    return SSGI_OK;
-}
-
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why)
 {
-    ssgi_result r;
-    if (!views) return ssgi_gl__bad(why, "views: must not be NULL");
-    if (i < 0 || i > 3) return ssgi_gl__bad(why, "i: must be 0..3");
-    r = ssgi_gl__check_camera(view, main_world_to_view, extra_world_to_view, "extra_world_to_view: must not be NULL",
-                              why);
-    if (r != SSGI_OK) return r;
-    ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view);
+    SSGI_GL__THERE(views);
+    SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
+    SSGI_GL__THERE(extra_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
     ssgi_gl__decode(views->decode[i], view);
-    views->size[i][0] = (float)view->width;
-    views->size[i][1] = (float)view->height;
-    views->size[i][2] = 2.0f * ssgi_pixel_footprint(view, 1.0f);
-    views->size[i][3] = 0.0f;
+    const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
+    memcpy(views->size[i], size, sizeof size);
     return SSGI_OK;
 }
 
@@ -3493,14 +3289,14 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why)
 {
-    ssgi_result r;
-    if (!frame) return ssgi_gl__bad(why, "frame: must not be NULL");
-    r = ssgi_gl__check_camera(view, main_world_to_view, last_world_to_view, "last_world_to_view: must not be NULL",
-                              why);
-    if (r != SSGI_OK) return r;
-    if (view->width != frame->size[0] || view->height != frame->size[1])
-        return ssgi_gl__bad(why, "view: must have this frame's size; a history of another size is none");
-    ssgi_gl__to_pixels(frame->last_to, frame->last_from, view, main_world_to_view, last_world_to_view);
+    float to[16], from[16];
+    SSGI_GL__THERE(frame);
+    SSGI_GL__THERE(last_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, last_world_to_view, why));
+    SSGI_GL__CHECK(view->width == frame->size[0] && view->height == frame->size[1],
+                   "view: must have this frame's size; a history of another size is none");
+    memcpy(frame->last_to, to, sizeof to);
+    memcpy(frame->last_from, from, sizeof from);
     frame->history = 16.0f;
     return SSGI_OK;
 }
@@ -3515,21 +3311,15 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const char **why)
 {
     float to[16], from[16];
-    ssgi_result r;
-    int i;
-    if (!light) return ssgi_gl__bad(why, "light: must not be NULL");
-    if (x < 0 || y < 0) return ssgi_gl__bad(why, "x: the tile must lie in the atlas, x and y >= 0");
-    r = ssgi_gl__check_camera(view, main_world_to_view, light_world_to_view, "light_world_to_view: must not be NULL",
-                              why);
-    if (r != SSGI_OK) return r;
-    ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view);
-    for (i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
+    SSGI_GL__THERE(light);
+    SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
+    SSGI_GL__THERE(light_world_to_view);
+    SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
+    for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
     ssgi_gl__decode(light->decode, view);
-    light->tile[0] = (float)x;
-    light->tile[1] = (float)y;
-    light->tile[2] = (float)view->width;
-    light->tile[3] = (float)view->height;
+    const float tile[4] = { (float)x, (float)y, (float)view->width, (float)view->height };
+    memcpy(light->tile, tile, sizeof tile);
     return SSGI_OK;
 }
 
@@ -3539,40 +3329,38 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 {
     ssgi_field_limits l;
     ssgi_gl_occluder c;
-    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 }, turn;
+    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 }, turn = 0.0;  /* turn: the determinant */
     const float *m = mesh_to_view;
-    int i, k;
-    if (!occluder) return ssgi_gl__bad(why, "occluder: must not be NULL");
-    if (!field || !field->texels || field->resolution < 2)
-        return ssgi_gl__bad(why, "field: must come from ssgi_field_bake or ssgi_field_load");
-    if (!m) return ssgi_gl__bad(why, "mesh_to_view: must not be NULL");
-    if (slice < 0 || slice > 2047) return ssgi_gl__bad(why, "slice: must be 0..2047");
-    if (object < 0 || object > 16777215) return ssgi_gl__bad(why, "object: must be 0..16777215");
+    SSGI_GL__THERE(occluder);
+    SSGI_GL__CHECK(field && field->texels && field->resolution >= 2,
+                   "field: must come from ssgi_field_bake or ssgi_field_load");
+    SSGI_GL__THERE(mesh_to_view);
+    SSGI_GL__CHECK(slice >= 0 && slice <= 2047, "slice: must be 0..2047");
+    SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
     l = limits ? *limits : ssgi_field_limits_of(field);
-    if (!(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f))
-        return ssgi_gl__bad(why, "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
-    if (!(l.inside >= 0.0f && l.inside <= 1.0f)) return ssgi_gl__bad(why, "limits.inside: must be 0..1");
-    if (!(l.power > 0.0f && l.power < SSGI_FAR)) return ssgi_gl__bad(why, "limits.power: must be above 0 and finite");
-    for (i = 0; i < 16; ++i)
-        if (!(m[i] > -SSGI_FAR && m[i] < SSGI_FAR)) return ssgi_gl__bad(why, "mesh_to_view: must be finite");
-    for (i = 0; i < 3; ++i)
-        for (k = 0; k < 3; ++k) {
-            square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
-            across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
-        }
-    for (i = 0, turn = 0.0; i < 3; ++i) {       /* the determinant */
+    SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
+                   "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
+    SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
+    SSGI_GL__CHECK(l.power > 0.0f && l.power < SSGI_FAR, "limits.power: must be above 0 and finite");
+    SSGI_GL__CHECK(ssgi_gl__finite(m), "mesh_to_view: must be finite");
+    for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, n = (i + 2) % 3;
+        for (int k = 0; k < 3; ++k) {
+            square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
+            across[i] += (double)m[4 * i + k] * (double)m[4 * j + k];
+        }
         turn += (double)m[i] * ((double)m[4 + j] * (double)m[8 + n] - (double)m[4 + n] * (double)m[8 + j]);
     }
-    for (i = 0; i < 3; ++i)
-        if (!(turn > 0.0 && square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
-              && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0]))
-            return ssgi_gl__bad(why, "mesh_to_view: must be a rotation, a translation and a uniform scale");
+    for (int i = 0; i < 3; ++i)
+        SSGI_GL__CHECK(turn > 0.0 && square[i] > 1e-30 && square[i] < 1.002 * square[0]
+                       && square[i] > 0.998 * square[0] && across[i] < 1e-3 * square[0]
+                       && across[i] > -1e-3 * square[0],
+                       "mesh_to_view: must be a rotation, a translation and a uniform scale");
     memset(&c, 0, sizeof c);
-    for (i = 0; i < 3; ++i) {           /* the inverse: transposed over the squared scale */
+    for (int i = 0; i < 3; ++i) {       /* the inverse: transposed over the squared scale */
         double shift = -(double)field->centre[i];
         c.at[i] = m[12 + i];
-        for (k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k) {
             c.at[i] += m[4 * k + i] * field->centre[k];
             c.to_field[i][k] = (float)((double)m[4 * i + k] / square[0]);
             shift -= (double)m[4 * i + k] / square[0] * (double)m[12 + k];
