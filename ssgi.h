@@ -3493,7 +3493,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     for (char *at = best.why + strlen(best.why); *words; ++words) {     /* digits by hand: no stdio.h, no locale */
         const float x = digit < 5 ? s->error : best.error;
         const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-        *at++ = *words != '#' ? *words : (char)('0' + n / ten[digit++ % 5] % 10);
+        *at++ = (char)(*words != '#' ? *words : '0' + n / ten[digit++ % 5] % 10);
     }
     *plan = best;
     return SSGI_OK;

@@ -46,51 +46,17 @@
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
-   DIRECTIONAL OCCLUSION AND A BOUNCE, in the order of drawing; all but the first are optional
-      ssdo     with an environment writes o_ssgi_light: irradiance over pi, and depth; blur with colour = 1 smooths it:
-               with desc.restore what is missing of it, so that creases stay
-      lights   with accumulate = 1 adds suns and point lights to it; its shadow maps are yours, drawn as ever
-      senders  packs albedo * o_ssgi_light (and a radiance of your own) with depth and normal into one slice of
-               t_ssgi_senders; a draw a layer
-      ssdo     with a bounce and no environment reads that and writes o_ssgi_bounce; blur.
-               Outgoing radiance = albedo * (light + bounce)
-      When senders may use the last frame's light, draw senders first, then one ssdo with environment and bounce:
-      two targets, one visibility.
-
-   OCCLUSION AS SPHERICAL HARMONICS, when light changes more often than geometry, or is spherical harmonics already
-      senders  radiance ALBEDO, for a bounce only; a draw a layer
-      s3ho     writes o_ssgi_sh0 .., the transfer of each pixel; with a transfer BOTH one a channel, which holds
-               a bounce for whatever light comes
-      blur     with colour = SSGI_GL_COEFFICIENTS; or none here, and blur what shade wrote, with desc.restore: far
-               cheaper, and creases stay
-      shade    dots them with frame.harmonics (ssgi_gl_harmonics_set), adds t_ssgi_lights: irradiance over pi, or
-               radiance. bands = 2 serves bent normals and cones
-      With shaded = 1 s3ho does that itself and keeps nothing.
-
-   OCCLUSION BETWEEN MOVING OBJECTS
-      field    one ssgi_gl_occluder each, as rows of t_ssgi_occluders; clear the target to 1, blend by GL_DST_COLOR,
-               GL_ZERO (or GL_ZERO, GL_SRC_COLOR), and draw all at once, one rectangle each around its sphere of
-               influence: glDrawArraysInstanced(GL_TRIANGLES, 0, 6, occluders); culling off. No noise, no filter
-      In your own forward shader: ssgi_gl_field, the same functions as text
-
-   OVER FRAMES
-      history  before blur, with its desc; blur reads its first target. Reads t_ssgi_ao or t_ssgi_light, and what it
-               wrote last; two sets of targets change places. frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history
-               but after a cut or a change of size
-
-   DEEP SCREEN SPACE, which also counts what is hidden or off screen; all levels lie below each other in textures of
-   frame.level[0] x (levels * frame.level[1])
-      surfels    ssgi_surfels on the CPU, or this pass: rasteriser discarded, transform feedback of its CAPTURE rows,
-                 interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of ssgi_surfels).
-                 With tessellate patches of 3 vertices, instanced splits * splits times; without it a point a surfel,
-                 whose light it brings up to date
-      shuffle    over the texture of all levels, once a frame
-      splat      blend GL_ONE, GL_ONE onto 0; glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * levels, surfels), the buffer's
-                 three vec4 a surfel with divisor 1: runs on GL 3.3, GLES 3.0, WebGL 2.
-                 With tessellate patches as above: nothing is kept. Culling off
-      unshuffle  over all levels; then smooth along x and along y (over all levels), sum over the image. With span sum
-                 reads hsao's or ssdo's (one target, hard; light as restore RATIO, blurred without restore) of that
-                 span; the bounce's splat reads senders too
+   WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps); examples/minimal.c is a loop over it.
+   What that leaves to you:
+      lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
+      s3ho         keeps coefficients for light that changes more often than geometry: draw the steps from shade on anew
+      field        one ssgi_gl_occluder each, as rows of t_ssgi_occluders, drawn at once: no noise, no filter. In your
+                   own forward shader: ssgi_gl_field, the same functions as text
+      history      frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history but after a cut or a change of size
+      splat        surfels by ssgi_surfels on the CPU, or by pass surfels: rasteriser discarded, transform feedback of
+                   its CAPTURE rows, interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of
+                   ssgi_surfels); with tessellate patches of 3 vertices, instanced splits * splits times. Drawn from
+                   the buffer's three vec4 a surfel with divisor 1; with tessellate from patches, and nothing is kept
 
    ROOMS        search for ">>"
       >>desc       what you choose               >>emit    text out
@@ -208,7 +174,7 @@ enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
 enum { SSGI_GL_ONTO_NONE = 0,
        SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
        SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
-       SSGI_GL_ONTO_AMBIENT };     /* what is occluded of t_ssgi_ambient, the ambient part of the picture, is subtracted */
+       SSGI_GL_ONTO_AMBIENT };     /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
 /* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
    creases: blur puts it back unfiltered, at full size */
 enum { SSGI_GL_RESTORE_NONE = 0,
@@ -393,7 +359,7 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
-    ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; the passes around it have its choices, too. SSDO with
+    ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; passes around it have its choices, too. SSDO with
                             an environment and a bounce: that light, then its bounce. S3HO with a transfer: its senders
                             first. SPLAT by LIGHT: of desc.environment; then with desc.bounce what surfels send */
     ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc; another: none */
@@ -2618,7 +2584,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
     if (!s3ho && !reads) d.transfer = 0;
     if (pass == SSGI_GL_COMPOSE) d.onto = d.onto ? d.onto : SSGI_GL_ONTO_MULTIPLY;
     else if (!blur || d.colour != SSGI_GL_GREY) d.onto = SSGI_GL_ONTO_NONE;
-    if (!ssdo && pass != SSGI_GL_COMPOSE) d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
+    if (!ssdo && pass != SSGI_GL_COMPOSE)
+        d.bounce = s3ho && d.transfer ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
     if (s3ho) d.environment = reflected ? SSGI_GL_ENVIRONMENT_NONE : SSGI_GL_ENVIRONMENT_SH;
     else if (!ssdo && !surfels && !restores) d.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (!(shade || (restores && !d.shaded))) d.shading = 0;
@@ -3460,8 +3427,9 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     s->size = pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH ? SSGI_GL_SIZE_LEVELS
             : d.half && pass != SSGI_GL_BLUR ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
     if (s->size == SSGI_GL_SIZE_LEVELS) ssgi_splat_size(level, chain->width, chain->height, d.levels, NULL);
-    s->width = s->size == SSGI_GL_SIZE_LEVELS ? level[0] : s->size ? (chain->width + 1) / 2 : chain->width;
-    s->height = s->size == SSGI_GL_SIZE_LEVELS ? level[1] * d.levels : s->size ? (chain->height + 1) / 2 : chain->height;
+    m = s->size == SSGI_GL_SIZE_HALF;
+    s->width = s->size == SSGI_GL_SIZE_LEVELS ? level[0] : (chain->width + m) >> m;
+    s->height = s->size == SSGI_GL_SIZE_LEVELS ? level[1] * d.levels : (chain->height + m) >> m;
     s->primitive = 4;
     s->vertices = pass == SSGI_GL_FIELD ? 6 : pass == SSGI_GL_SPLAT ? 6 * d.levels : pass == SSGI_GL_SURFELS ? 0 : 3;
     s->instances = pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT;
@@ -3757,42 +3725,22 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     return b.count;
 }
 
-static int ssgi_gl__integer(unsigned format)
-{
-    return (format >= 0x8231 && format <= 0x823c) || (format >= 0x8d70 && format <= 0x8d8f);
-}
-
-static int ssgi_gl__is_depth(unsigned format)
-{
-    return format == 0x1902 || (format >= 0x81a5 && format <= 0x81a7) || format == 0x88f0 || format == 0x8cac
-        || format == 0x8cad;
-}
-
-static const ssgi_gl_format *ssgi_gl__known(unsigned internal)
-{
-    int i;
-    for (i = 0; i < (int)(sizeof ssgi_gl__formats / sizeof *ssgi_gl__formats); ++i)
-        if (ssgi_gl__formats[i].internal == internal) return &ssgi_gl__formats[i];
-    return NULL;
-}
-
 /* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
                                   int width, int height)
 {
-    const ssgi_gl_format *known = ssgi_gl__known(is->format);
-    const int depth = ssgi_gl__is_depth(is->format), integer = ssgi_gl__integer(is->format);
-    if (!is->format) return "nothing is bound";
+    const unsigned f = is->format;
+    const int integer = (f >= 0x8231 && f <= 0x823c) || (f >= 0x8d70 && f <= 0x8d8f), m = in ? in->meaning : -1;
+    const int depth = f == 0x1902 || (f >= 0x81a5 && f <= 0x81a7) || f == 0x88f0 || f == 0x8cac || f == 0x8cad;
+    if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
+    if (format && f != format->internal) return "is not of the format that the step names";
     if (in && integer != (*in->type == 'u')) return "must be of integers where its sampler is, and nowhere else";
-    if (format && (depth || !known || known->format != format->format)) return "is not of the format that the step names";
-    if (in && depth && (in->meaning > SSGI_GL_YOUR_VIEWS && in->meaning != SSGI_GL_YOUR_SHADOW))
-        return "must not hold depth";
+    if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
     if (in && is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
-    if (in && is->filter == 0x2601 && (depth || integer || (known && known->type == 0x1406)))
-        return "must have GL_NEAREST as its filter: it holds depth, integers or 32-bit floats";
+    if (in && is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
     return in && is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 
@@ -3811,9 +3759,9 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
                           : targets ? ssgi_gl__wrong(&targets[i - step->inputs], NULL, o->format, step->width,
                                                      step->height) : NULL;
         if (!wrong) continue;
-        ssgi_gl__print(&t, "%s: %s, ", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
-        if (in) ssgi_gl__print(&t, "unit %d: ", in->unit);
-        ssgi_gl__print(&t, "%s", wrong);
+        ssgi_gl__print(&t, "%s: %s", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
+        if (in) ssgi_gl__print(&t, ", unit %d", in->unit);
+        ssgi_gl__print(&t, ": %s", wrong);
     }
     if (capacity) out[t.length < capacity ? t.length : capacity - 1] = 0;
     return t.length;

@@ -12,7 +12,7 @@ enum { W = 960, H = 540 };
 static const char *boxes_vs = "#version 330 core\nuniform mat4 projection; out vec3 normal;\nvoid main() {\n"
     "  int f = gl_VertexID / 6, k = gl_VertexID % 6, a = f / 2, c = k < 3 ? k : k - 2, i = gl_InstanceID;\n"
     "  vec2 q = vec2(c & 1, c >> 1) * 2.0 - 1.0; float s = float(f & 1) * 2.0 - 1.0;\n"
-    "  vec3 p = a < 1 ? vec3(s, q) : a == 1 ? vec3(q.y, s, q.x) : vec3(q, s), r = fract(sin(vec3(i) * vec3(3, 5, 7)));\n"
+    "  vec3 p = a < 1 ? vec3(s, q) : a < 2 ? vec3(q.y, s, q.x) : vec3(q, s), r = fract(sin(vec3(i) * vec3(3, 5, 7)));\n"
     "  vec3 size = i == 0 ? vec3(20, 0.1, 20) : 0.15 + 0.4 * r, at = vec3(r.z * 8.0 - 4.0, size.y, r.x * 8.0 - 4.0);\n"
     "  mat3 tilt = mat3(1, 0, 0, 0, 0.9, 0.436, 0, -0.436, 0.9); normal = tilt * vec3(a == 0, a == 1, a == 2) * s;\n"
     "  if (i == 0) at = vec3(0); gl_Position = projection * vec4(tilt * (p * size + at - vec3(0, 2.5, 6)), 1);\n}\n";

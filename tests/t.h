@@ -40,5 +40,6 @@ void test_casters(void);
 void test_surfels(void);
 void test_plan(void);
 void test_stability(void);
+void test_steps(void);
 void test_build(void);
 #endif

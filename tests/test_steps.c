@@ -1,0 +1,367 @@
+/* test_steps.c - an embedder that knows nothing but ssgi_gl_steps and the rows: what it draws is what the kit draws;
+   ssgi_gl_step_check names what is bound wrong; and results stand on a picture. */
+#include "frames.h"
+#include "t.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define TRY(call) CHECK(!(call), "%s", err.text)
+
+static kit_error err;
+enum { W = 120, H = 68, STEPS = 64 };
+
+typedef struct host {
+    GLuint yours[SSGI_GL_YOURS], picture, array;     /* array: surfels */
+    int surfels, occluders;
+    kit_gbuffer *g;
+    ssgi_gl_step step[STEPS];
+    int steps;
+    GLuint program[STEPS], framebuffer[STEPS], made[STEPS][2], block, all[256];
+    int textures;
+} host;
+
+static GLuint keep(host *h, GLuint texture) { return h->all[h->textures++] = texture; }
+
+/* Programs, textures, framebuffers: once. */
+static int opened(host *h, const ssgi_gl_chain *chain)
+{
+    const char *why = "";
+    h->steps = ssgi_gl_steps(h->step, STEPS, chain, &why);
+    if (!CHECK(h->steps > 0 && h->steps <= STEPS, "%d steps: %s", h->steps, why)) return 0;
+    glGenBuffers(1, &h->block);
+    for (int i = 0; i < h->steps; ++i) {
+        const ssgi_gl_step *s = &h->step[i];
+        GLenum attachments[6] = { 0 };
+        if (!CHECK((h->program[i] = kit_pass_program(&s->desc, &err)) != 0, "%s", err.text)) return 0;
+        glGenFramebuffers(1, &h->framebuffer[i]);
+        glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
+        for (int k = 0; k < s->outputs; ++k) {
+            const ssgi_gl_output *o = &s->output[k];
+            attachments[k] = GL_COLOR_ATTACHMENT0 + (GLenum)k;
+            for (int j = 0; o->texture >= 0 && j <= o->kept && !h->made[o->texture][j]; ++j)
+                h->made[o->texture][j] = keep(h, o->slices ? kit_texture_array(s->width, s->height, o->slices,
+                                                                             o->format->internal, NULL)
+                                                         : kit_texture(s->width, s->height, o->format->internal, NULL));
+            if (o->slices)
+                glFramebufferTextureLayer(GL_FRAMEBUFFER, attachments[k], h->made[o->texture][0], 0, o->slice);
+            else
+                glFramebufferTexture2D(GL_FRAMEBUFFER, attachments[k], GL_TEXTURE_2D,
+                                       o->texture < 0 ? h->picture : h->made[o->texture][0], 0);
+        }
+        glDrawBuffers(s->outputs, attachments);
+    }
+    return 1;
+}
+
+static GLuint read_by(const host *h, const ssgi_gl_input *in)
+{
+    const GLuint *made = in->texture < 0 ? NULL : h->made[in->texture];
+    return !made ? h->yours[in->meaning] : in->last && made[1] ? made[1] : made[0];
+}
+
+/* What GL has bound there: a texture and its target. */
+static ssgi_gl_bound bound(GLuint texture, GLenum target)
+{
+    ssgi_gl_bound b = { target, 0, 0, 0, GL_NEAREST, 0 };
+    GLint value[3] = { 0 };
+    if (!texture || !glGetTexLevelParameteriv) return b;
+    glBindTexture(target, texture);
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &value[0]);
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_WIDTH, &value[1]);
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_HEIGHT, &value[2]);
+    b.format = (unsigned)value[0];
+    b.width = value[1];
+    b.height = value[2];
+    return b;
+}
+
+static void draw(host *h, const ssgi_gl_frame *frame)
+{
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, h->block);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof *frame, frame, GL_DYNAMIC_DRAW);
+    for (int i = 0; i < h->steps; ++i) {
+        const ssgi_gl_step *s = &h->step[i];
+        GLint was;
+        glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
+        glViewport(0, 0, s->width, s->height);
+        glUseProgram(h->program[i]);
+        for (int k = 0; k < s->inputs; ++k) {
+            glActiveTexture(GL_TEXTURE0 + (GLenum)s->input[k].unit);
+            glBindTexture(s->input[k].target, read_by(h, &s->input[k]));
+        }
+        for (GLint k = 0; k < s->outputs && s->clear; ++k)
+            glClearBufferfv(GL_COLOR, k, (const GLfloat[4]) { s->clear_to, s->clear_to, s->clear_to, s->clear_to });
+        if (s->blend[0]) {
+            glEnable(GL_BLEND);
+            glBlendEquation(s->blend[0]);
+            glBlendFunc(s->blend[1], s->blend[2]);
+        }
+        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
+        if (s->desc.pass == SSGI_GL_SPLAT) glBindVertexArray(h->array);
+        glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances ? s->instances
+                              : s->desc.pass == SSGI_GL_SPLAT ? h->surfels : h->occluders);
+        glBindVertexArray((GLuint)was);
+        glDisable(GL_BLEND);
+        for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
+            GLuint *pair = h->made[s->output[k].texture], other = pair[0];
+            pair[0] = pair[1];
+            pair[1] = other;
+        }
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+static void shut(host *h)
+{
+    for (int i = 0; i < h->steps; ++i) glDeleteProgram(h->program[i]);
+    glDeleteFramebuffers(h->steps, h->framebuffer);
+    glDeleteTextures(h->textures, h->all);
+    glDeleteBuffers(1, &h->block);
+    memset(h, 0, sizeof *h);
+}
+
+/* The chain of a method as the kit made it ready, and its textures as an embedder's. */
+static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
+{
+    ssgi_gl_chain chain;
+    const kit_gbuffer *g = run->gbuffer;
+    memset(&chain, 0, sizeof chain);
+    h->g = run->gbuffer;
+    chain.width = W;
+    chain.height = H;
+    chain.precise = 1;
+    chain.desc.pass = -1;
+    for (int i = 0; i < run->passes; ++i) {
+        const ssgi_gl_desc *d = &run->pass[i].desc;
+        if (d->pass == pass && chain.desc.pass < 0) chain.desc = *d;
+        if (d->pass == pass && d->bounce) chain.desc.bounce = d->bounce;
+        if (d->pass == SSGI_GL_LIGHTS) chain.lights = *d;
+        h->yours[SSGI_GL_YOUR_LIGHTS] = run->pass[i].lights;
+        if (d->pass == SSGI_GL_FIELD) h->yours[SSGI_GL_YOUR_OCCLUDERS] = run->pass[i].lights;
+        chain.blur |= d->pass == SSGI_GL_BLUR && pass != SSGI_GL_SPLAT;
+    }
+    h->yours[SSGI_GL_YOUR_DEPTH] = g->depth;
+    h->yours[SSGI_GL_YOUR_NORMAL] = g->normal;
+    h->yours[SSGI_GL_YOUR_ALBEDO] = g->albedo ? g->albedo : run->grey;
+    h->yours[SSGI_GL_YOUR_OBJECTS] = g->object;
+    h->yours[SSGI_GL_YOUR_ENVIRONMENT] = run->environment;
+    h->yours[SSGI_GL_YOUR_IRRADIANCE] = run->irradiance;
+    h->yours[SSGI_GL_YOUR_SHADOW] = run->atlas;
+    h->yours[SSGI_GL_YOUR_FIELDS] = run->fields;
+    h->array = run->arrays[0];
+    h->surfels = (int)run->surfels;
+    h->occluders = run->occluders;
+    return chain;
+}
+
+static const struct { const char *method, *set; int pass, lit; } methods[] = {
+    { "ssao", "", SSGI_GL_SSAO, 0 }, { "hsao", "", SSGI_GL_HSAO, 0 }, { "hsao-march", "blur=0", SSGI_GL_HSAO, 0 },
+    { "ssdo", "environment=sh", SSGI_GL_SSDO, 1 }, { "ssdo", "shadows=map", SSGI_GL_SSDO, 1 },
+    { "s3ho", "indirect=none", SSGI_GL_S3HO, 1 }, { "aof", "occluders=all", SSGI_GL_FIELD, 0 },
+    { "dss", "size=0.05", SSGI_GL_SPLAT, 0 }
+};
+enum { METHODS = (int)(sizeof methods / sizeof *methods) };
+
+static int ready(kit_run *run, host *h, ssgi_gl_chain *chain, int m, kit_scene *scene, kit_gbuffer *g, kit_lighting *l)
+{
+    kit_method method;
+    const kit_world world = { scene, methods[m].lit ? l : NULL };
+    memset(h, 0, sizeof *h);
+    if (!TRY(kit_method_find(&method, methods[m].method, &err)) || !TRY(kit_method_set(&method, methods[m].set, &err))
+        || !TRY(kit_run_open(run, g, &method, scene->radius, &world, &err)))
+        return 0;
+    *chain = chain_of(h, run, methods[m].pass);
+    return opened(h, chain);
+}
+
+static const char *context;
+
+/* Each method by the loop above, next to the kit's picture; and nothing is bound wrong on the way. */
+static void every_method(void)
+{
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    int draws = 0;
+    if (!lighten(&l, "sky", "point:1,2,1,3,2,1") || !see(&scene, &g, "casters", NULL, 0, NULL, W, H)) return;
+    for (int m = 0; m < METHODS; ++m) {
+        kit_run run;
+        host h;
+        ssgi_gl_chain chain;
+        static float want[4 * W * H], got[4 * W * H];
+        GLuint result[2] = { 0, 0 }, kits[2];
+        double worst = 0;
+        if (!ready(&run, &h, &chain, m, &scene, &g, &l)) return;
+        kit_run_draw(&run, 0);
+        for (int i = 0; i < h.steps; ++i) {
+            ssgi_gl_bound units[16], targets[6];
+            char why[256];
+            for (int k = 0; k < h.step[i].inputs; ++k)
+                units[h.step[i].input[k].unit] = bound(read_by(&h, &h.step[i].input[k]), h.step[i].input[k].target);
+            for (int k = 0; k < h.step[i].outputs; ++k) {
+                const ssgi_gl_output *o = &h.step[i].output[k];
+                targets[k] = bound(h.made[o->texture][0], o->slices ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
+                if (o->result) result[o->result - 1] = h.made[o->texture][0];
+            }
+            CHECK(!glGetTexLevelParameteriv || !ssgi_gl_step_check(why, sizeof why, &h.step[i], units, targets),
+                  "%s: %s", methods[m].method, why);
+        }
+        draw(&h, &run.frame);
+        draws += h.steps;
+        kits[0] = run.light;
+        kits[1] = run.bounce;
+        for (int r = 0; r < 2; ++r) {
+            const int n = methods[m].lit ? 4 : 1;
+            if (!kits[r]) continue;
+            if (!CHECK(result[r] && !kit_texture_read(kits[r], W, H, n, want)
+                           && !kit_texture_read(result[r], W, H, n, got), "%s: no result", methods[m].method))
+                return;
+            for (int i = 0; i < n * W * H; ++i) {
+                const double off = fabs((double)got[i] - (double)want[i]);
+                worst = off > worst || off != off ? off : worst;
+            }
+        }
+        /* what surfels add up depends on the order that blending takes */
+        CHECK(worst <= (methods[m].pass == SSGI_GL_SPLAT ? 1e-4 : 0), "%s %s: %s: off by %g", context,
+              methods[m].method, methods[m].set, worst);
+        shut(&h);
+        kit_run_close(&run);
+    }
+    t_note("%s: %d methods, %d draws, the kit's bytes", kit_gl_name(), METHODS, draws);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+    kit_image_free(&l.env);
+}
+
+/* One thing wrong at a time: the sentence names step, texture, unit. */
+static void wrong_things(void)
+{
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_run run;
+    host h;
+    ssgi_gl_chain chain;
+    char why[256];
+    int ao = 0, depth = 0;
+    if (!see(&scene, &g, "casters", NULL, 0, NULL, W, H) || !ready(&run, &h, &chain, 1, &scene, &g, NULL)) return;
+    const ssgi_gl_step *blur = &h.step[h.steps - 1];
+    for (int k = 0; k < blur->inputs; ++k) {
+        if (!strcmp(blur->input[k].name, "t_ssgi_ao")) ao = blur->input[k].unit;
+        if (!strcmp(blur->input[k].name, "t_ssgi_depth")) depth = blur->input[k].unit;
+    }
+    for (int wrong = 0; wrong < 8; ++wrong) {
+        static const char *const says[] = { "", "blur: t_ssgi_depth, unit 0: is not", "t_ssgi_ao, unit 9: nothing",
+                                            "t_ssgi_ao, unit 9: is of full size", "unit 0: is smaller", "mip levels",
+                                            "integers", "o_ssgi_ao: is not of the format" };
+        ssgi_gl_bound u[16], target = { GL_TEXTURE_2D, GL_R32F, W, H, GL_NEAREST, 0 }, was;
+        for (int k = 0; k < blur->inputs; ++k)
+            u[blur->input[k].unit] = bound(read_by(&h, &blur->input[k]), blur->input[k].target);
+        was = u[depth];
+        if (wrong == 1) { u[depth] = u[ao]; u[ao] = was; }
+        if (wrong == 2) u[ao].format = 0;
+        if (wrong == 3) { u[ao].width = W; u[ao].height = H; }
+        if (wrong == 4) u[depth].width = W / 2;
+        if (wrong == 5) u[depth].filter = GL_NEAREST_MIPMAP_LINEAR;
+        if (wrong == 6) u[1].format = GL_RGBA32UI;
+        if (wrong == 7) target.format = GL_RGBA8;
+        const size_t n = ssgi_gl_step_check(why, sizeof why, blur, u, &target);
+        /* units exchanged: depth is smaller or of a format that it must not be, and so is the other */
+        CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_") : wrong ? n == strlen(why) && strstr(why, says[wrong]) != NULL
+                                                                     : !n && !*why,
+              "%d: \"%s\" (expected %s)", wrong, why, says[wrong]);
+    }
+    shut(&h);
+    kit_run_close(&run);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* A picture of 0.5, of which 0.25 is ambient, through each way onto it, next to the visibility that was read back. */
+static void onto_a_picture(void)
+{
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_run run;
+    host h;
+    ssgi_gl_chain chain;
+    static float filtered[W * H], raw[W * H], got[4 * W * H], half[4 * W * H], quarter[4 * W * H];
+    if (!see(&scene, &g, "casters", NULL, 0, NULL, W, H) || !ready(&run, &h, &chain, 1, &scene, &g, NULL)) return;
+    draw(&h, &run.frame);
+    for (int i = 0; i < h.steps; ++i)
+        if (h.step[i].output[0].result)
+            if (!TRY(kit_texture_read(h.made[h.step[i].output[0].texture][0], W, H, 1, filtered))) return;
+    shut(&h);
+    for (int i = 0; i < 4 * W * H; ++i) { half[i] = 0.5f; quarter[i] = 0.25f; }
+    for (int onto = 1; onto <= SSGI_GL_ONTO_AMBIENT; ++onto)
+        for (int blur = 1; blur >= 0; --blur) {                /* by the filter itself, or by compose */
+            const ssgi_gl_chain was = chain;
+            double worst = 0;
+            memset(&h, 0, sizeof h);
+            chain = chain_of(&h, &run, SSGI_GL_HSAO);
+            chain.desc.onto = onto;
+            chain.blur = blur;
+            if (!blur) chain.desc.half = 0;
+            h.picture = keep(&h, kit_texture(W, H, GL_RGBA32F, half));
+            h.yours[SSGI_GL_YOUR_AMBIENT] = keep(&h, kit_texture(W, H, GL_RGBA32F, quarter));
+            if (!opened(&h, &chain)) return;
+            draw(&h, &run.frame);
+            CHECK(h.step[h.steps - 1].desc.pass == (blur ? SSGI_GL_BLUR : SSGI_GL_COMPOSE)
+                      && h.step[h.steps - 1].output[0].texture == -1, "onto %d: the last step is another", onto);
+            if (!TRY(kit_texture_read(h.picture, W, H, 4, got))) return;
+            if (!blur && !TRY(kit_texture_read(h.made[0][0], W, H, 1, raw))) return;
+            for (int i = 0; i < 4 * W * H; ++i) {
+                const double v = (double)(blur ? filtered : raw)[i / 4], want = i % 4 == 3 ? 0.5
+                    : onto == 1 ? 0.5 * v : onto == 2 ? 0.5 * pow(v, 1 / 2.2) : 0.5 - 0.25 * (1 - v);
+                worst = fmax(worst, fabs((double)got[i] - want));
+            }
+            CHECK(worst < 1e-5, "onto %d, blur %d: off by %g", onto, blur, worst);
+            shut(&h);
+            chain = was;
+        }
+    kit_run_close(&run);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
+/* What a chain may not ask for is named, and nothing is written. */
+static void refusals(void)
+{
+    static const struct { const char *names; ssgi_gl_chain chain; } row[] = {
+        { "chain.desc.pass", { .desc = { .pass = SSGI_GL_BLUR }, .width = 8, .height = 8 } },
+        { "chain.width, height", { .desc = { .pass = SSGI_GL_HSAO }, .width = 0, .height = 8 } },
+        { "chain.history", { .desc = { .pass = SSGI_GL_S3HO }, .width = 8, .height = 8, .history = 1, .vectors = 1 } },
+        { "desc.steps", { .desc = { .pass = SSGI_GL_HSAO, .steps = 65 }, .width = 8, .height = 8 } },
+        { "desc.packed", { .desc = { .pass = SSGI_GL_S3HO, .transfer = 1 }, .width = 8, .height = 8 } }
+    };
+    ssgi_gl_step step, was;
+    memset(&step, 7, sizeof step);
+    was = step;
+    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
+        const char *why = "";
+        const int n = ssgi_gl_steps(&step, 1, &row[i].chain, &why);
+        CHECK(!n && !strncmp(why, row[i].names, strlen(row[i].names)) && !memcmp(&step, &was, sizeof was),
+              "%d: %d, \"%s\" (expected %s)", i, n, why, row[i].names);
+    }
+    CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
+}
+
+void test_steps(void)
+{
+    static const char *const contexts[] = { "osmesa", "egl-es" };
+    for (int c = 0; c < 2; ++c) {
+        context = contexts[c];
+        if (kit_gl_open(context, &err)) {
+            if (c) printf("skipped: %s: %s\n", context, err.text);
+            else CHECK(0, "%s", err.text);
+            continue;
+        }
+        RUN("an embedder that knows steps and rows alone draws what the kit draws", every_method);
+        if (!c) {
+            RUN("what is bound wrong is named before it is drawn", wrong_things);
+            RUN("ambient visibility stands on a picture", onto_a_picture);
+            RUN("a chain that cannot be drawn is refused", refusals);
+        }
+        kit_fields_free();
+        kit_gl_close();
+    }
+}
