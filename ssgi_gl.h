@@ -2850,8 +2850,8 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
 static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
 {
     static const char *const words[][2] = {
-        { "gl_VertexID", "gl_VertexIndex" }, { "gl_InstanceID", "gl_InstanceIndex" }, { "usampler2D", "utexture2D" },
-        { "sampler2D", "texture2D" }, { "sampler2DArray", "texture2DArray" }, { "usampler2DArray", "utexture2DArray" } };
+        { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
+        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" } };
     size_t i;
     for (i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
