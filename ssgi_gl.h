@@ -2962,8 +2962,9 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
 /* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
 static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
 {
-    const char *const line = s, *const end = s + length, *name = strstr(s, "v_ssgi_"), *in = strstr(s, "in "), *word;
-    int between = ssgi_gl__letter(*s) && name && name < end, *at = &place[between && in && in < name];
+    const char *const line = s, *const end = s + length, *name = s, *word;
+    int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
+    while (between && strncmp(name, "v_ssgi_", 7)) between = ++name < end;
     if (between) ssgi_gl__print(t, "layout(location = %d) ", (*at)++);
     for (; s < end; s += length) {
         for (length = 1; ssgi_gl__letter(*s) && s + length < end && ssgi_gl__letter(s[length]);) ++length;
