@@ -112,8 +112,12 @@ fit: build/report
 	build/fit report/plan-fit.csv
 
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
+# make glsl WGSL=1 HLSL=1 MSL=1 SPV=1: what other compilers make of the vulkan ones, beside them; each needs a tool, which
+# is named where it is missing.
+TRANSLATED = $(if $(SPV),spv) $(if $(WGSL),wgsl) $(if $(HLSL),hlsl) $(if $(MSL),msl)
 glsl: build/glsl-text
 	build/glsl-text build/glsl
+	$(if $(strip $(TRANSLATED)),sh examples/translate.sh build/glsl $(TRANSLATED))
 
 # A hash of each text, which make test compares: rewritten after a change that is meant to touch them.
 golden: build/glsl-text

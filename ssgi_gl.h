@@ -88,7 +88,12 @@ extern "C" {
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
        SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_STATISTICS, SSGI_GL_PASSES };             /* desc.pass */
-enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES,
+/* VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL. All in set 0: blocks ssgi_frame and ssgi_views at bindings 0, 1,
+   the texture of unit u at 2 + u, fetched without a sampler; 18 on, and other sets, are yours. Viewport heights are
+   positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y down: row 0 is at NDC y = -1.
+   Where the scene has that at 1 (drawn with a negative height; D3D, Metal, WebGPU), negate the matrix's second row; in
+   the last three field's and splat's vertex stages negate gl_Position.y: those of make glsl WGSL=1 do. */
+enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_VULKAN,
        SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
        SSGI_GL_STAGES };                                                                   /* stage of ssgi_gl_emit */
@@ -254,7 +259,7 @@ typedef struct ssgi_gl_desc {
     /* surfels, shuffle, splat, unshuffle, smooth, sum */
     int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
     int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
-    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches of triangles: 410, 450, 320es */
+    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
     int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
     int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
                             is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
@@ -320,14 +325,15 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
    of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc. float
+/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc but VULKAN's. float
    ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
    0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
-   GLES: after "precision highp float; precision highp int;". snprintf's law; 0 for a bad desc. */
+   GLES: after "precision highp float; precision highp int;"; VULKAN: after "#extension
+   GL_EXT_samplerless_texture_functions : require". snprintf's law; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "300es"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
 
@@ -338,10 +344,10 @@ enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL
 typedef struct ssgi_gl_io {
     const char *name;    /* exactly as in the text: "t_ssgi_depth" */
     int         kind;
-    const char *type;    /* GLSL: "sampler2D", "vec4" */
+    const char *type;    /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
     int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (binding in dialects that have
-                            it). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its
-                            value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+                            it; VULKAN: binding - 2). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved
+                            buffer. CONSTANT: its value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
     size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
     const char *format;  /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
@@ -2377,10 +2383,10 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
                "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE STATISTICS"),
-    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES"), SSGI_GL__B(orthographic),
+    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
-    SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
+    SSGI_GL__B(orthographic), SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
     SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"), SSGI_GL__I(samples, 64, "0..64"),
     SSGI_GL__I(steps, 64, "0..64"),
     SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
@@ -2411,11 +2417,16 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
-typedef struct ssgi_gl__dialect { const char *name, *version; int es, bindings; } ssgi_gl__dialect;
+/* head: after the version, be it ours or not. set: before bindings, NULL where there are none; textures: their first */
+typedef struct ssgi_gl__dialect { const char *name, *version, *head, *set; int textures; } ssgi_gl__dialect;
+#define SSGI_GL__ES \
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DArray;\n" \
+    "precision highp usampler2D;\nprecision highp usampler2DArray;\n"
 static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", 0, 0 }, { "410", "#version 410 core\n", 0, 0 },
-    { "450", "#version 450 core\n", 0, 1 }, { "300es", "#version 300 es\n", 1, 0 },
-    { "310es", "#version 310 es\n", 1, 1 }, { "320es", "#version 320 es\n", 1, 1 }
+    { "330", "#version 330 core\n", "", NULL, 0 }, { "410", "#version 410 core\n", "", NULL, 0 },
+    { "450", "#version 450 core\n", "", "", 0 }, { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
+    { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 }, { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
+    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
 };
 
 static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
@@ -2455,8 +2466,10 @@ static const char *const ssgi_gl__rules[][2] = {
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
       "desc.restore: what blockers reflect may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
     { "receiver && normal == FROM_DEPTH", "desc.receiver: hidden layers need their normals" },
-    { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect != 320ES",
-      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450 or _320ES" }
+    { "pass == SURFELS && dialect == VULKAN",
+      "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
+    { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
 };
 
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
@@ -2800,6 +2813,18 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     return 1;
 }
 
+/* What Vulkan calls otherwise: a word, or the word itself. */
+static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
+{
+    static const char *const words[][2] = {
+        { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
+        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" } };
+    size_t i;
+    for (i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
+        if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
+    return word;
+}
+
 /* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
@@ -2816,6 +2841,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
             continue;                           /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
+        io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
         if (n < capacity) out[n] = io;
         ++n;
     }
@@ -2864,14 +2890,14 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 }
 
 /* A uniform block: members in the order of its struct, which the rows have, gaps where this pass reads nothing. */
-static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, int bindings)
+static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
 {
     size_t at = 0;
     int gaps = 0, i, k;
     for (i = 0; i < n; ++i) {
         if (io[i].kind != SSGI_GL_PARAM || io[i].slot != block) continue;
         if (!at && !gaps) {
-            ssgi_gl__print(t, bindings ? "layout(std140, binding = %d) uniform " : "layout(std140) uniform ", block);
+            ssgi_gl__print(t, set ? "layout(std140, %sbinding = %d) uniform " : "layout(std140) uniform ", set, block);
             ssgi_gl__print(t, "%s {\n", block ? "ssgi_views" : "ssgi_frame");
         }
         while (at < io[i].offset) {
@@ -2900,10 +2926,28 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
     ssgi_gl__print(t, ");\n");
 }
 
+/* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
+static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
+{
+    const char *const line = s, *const end = s + length, *name = s, *word;
+    int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
+    while (between && strncmp(name, "v_ssgi_", 7)) between = ++name < end;
+    if (between) ssgi_gl__print(t, "layout(location = %d) ", (*at)++);
+    for (; s < end; s += length) {
+        for (length = 1; ssgi_gl__letter(*s) && s + length < end && ssgi_gl__letter(s[length]);) ++length;
+        word = ssgi_gl__word_of(SSGI_GL_VULKAN, s, length);
+        if (*s == ';') between = 0;
+        if (between && *s == ',') {
+            ssgi_gl__print(t, "; layout(location = %d) ", (*at)++);
+            ssgi_gl__put(t, line, (size_t)(name - line) - 1);
+        } else ssgi_gl__put(t, word, word == s ? length : strlen(word));
+    }
+}
+
 /* The kept functions, in the order of the library. */
 static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
 {
-    int i;
+    int i, place[2] = { 0, 0 };
     for (i = 0; i < SSGI_GL__CODES; ++i) {
         ssgi_gl__reader r = ssgi_gl__read(&ssgi_gl__library[i], d);
         const char *line;
@@ -2914,7 +2958,8 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
             if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
             last = r.line;
-            ssgi_gl__put(t, line, n);
+            if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, n, place);
+            else ssgi_gl__put(t, line, n);
             ssgi_gl__put(t, "\n", 1);
         }
         if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
@@ -2931,20 +2976,18 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     const int n = ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO);
     int i;
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
-    if (dialect->es)
-        ssgi_gl__print(t, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                          "precision highp sampler2DArray;\nprecision highp usampler2D;\n"
-                          "precision highp usampler2DArray;\n");
+    ssgi_gl__print(t, dialect->head);
     for (i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
-    ssgi_gl__print_block(t, io, n, 0, dialect->bindings);
-    ssgi_gl__print_block(t, io, n, 1, dialect->bindings);
+    ssgi_gl__print_block(t, io, n, 0, dialect->set);
+    ssgi_gl__print_block(t, io, n, 1, dialect->set);
     for (i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_PARAM || kind == SSGI_GL_CONSTANT) continue;
-        if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE)
+        if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE || (kind == SSGI_GL_CAPTURE && dialect->textures))
             ssgi_gl__print(t, "layout(location = %d) ", io[i].slot);
-        else if (kind == SSGI_GL_TEXTURE && dialect->bindings) ssgi_gl__print(t, "layout(binding = %d) ", io[i].slot);
+        else if (kind == SSGI_GL_TEXTURE && dialect->set)
+            ssgi_gl__print(t, "layout(%sbinding = %d) ", dialect->set, io[i].slot + dialect->textures);
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
     if (d->fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->fetch);
@@ -2971,11 +3014,14 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
 {
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
+    const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
     int i;
     ssgi_gl__link(&stage, d, roots);
-    for (i = 0; i < SSGI_GL__ROWS; ++i) {
+    for (i = 0; i < SSGI_GL__ROWS; ++i) if (stage.row[i]) {
         const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (stage.row[i]) ssgi_gl__print(&t, "uniform highp %s %s; // %s\n", io->type, io->name, io->format);
+        if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
+        ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
+        ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
     }
     ssgi_gl__print_codes(&t, &stage, d);
     return ssgi_gl__end(&t);
@@ -3387,7 +3433,7 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
 static int ssgi_gl__format_of(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
 {
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
-    const int wide = chain->precise > sh && !(blended && ssgi_gl__dialects[d->dialect].es);
+    const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
     const int last = out->name[strlen(out->name) - 1] - '0';
     if (!strcmp(out->type, "uvec2")) return SSGI_GL__RG32UI;
     if (!strcmp(out->type, "uvec4") && d->pass != SSGI_GL_SHUFFLE)

@@ -3,13 +3,14 @@
 #include <stddef.h>
 #include <string.h>
 
-static const char custom[] =
-    "uniform sampler2D my_gbuffer;\n"
-    "float ssgi_custom_depth(ivec2 texel, int layer) { return layer == 0 ? texelFetch(my_gbuffer, texel, 0).w : 0.0; "
-    "}\n"
-    "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n"
-    "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n"
-    "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n";
+#define CUSTOM \
+    "float ssgi_custom_depth(ivec2 texel, int layer) { return layer == 0 ? texelFetch(my_gbuffer, texel, 0).w : 0.0; " \
+    "}\n" \
+    "vec3 ssgi_custom_normal(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).xyz; }\n" \
+    "vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) { return colour * max(normal.y, 0.0); }\n" \
+    "uint ssgi_custom_object(ivec2 texel) { return texelFetch(my_gbuffer, texel, 0).w > 1.0 ? 1u : 0u; }\n"
+static const char custom[] = "uniform sampler2D my_gbuffer;\n" CUSTOM,
+                  custom_vulkan[] = "layout(set = 1, binding = 0) uniform texture2D my_gbuffer;\n" CUSTOM;
 
 #define CHOICE(name, field, value) { name, offsetof(ssgi_gl_desc, field), value }
 const choice choices[] = { { "", 0, 0 },
@@ -126,6 +127,6 @@ ssgi_gl_desc with_choice(ssgi_gl_desc d, int c)
     if (c) memcpy((char *)&d + choices[c].offset, &choices[c].value, sizeof(int));
     if (d.depth == SSGI_GL_DEPTH_CUSTOM || d.normal == SSGI_GL_NORMAL_CUSTOM || d.objects == SSGI_GL_OBJECTS_CUSTOM
         || (d.sends == SSGI_GL_SENDS_CUSTOM && (d.pass == SSGI_GL_SURFELS || d.pass == SSGI_GL_SPLAT)))
-        d.fetch = custom;
+        d.fetch = d.dialect == SSGI_GL_VULKAN ? custom_vulkan : custom;
     return d;
 }

@@ -6,8 +6,9 @@
                                      FOLDER/hsao.450.half.slabs.frag
 
    One file a text: a choice that changes nothing makes no file. Stages: .vert .tesc .tese .geom .frag; the functions of
-   fields alone: FOLDER/field.table.glsl (ssgi_gl_field). ssdo's default here is an environment map. FOLDER/sh4.glsl:
-   ssgi_gl_sh(.., 4), and so on.
+   fields alone: FOLDER/field.glsl, FOLDER/field.vulkan.glsl (ssgi_gl_field). ssdo's default here is an environment map.
+   FOLDER/sh4.glsl: ssgi_gl_sh(.., 4), and so on. translate.sh makes WGSL, HLSL and MSL of FOLDER/hsao.vulkan.frag and
+   its like: make glsl WGSL=1.
 
    FOLDER/manifest.json says which files belong together and what they read and write, and what the fields of
    ssgi_gl_desc and the members of the blocks are (its "about" explains it): for build steps in any language.
@@ -18,9 +19,9 @@
       build/glsl-text --passes ssgi_gl.h     examples/PASSES.md: what each pass reads and writes, from reflection; the
                                      fields of ssgi_gl_desc, from the comments of the header. make passes rewrites it
       build/glsl-text --golden       tests/golden.txt: a hash of the text of each pass and choice in a stage, over all
-         dialects, where the choice changes it;
-                                     "+" is of all pairs of choices in 450. make golden rewrites that file: its diff
-                                     shows which variants a change touches */
+         dialects of GL, where the choice changes it;
+                                     "+" is of all pairs of choices in 450, "vulkan" of all choices in that dialect.
+                                     make golden rewrites that file: its diff shows which variants a change touches */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <stdarg.h>
@@ -52,11 +53,11 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
 {
     const char *together[SSGI_GL_STAGES + 1] = { NULL };
     for (int kind = 0; kind <= SSGI_GL_STAGES; ++kind) {
-        const int alone = kind == SSGI_GL_STAGES;
+        const int alone = kind == SSGI_GL_STAGES, named = !alone || d->dialect == SSGI_GL_VULKAN;
         const size_t n = !alone                     ? ssgi_gl_emit(NULL, 0, d, kind)
                          : d->pass == SSGI_GL_FIELD ? ssgi_gl_field(NULL, 0, d)
                                                     : 0;
-        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(alone ? 0 : d->dialect)) * 8 + (uint64_t)kind;
+        uint64_t key = ((uint64_t)d->pass * 16 + (uint64_t)(named ? d->dialect : 0)) * 8 + (uint64_t)kind;
         char path[1024], *text = n && files < MOST ? malloc(n + 1) : NULL;
         int i = 0;
         if (!n || files >= MOST) continue;
@@ -67,8 +68,8 @@ static int write_texts(const char *folder, const ssgi_gl_desc *d, const char *fi
         together[kind] = file_name[i];
         if (text && i < files) { free(text); continue; }
         seen[files++] = key;
-        snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s%s%s%s.%s", ssgi_gl_pass_name(d->pass), alone ? "" : ".",
-                 alone ? "" : ssgi_gl_dialect_name(d->dialect), *first ? "." : "", first, *second ? "." : "", second,
+        snprintf(file_name[i], sizeof file_name[i], "%s%s%s%s%s%s%s.%s", ssgi_gl_pass_name(d->pass), named ? "." : "",
+                 named ? ssgi_gl_dialect_name(d->dialect) : "", *first ? "." : "", first, *second ? "." : "", second,
                  endings[kind]);
         snprintf(path, sizeof path, "%s/%s", folder, file_name[i]);
         if (write_file(path, text, n)) return -1;
@@ -240,12 +241,13 @@ static void print_golden(void)
     static const uint64_t basis = KIT_HASH;
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)
         for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) {
-            uint64_t plain = 0, pairs = basis;
+            uint64_t plain = 0, pairs = basis, vulkan = basis;
             for (int a = 0; a < choices_count; ++a) {
                 uint64_t hash = basis;
                 for (int dialect = 0; dialect < SSGI_GL_DIALECTS; ++dialect) {
                     const ssgi_gl_desc d = variant_of(pass, dialect, a, 0);
-                    hash = hash_of(hash, ssgi_gl_emit, &d, stage);
+                    uint64_t *of = dialect == SSGI_GL_VULKAN ? &vulkan : &hash;
+                    *of = hash_of(*of, ssgi_gl_emit, &d, stage);
                 }
                 for (int b = 1; b < a; ++b) {
                     const ssgi_gl_desc d = variant_of(pass, SSGI_GL_450, a, b);
@@ -258,7 +260,11 @@ static void print_golden(void)
             }
             if (pairs != basis)
                 printf("%016llx %s.+.%s\n", (unsigned long long)pairs, ssgi_gl_pass_name(pass), endings[stage]);
+            if (vulkan != basis)
+                printf("%016llx %s.vulkan.%s\n", (unsigned long long)vulkan, ssgi_gl_pass_name(pass), endings[stage]);
         }
+    const ssgi_gl_desc vulkan = variant_of(SSGI_GL_FIELD, SSGI_GL_VULKAN, 0, 0);
+    printf("%016llx field.vulkan.glsl\n", (unsigned long long)hash_of(basis, emit_field, &vulkan, 0));
     for (int a = 0; a < choices_count; ++a) {
         const ssgi_gl_desc d = variant_of(SSGI_GL_FIELD, SSGI_GL_450, a, 0),
                            plain = variant_of(SSGI_GL_FIELD, SSGI_GL_450, 0, 0);

@@ -11,7 +11,7 @@ const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese"
 enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
 typedef struct table { char *line[MOST]; int count, bucket[BUCKETS]; } table;
 static table rows, lists, variants, functions;
-static const char *fetch = "";                  /* what CUSTOM variants have */
+static const char *fetch[2] = { "", "" };       /* what CUSTOM variants have; those for Vulkan */
 
 /* The number of a line, which is added unless it is there; key: the part of it that tells it from others. Without a
    line: of the one with that key, or -1. */
@@ -106,7 +106,7 @@ void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STA
     if (!f) abort();
     fputs("{ \"desc\": ", f);
     put_desc(f, d);
-    if (d->fetch) fetch = d->fetch;
+    if (d->fetch) fetch[d->dialect == SSGI_GL_VULKAN] = d->fetch;
     fprintf(f, ",%s %s, \"rows\": %d }", d->fetch ? " \"fetch\": true," : "", names, number_of(&lists, list, list));
     fclose(f);
     number_of(&variants, names, line);
@@ -161,7 +161,8 @@ int manifest_write(const char *path, kit_error *err)
 {
     static const char *const about[] = {
         "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
-        "their words (fields has them in order from 0); fetch: true: with this manifest's text as desc.fetch; files by "
+        "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
+        "fetch_vulkan) as desc.fetch; files by "
         "stage; rows: a number in row_lists.",
         "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
         "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
@@ -215,7 +216,9 @@ int manifest_write(const char *path, kit_error *err)
     put_table(f, "variants", &variants);
     put_table(f, "functions", &functions);
     fprintf(f, ",\n\"fetch\": ");
-    put_string(f, fetch);
+    put_string(f, fetch[0]);
+    fprintf(f, ",\n\"fetch_vulkan\": ");
+    put_string(f, fetch[1]);
     fputs(" }\n", f);
     fclose(f);
     const int bad = kit_file_write(path, text, size, err);

@@ -43,10 +43,13 @@ enum {
     TOOLBOX = SSGI_GL_STAGES,
     PROGRAM
 };
+#define EXTENSION "#extension GL_EXT_samplerless_texture_functions : require\n"
 #define FETCH \
     "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + j); }\nvec3 ssgi_custom_normal(ivec2 p) { return " \
     "vec3(p, 1.0); }\nuint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n" \
     "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour * max(n.y, p.x); }"
+
+#define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
 static ssgi_gl_desc shape[4 * SSGI_GL_PASSES];            /* the passes; those that have two ways, twice */
 static int shapes;
@@ -273,9 +276,11 @@ static void make_variants(void)
 /* ---- >>compilers ------------------------------------------------------------------------------------------------- */
 
 /* the texts that are compiled; fresh: a program whose stages declare what no other's did */
-static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[2 * MOST + 200];
+static struct { ssgi_gl_desc desc; int stage, fresh; } spoken[3 * MOST + 200];
 static int texts;
-static struct { int texts, linked; char problem[1000]; } glslang;
+static struct { int texts, linked, vulkan, read; char problem[1000]; } glslang;
+
+static int is_es(const ssgi_gl_desc *d) { return d->dialect >= SSGI_GL_300ES && d->dialect <= SSGI_GL_320ES; }
 
 /* The text of a stage; PROGRAM: of all, one after the other; TOOLBOX: of ssgi_gl_field, whatever the pass, in a
    fragment shader that calls it. */
@@ -286,33 +291,40 @@ static const char *source_of(char *text, const ssgi_gl_desc *d, int stage)
     if (stage != TOOLBOX) return stage == PROGRAM ? text : emit(text, d, stage);
     size_t n = strcspn(emit(text, d, SSGI_GL_VERTEX), "\n") + 1;      /* the version */
     n += (size_t)snprintf(text + n, TEXT - n, "%s",
-                          d->dialect >= SSGI_GL_300ES ? "precision highp float;\nprecision highp int;\n" : "");
+                          is_es(d)                       ? "precision highp float;\nprecision highp int;\n"
+                          : d->dialect == SSGI_GL_VULKAN ? EXTENSION
+                                                         : "");
     n += ssgi_gl_field(text + n, TEXT - n, d);
     snprintf(text + n, TEXT - n,
-             "out vec4 o;\nvoid main()\n{\n    o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, "
+             "layout(location = 0) out vec4 o;\nvoid main()\n{\n    "
+             "o = vec4(ssgi_field_visibility(9, 1, gl_FragCoord.xyz, vec3(0.0, 0.0, "
              "1.0)));\n}\n");
     return text;
 }
 
-/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have: each choice meets each other
-   choice, and each dialect. The stages of their own that passes have as one program; the others' vertex stage once a
-   dialect; every toolbox in every dialect. */
+/* Every variant in a desktop dialect and in an ES one, in turn, of those that it may have, and in Vulkan's: each choice
+   meets each other choice, and each dialect. The stages of their own that passes have as one program, and in Vulkan's
+   dialect the first of every pass; the others' vertex stage once a dialect; every toolbox in every dialect. */
 static void speak(void)
 {
     static uint64_t seen[1 << 10];
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     int interfaces = 0;
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) spoken[texts].desc.dialect = i;
-    for (int i = 0; i < 2 * variants; ++i, ++texts) {
-        ssgi_gl_desc d = variant[i / 2];
-        const int first = i / 2;
-        d.lines = i % 16 < 2;
+    for (int i = 0, last = -1; i < 3 * variants; ++i) {
+        ssgi_gl_desc d = variant[i / 3];
+        const int first = i / 3, way = i % 3;
+        d.lines = first % 8 == 0;
         for (int k = 0; k < 3; ++k) {
-            d.dialect = (i & 1) * 3 + (first + k) % 3;
+            d.dialect = way == 2 ? SSGI_GL_VULKAN : way * 3 + (first + k) % 3;
             if (ssgi_gl_check(&d, NULL) == SSGI_OK) break;
         }
-        spoken[texts].desc = d;
-        spoken[texts].stage = has_vertices(&d) ? PROGRAM : SSGI_GL_FRAGMENT;
+        if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels for Vulkan */
+        const int at = texts++, is = 4 * d.pass + d.search + (d.tessellate ? 3 : 0);
+        spoken[at].desc = d;
+        spoken[at].fresh = way == 2 && is != last;
+        spoken[at].stage = has_vertices(&d) || spoken[at].fresh ? PROGRAM : SSGI_GL_FRAGMENT;
+        if (way == 2) last = is;
         if (!has_vertices(&d)) continue;
         uint64_t hash = (uint64_t)(2 * d.pass + d.tessellate);
         for (int k = 0, v = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); k < v; ++k)
@@ -320,8 +332,9 @@ static void speak(void)
                 (hash ^ hash_of(row[k].name, strlen(row[k].name)) ^ (uint64_t)row[k].kind << 56) * 0x9e3779b97f4a7c15u;
         int s = 0;
         while (s < interfaces && seen[s] != hash) ++s;
-        spoken[texts].fresh = s == interfaces && (int)(hash >> 40 & 1) == (i & 1);      /* one in ES, the next not */
-        if (spoken[texts].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
+        if (way == 2) continue;
+        spoken[at].fresh = s == interfaces && (int)(hash >> 40 & 1) == way;     /* one in ES, the next not */
+        if (spoken[at].fresh && CHECK(s < 1 << 10, "too many interfaces")) seen[interfaces++] = hash;
     }
     for (int i = 0; i < SSGI_GL_DIALECTS; ++i, ++texts) {
         const ssgi_gl_desc d = { .dialect = i };
@@ -330,36 +343,48 @@ static void speak(void)
     }
 }
 
-/* Many files a call; stages are linked where they are fresh, as that takes long. */
+/* Many files a call; stages are linked where they are fresh (p, w), as that takes long. For Vulkan (v, w) only those
+   become SPIR-V: glslang links what it is called with, and refuses to link many texts, but reads each first by Vulkan's
+   rules, and that is what is looked at. */
 static void *glslang_run(void *folder)
 {
     enum { BATCH = 512 };
     static const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "frag" };
     static char text[TEXT];
-    char path[400], line[400], file[400] = "0";
+    char path[1000], line[400], problem[400];
     int passed = 1;
     for (int first = 0; first < texts && passed; first += BATCH) {
         for (int i = first; i < first + BATCH && i < texts; ++i, ++glslang.texts) {
-            const int program = spoken[i].stage == PROGRAM;
+            const int program = spoken[i].stage == PROGRAM, vulkan = spoken[i].desc.dialect == SSGI_GL_VULKAN;
             for (int stage = program ? 0 : spoken[i].stage; stage < (program ? SSGI_GL_STAGES : spoken[i].stage + 1);
                  ++stage) {
                 const size_t n = strlen(source_of(text, &spoken[i].desc, stage));
-                snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder, spoken[i].fresh ? "p" : "", i,
-                         endings[stage]);
+                snprintf(path, sizeof path, "%s/%s%d.%s", (char *)folder,
+                         vulkan ? (spoken[i].fresh ? "w" : "v") : (spoken[i].fresh ? "p" : ""), i, endings[stage]);
                 if (n) kit_file_write(path, text, n, NULL);
+                glslang.vulkan += n && vulkan;
             }
             glslang.linked += spoken[i].fresh;
         }
         snprintf(path, sizeof path,
                  "cd '%s' && ls | grep '^[0-9]' | xargs -r -n 256 -P 2 glslangValidator 2>&1 && "
                  "ls | sed -n 's/^\\(p.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'glslangValidator -l {}.*' 2>&1 && "
-                 "rm *.* && echo passed",
+                 "ls | grep '^v' | xargs -r -n 32 -P 2 sh -c 'glslangValidator -V \"$@\" 2>&1 | "
+                 "grep \"^v[0-9]*[.]\\|^ERROR: v[0-9]\"' sh && "
+                 "ls | sed -n 's/^\\(w.*\\).vert$/\\1/p' | xargs -r -P 2 -I{} sh -c 'mkdir d{} && cd d{} && "
+                 "glslangValidator -V ../{}.*' 2>&1 && rm -r * && echo passed",
                  (char *)folder);
         FILE *pipe = popen(path, "r");
-        for (passed = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
-            if (isdigit((unsigned char)line[*line == 'p'])) memcpy(file, line + (*line == 'p'), sizeof file - 1);
-            if (!strncmp(line, "ERROR", 5) && !glslang.problem[0])
-                snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(file)].desc), line + 5);
+        for (passed = 0, *problem = 0; pipe && fgets(line, sizeof line, pipe); passed |= !strcmp(line, "passed\n")) {
+            const int bad = !strncmp(line, "ERROR", 5);
+            const char *at = line + (bad ? 7 : 0);
+            at += strncmp(at, "../", 3) ? 0 : 3;           /* a file's name, or that of the last was it */
+            glslang.read += !bad && (*at == 'v' || *at == 'w') && isdigit((unsigned char)at[1]);
+            at += strchr("pvw", *at) != NULL;
+            if (isdigit((unsigned char)*at) && at[strspn(at, "0123456789")] == '.') strcpy(problem, at);
+            if (bad && !glslang.problem[0])
+                snprintf(glslang.problem, sizeof glslang.problem, "%s%s", describe(&spoken[atoi(problem)].desc),
+                         line + 5);
         }
         if (pipe) pclose(pipe);
         if (!passed && !glslang.problem[0]) strcpy(glslang.problem, "no answer");
@@ -438,7 +463,7 @@ static void compilers(void)
         if (version[0] * 10 + version[1] < 32) desktop = CHECK(!kit_gl_open("osmesa", &err), "%s", err.text);
         if (version[0] * 10 + version[1] < 32 && !desktop) break;
         for (int i = 0, bad = 0; i < texts && bad < 3; ++i) {
-            if ((spoken[i].desc.dialect >= SSGI_GL_300ES) != es) continue;
+            if (is_es(&spoken[i].desc) != es || spoken[i].desc.dialect == SSGI_GL_VULKAN) continue;
             bad += !compiles(&spoken[i].desc, spoken[i].stage);
             ++tried;
         }
@@ -447,7 +472,10 @@ static void compilers(void)
     if (!has) return;
     pthread_join(thread, NULL);
     CHECK(!glslang.problem[0], "glslangValidator: %s", glslang.problem);
-    t_note("%d texts and programs, %d of these linked: glslangValidator", glslang.texts, glslang.linked);
+    CHECK(glslang.read == glslang.vulkan, "of %d texts for Vulkan glslangValidator -V has read %d", glslang.vulkan,
+          glslang.read);
+    t_note("%d texts and programs, %d of these linked: glslangValidator; %d texts by -V", glslang.texts, glslang.linked,
+           glslang.vulkan);
     snprintf(line, sizeof line, "rm -rf '%s'", folder);
     CHECK(!system(line), "%s", line);
 }
@@ -476,7 +504,7 @@ static size_t any_text(int k, char *out, size_t capacity)
         { .pass = SSGI_GL_SHADE, .lights = 1, .packed = 1, .transfer = SSGI_GL_TRANSFER_BOTH },
         { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE, .lines = 1 },
         { .pass = SSGI_GL_SPLAT,
-          .dialect = SSGI_GL_320ES,
+          .dialect = SSGI_GL_VULKAN,
           .tessellate = 1,
           .sends = SSGI_GL_SENDS_CUSTOM,
           .effect = SSGI_GL_EFFECT_BOUNCE,
@@ -566,8 +594,8 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
     const char *end = strstr(text, "\n\n"), *line = strchr(text, '\n') + 1,
                *outside =
                    "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
-    int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES,
-        block = -1, last = -1, precisions = 0;
+    int es = is_es(d), vulkan = d->dialect == SSGI_GL_VULKAN,
+        bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0;
     uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
@@ -576,7 +604,8 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         char name[64] = "", type[32] = "", format[300] = "", begin[80] = "";
         int opened = -1;
         for (int b = 0; b < 2; ++b) {
-            snprintf(begin, sizeof begin, "layout(std140%s%s) uniform ssgi_%s {\n", bindings ? ", binding = " : "",
+            snprintf(begin, sizeof begin, "layout(std140%s%s%s) uniform ssgi_%s {\n", vulkan ? ", set = 0" : "",
+                     bindings ? ", binding = " : "",
                      !bindings ? ""
                      : b       ? "1"
                                : "0",
@@ -585,6 +614,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         }
         if (opened > last && block < 0) { block = last = opened; offset = 0; continue; }
         if (es && !strncmp(line, "precision highp ", 16)) { ++precisions; continue; }
+        if (vulkan && !strncmp(line, EXTENSION, strlen(EXTENSION))) continue;
         if (!strncmp(line, "};", 2)) { block = -1; continue; }
         if (block >= 0 && sscanf(line, "    %31s %63[^;]; // %299[^\n]", type, name, format) >= 2) {
             const char *array = strchr(name, '[');
@@ -602,17 +632,24 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
             strcpy(type, "int");
         } else if (sscanf(line, "layout(location = %d) %9s %31s %63[^;]; // %299[^\n]", &io.slot, begin, type, name,
                           format)
-                   == 5)
+                   == 5) {
+            if (vulkan && *name == 'v') continue;          /* between stages */
             io.kind = strcmp(begin, "in") ? SSGI_GL_OUTPUT : SSGI_GL_ATTRIBUTE;
+        }
         else if (sscanf(line, "out %31s %63[^;]; // %299[^\n]", type, name, format) == 3) {
             if (d->pass == SSGI_GL_SPLAT) continue;        /* it goes to the next stage, nothing keeps it */
             io.kind = SSGI_GL_CAPTURE;
-        } else if (bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type,
-                                     name, format)
-                                  == 4
-                            : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
-                                  && !strcmp(begin, "uniform"))
+        } else if (vulkan ? sscanf(line, "layout(set = 0, binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot,
+                                   type, name, format)
+                                == 4
+                   : bindings ? sscanf(line, "layout(binding = %d) uniform %31s %63[^;]; // %299[^\n]", &io.slot, type,
+                                       name, format)
+                                    == 4
+                              : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
+                                    && !strcmp(begin, "uniform")) {
             io.kind = SSGI_GL_TEXTURE;
+            if (vulkan) io.slot -= 2;
+        }
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same =
@@ -626,7 +663,8 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
     }
     for (const char *w = outside; *w; w += strlen(w) + 1) {
         char start[16] = "\n";
-        CHECK(!strstr(end, strcat(start, w)), "%s: a declaration after the declarations: %s", describe(d), w);
+        CHECK((vulkan && !strcmp(w, "layout(location")) || !strstr(end, strcat(start, w)),
+              "%s: a declaration after the declarations: %s", describe(d), w);
     }
     CHECK(precisions == (es ? 6 : 0), "%s: %d precisions", describe(d), precisions);
     return found;
@@ -773,6 +811,194 @@ static void reflection(void)
           "reflection of nothing");
 }
 
+/* ---- >>vulkan ---------------------------------------------------------------------------------------------------- */
+
+/* The name that a declaration at `at` ends with, before ; [ or {. */
+static int name_of(char name[64], const char *at)
+{
+    const char *end = at + strcspn(at, ";[{\n"), *start;
+    while (end > at && !PART(end[-1])) --end;
+    for (start = end; start > at && PART(start[-1]);) --start;
+    return snprintf(name, 64, "%.*s", (int)(end - start), start) > 0;
+}
+
+/* Bindings and locations of a program's text, as any reader may count them: bound[b] is the name of binding b of set 0,
+   passed[s][l] of what stage s hands on at location l. */
+typedef struct places { char bound[32][64], passed[SSGI_GL_STAGES][32][64]; int count; } places;
+
+static int read_places(places *p, const char *text, const ssgi_gl_desc *d, int stage, int before)
+{
+    char name[64];
+    for (const char *at = text; (at = strstr(at, "layout(")) != NULL; ++at) {
+        const char *binding = strstr(at, "binding = "), *location = strstr(at, "location = "),
+                   *end = at + strcspn(at, ")");
+        if (binding && binding < end) {
+            const int b = atoi(binding + strlen("binding = ")), set = !strncmp(binding - 9, "set = 0, ", 9);
+            if (!CHECK(set && b >= 0 && b < 32 && name_of(name, end)
+                           && (!*p->bound[b] || !strcmp(p->bound[b], name)),
+                       "%s, stage %d: %.*s: %s is at that binding", describe(d), stage, (int)strcspn(at, "\n"), at,
+                       b >= 0 && b < 32 ? p->bound[b] : "none"))
+                return 0;
+            p->count += !*p->bound[b];
+            strcpy(p->bound[b], name);
+        } else if (location && location < end && name_of(name, end) && *name == 'v') {
+            const char *array = end + strcspn(end, ";["), *in = strstr(end, "in ");
+            const int l = atoi(location + strlen("location = ")), many = *array == '[' ? atoi(array + 1) : 1;
+            if (in && in < array) {
+                if (!CHECK(l < 32 && before >= 0 && !strcmp(p->passed[before][l], name),
+                           "%s, stage %d: %s is read at location %d, where %s is", describe(d), stage, name, l,
+                           l < 32 && before >= 0 ? p->passed[before][l] : "nothing"))
+                    return 0;
+                continue;
+            }
+            for (int k = l; k < l + (many ? many : 1); ++k) {
+                if (!CHECK(k < 32 && !*p->passed[stage][k], "%s, stage %d: %s and %s at location %d", describe(d),
+                           stage, name, k < 32 ? p->passed[stage][k] : "none", k))
+                    return 0;
+                strcpy(p->passed[stage][k], name);
+            }
+        }
+    }
+    for (const char *at = text; (at = strstr(at, "_ssgi_")) != NULL; ++at)     /* every one has its place */
+        if (at > text && strchr("uotav", at[-1]) && (at - text < 2 || !PART(at[-2]))) {
+            const char *line = at;
+            while (line > text && line[-1] != '\n') --line;
+            if (strncmp(line, "uniform ", 8) && strncmp(line, "in ", 3) && strncmp(line, "out ", 4)
+                && strncmp(line, "flat ", 5) && strncmp(line, "patch ", 6))
+                continue;
+            return CHECK(0, "%s, stage %d: has no place: %.*s", describe(d), stage, (int)strcspn(line, "\n"), line);
+        }
+    return CHECK(!strstr(text, "sampler2D") && !strstr(text, "gl_VertexID") && !strstr(text, "gl_InstanceID"),
+                 "%s, stage %d: has words of GL", describe(d), stage);
+}
+
+/* By the rule of the header: blocks at 0 and 1, the texture of unit u at 2 + u, no two at one place; stages read what
+   they are handed where it is. */
+static void bindings(void)
+{
+    static char text[TEXT];
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    int tried = 0, told = 0;
+    for (int i = 0; i <= variants; ++i) {
+        /* in the order of the pipeline; the last is of fields alone */
+        static const int order[SSGI_GL_STAGES] = { SSGI_GL_VERTEX, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION,
+                                                   SSGI_GL_GEOMETRY, SSGI_GL_FRAGMENT };
+        static places p;
+        ssgi_gl_desc d = variant[i < variants ? i : 0];
+        int before = -1, rows, blocks[2] = { 0, 0 }, textures = 0;
+        d.dialect = SSGI_GL_VULKAN;
+        if (ssgi_gl_check(&d, NULL) != SSGI_OK) continue;  /* surfels */
+        memset(&p, 0, sizeof p);
+        if (i == variants) {
+            CHECK(read_places(&p, source_of(text, &d, TOOLBOX), &d, TOOLBOX, -1) && p.count == 2
+                      && !strcmp(p.bound[4], "t_ssgi_occluders") && !strcmp(p.bound[6], "t_ssgi_fields"),
+                  "fields alone: %s, %s, %d in all", p.bound[4], p.bound[6], p.count);
+            break;
+        }
+        for (int k = 0; k < SSGI_GL_STAGES; ++k)
+            if (*emit(text, &d, order[k])) {
+                if (!read_places(&p, text, &d, order[k], before)) return;
+                before = order[k];
+            }
+        rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
+        for (int k = 0; k < rows; ++k) {
+            const int kind = row[k].kind;
+            const char *wanted = kind == SSGI_GL_TEXTURE ? row[k].name : row[k].slot ? "ssgi_views" : "ssgi_frame";
+            if (kind != SSGI_GL_TEXTURE && kind != SSGI_GL_PARAM) continue;
+            if (!CHECK(!strcmp(p.bound[row[k].slot + (kind == SSGI_GL_TEXTURE ? 2 : 0)], wanted),
+                       "%s: %s of slot %d is not where that leads", describe(&d), wanted, row[k].slot))
+                return;
+            if (kind == SSGI_GL_TEXTURE) ++textures; else blocks[row[k].slot] = 1;
+        }
+        CHECK(p.count == textures + blocks[0] + blocks[1], "%s: %d bindings for %d textures and %d blocks",
+              describe(&d), p.count, textures, blocks[0] + blocks[1]);
+        told += p.count;
+        ++tried;
+    }
+    CHECK(tried > 9 * variants / 10, "only %d of %d have this dialect", tried, variants);
+    t_note("%d bindings of %d programs", told, tried);
+}
+
+/* Is `what` with this number, and then something that is none, in the text? */
+static int has_place(const char *text, const char *what, int number)
+{
+    char key[64];
+    const int n = snprintf(key, sizeof key, what, number);
+    for (; (text = strstr(text, key)) != NULL; ++text) if (!isdigit((unsigned char)text[n])) return 1;
+    return 0;
+}
+
+/* examples/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
+static void translated(void)
+{
+    static const struct { const char *ending, *texture, *turned, *has; } into[] = {
+        { "wgsl", "@group(0) @binding(%d) var t_ssgi_", "gl_Position.y = -(",
+          "test -s build/tint/twgsl.wasm && command -v node || ! echo tint: make glsl WGSL=1 brings it" },
+        { "hlsl", "register(t%d);", "gl_Position.y = -",
+          "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" },
+        { "msl", "[[texture(%d)]]", "gl_Position.y = -",
+          "command -v spirv-cross || ! echo spirv-cross: apt-get install spirv-cross" }
+    };
+    static const ssgi_gl_desc descs[] = {
+        { .pass = SSGI_GL_HSAO },
+        { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_MAP, .bounce = SSGI_GL_BOUNCE_SOLID_ANGLE },
+        { .pass = SSGI_GL_S3HO }, { .pass = SSGI_GL_BLUR }, { .pass = SSGI_GL_HISTORY }, { .pass = SSGI_GL_FIELD },
+        { .pass = SSGI_GL_SPLAT }
+    };
+    enum { DESCS = (int)(sizeof descs / sizeof descs[0]) };
+    static char text[TEXT];
+    char folder[] = "/tmp/ssgi-text-XXXXXX", path[300], line[400], to[40] = "";
+    int has[3];
+    ssgi_gl_io row[SSGI_GL_MAX_IO];
+    if (!CHECK(mkdtemp(folder), "no folder in /tmp")) return;
+    for (int i = 0; i < 2 * DESCS; ++i) {
+        ssgi_gl_desc d = descs[i / 2];
+        d.dialect = SSGI_GL_VULKAN;
+        snprintf(path, sizeof path, "%s/%s.vulkan.%s", folder, ssgi_gl_pass_name(d.pass), i % 2 ? "frag" : "vert");
+        emit(text, &d, i % 2 ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX);
+        CHECK(!kit_file_write(path, text, strlen(text), NULL), "%s cannot be written", path);
+    }
+    for (int k = 0; k < 3; ++k) {
+        FILE *pipe = popen(into[k].has, "r");
+        if (pipe && !fgets(line, sizeof line, pipe)) *line = 0;
+        has[k] = pipe && !pclose(pipe);
+        if (has[k]) snprintf(to + strlen(to), sizeof to - strlen(to), " %s", into[k].ending);
+        else t_note("%s skipped, without %.*s", into[k].ending, (int)strcspn(line, "\n"), line);
+    }
+    if (*to) {
+        snprintf(path, sizeof path, "sh examples/translate.sh %s%s 2>&1", folder, to);
+        FILE *pipe = popen(path, "r");
+        while (pipe && fgets(line, sizeof line, pipe)) CHECK(strstr(line, " 14 of 14\n"), "%s", line);
+        CHECK(pipe && !pclose(pipe), "%s: fails", path);
+    }
+    for (int k = 0; k < 3; ++k) {
+        int textures = 0;
+        if (!has[k]) continue;
+        for (int i = 0; i < 2 * DESCS; ++i) {
+            ssgi_gl_desc d = descs[i / 2];
+            char *got;
+            size_t size;
+            d.dialect = SSGI_GL_VULKAN;
+            snprintf(path, sizeof path, "%s/%s.vulkan.%s.%s", folder, ssgi_gl_pass_name(d.pass),
+                     i % 2 ? "frag" : "vert", into[k].ending);
+            if (!CHECK(!kit_file_read(&got, &size, path, NULL), "%s is missing", path)) continue;
+            CHECK(i % 2 || strstr(got, into[k].turned), "%s: y is not turned", path);
+            emit(text, &d, i % 2 ? SSGI_GL_FRAGMENT : SSGI_GL_VERTEX);
+            for (int r = 0, rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO); r < rows; ++r) {
+                if (row[r].kind != SSGI_GL_TEXTURE || !strstr(text, row[r].name)) continue;
+                CHECK(has_place(got, into[k].texture, row[r].slot + 2), "%s: nothing at the place of %s", path,
+                      row[r].name);
+                ++textures;
+            }
+            free(got);
+        }
+        CHECK(textures > 15, "%s: %d textures", into[k].ending, textures);
+        t_note("%s: %d texts, %d textures at their bindings", into[k].ending, 2 * DESCS, textures);
+    }
+    snprintf(line, sizeof line, "rm -rf '%s'", folder);
+    CHECK(!system(line), "%s", line);
+}
+
 /* ---- >>names ----------------------------------------------------------------------------------------------------- */
 
 enum { NAMES_ = 512 };
@@ -787,8 +1013,6 @@ static void name_add(names *to, const char *word, size_t n)
     memcpy(known[i], word, n);
     to->bit[i / 64] |= (uint64_t)1 << i % 64;
 }
-
-#define PART(c) (isalnum((unsigned char)(c)) || (c) == '_')
 
 /* What a text defines: our words on lines that begin at global scope, and members of blocks. What it uses: the others,
    types too, without comments. Variables: their value, "ssgi_P =", is defined where they are written and used where
@@ -911,7 +1135,7 @@ static int reserved(const char *word, size_t n)   /* in any dialect, and not use
     return strstr(words, key) != NULL;
 }
 
-static void lint_line(const char *t, const char *end)
+static void lint_line(const char *t, const char *end, int vulkan)
 {
     const char *const line = t;
     if (*t == '#') return;
@@ -930,8 +1154,9 @@ static void lint_line(const char *t, const char *end)
     while (t < end && !(t[0] == '/' && t[1] == '/')) {
         size_t k = 0;
         while (PART(t[k])) ++k;
-        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k)
-                  || (t == line && (!strncmp(t, "patch in ", 9) || !strncmp(t, "patch out ", 10))),
+        CHECK(!k || isdigit((unsigned char)*t) || !reserved(t, k) || (vulkan && !strncmp(t, "texture2D t", 11))
+                  || ((t == line || (vulkan && t[-2] == ')'))
+                      && (!strncmp(t, "patch in ", 9) || !strncmp(t, "patch out ", 10))),
               "reserved, %.*s: %.*s", (int)k, t, (int)(end - line), line);
         t += k ? k : 1;
     }
@@ -947,7 +1172,7 @@ static void lint(void)
             end = line + strcspn(line, "\n");
             const int before = lines.count;
             place_of(&lines, hash_of(line, (size_t)(end - line)));
-            if (lines.count > before) lint_line(line, end);
+            if (lines.count > before) lint_line(line, end, spoken[i].desc.dialect == SSGI_GL_VULKAN);
             if (!*end) break;
         }
         while (((*c >= ' ' && *c < 127) || *c == '\n') && !(c[0] == '_' && c[1] == '_')
@@ -968,7 +1193,7 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 16),         INT(dialect, 5),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(pass, 16),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
              INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(behind, 3),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
@@ -1018,11 +1243,14 @@ static void sentences(void)
         { "desc.fetch:", { .pass = SSGI_GL_SURFELS, .sends = SSGI_GL_SENDS_CUSTOM } },
         { "desc.tessellate:", { .pass = SSGI_GL_SURFELS, .tessellate = 1 } },
         { "desc.tessellate:", { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_310ES } },
+        { "desc.pass:", { .pass = SSGI_GL_SURFELS, .dialect = SSGI_GL_VULKAN } },
+        { "desc.pass:", { .pass = SSGI_GL_SURFELS, .tessellate = 1, .dialect = SSGI_GL_VULKAN } },
         /* and these are none: what is not kept has as many vectors as it likes, what a pass does not look at is no
            matter */
         { NULL, { .pass = SSGI_GL_S3HO, .transfer = 1, .shaded = 1 } },
         { NULL, { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COLOUR, .transfer = 1, .shading = 1, .bands = 1 } },
         { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_320ES } },
+        { NULL, { .pass = SSGI_GL_SPLAT, .tessellate = 1, .dialect = SSGI_GL_VULKAN } },
         { NULL, { .pass = SSGI_GL_SUM, .tessellate = 1 } },
         { NULL, { .pass = SSGI_GL_SHADE, .shading = 1, .bands = 2 } },
         { NULL, { .pass = SSGI_GL_SHADE, .bands = 1, .packed = 1, .transfer = 2 } }
@@ -1310,6 +1538,8 @@ void test_text(void)
     RUN("emit keeps snprintf's law at every capacity", law);
     RUN("the same desc gives the same bytes, under any locale", same_bytes);
     RUN("rows and declarations agree both ways, and with GL's own places", reflection);
+    RUN("for Vulkan everything has its own binding, which its row tells, and stages agree on locations", bindings);
+    RUN("WGSL by tint, HLSL and MSL by spirv-cross: everything is at its binding, y is turned", translated);
     RUN("what is off leaves nothing: every name that a text uses is declared there, and every one declared is used",
         closed);
     RUN("the functions of fields alone are those of the pass, and declare what they use", toolboxes);

@@ -1,0 +1,81 @@
+#!/bin/sh
+# translate.sh FOLDER TARGET.. - other languages from the texts of dialect vulkan that make glsl wrote into FOLDER.
+#
+#   spv     FOLDER/hsao.vulkan.frag.spv ..: SPIR-V for Vulkan, of every stage, by glslangValidator
+#   wgsl    FOLDER/hsao.vulkan.frag.wgsl ..: by tint, out of an npm package
+#   hlsl    by spirv-cross: shader model 5.0, register t4 is binding 4
+#   msl     by spirv-cross: Metal 2.1, texture(4) is binding 4
+#
+# The last three have vertex and fragment stages, and their NDC's y points up: their vertex stages negate it, so that
+# row 0 of a target is what it is for Vulkan. For each a line says how many there are; what fails is named, status 1.
+folder=$1
+tint=$(dirname "$0")/../build/tint/twgsl
+work=$(mktemp -d) || exit 2
+trap 'rm -rf "$work"' EXIT
+
+has() {                                     # TOOL HOW
+    command -v "$1" >/dev/null 2>&1 || { echo "translate: $1 is missing: $2" >&2; exit 2; }
+}
+
+# glslangValidator into a folder, a file a text: one call could take no more than one program.
+compile() {                                 # TO
+    xargs -P 2 -I{} sh -c 'glslangValidator -V "$1" -o "$2/$(basename "$1").spv" >"$2/log.$$" || cat "$2/log.$$" >&2
+                           rm -f "$2/log.$$"' sh {} "$1"
+}
+
+count() {                                   # NAME ENDING OF
+    got=$(ls "$folder" | grep -c "\.vulkan\..*\.$2\$")
+    echo "$folder: $1 $got of $3"
+    [ "$got" = "$3" ] || status=1
+}
+
+shift
+status=0
+has glslangValidator 'apt-get install glslang-tools'
+for target in "$@"; do
+    rm -f "$folder"/*.vulkan.*."$target"
+    if [ "$target" != spv ] && [ ! -e "$work/up" ]; then
+        mkdir "$work/up"
+        for f in "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag; do
+            case $f in
+                *.frag) cp "$f" "$work" ;;
+                *) grep -q gl_Position "$f" && sed 's/^\( *\)gl_Position = .*;$/&\n\1gl_Position.y = -gl_Position.y;/' \
+                       "$f" >"$work/$(basename "$f")" ;;        # else tessellation follows, which these have not
+            esac
+        done
+        ls "$work"/*.vert "$work"/*.frag | compile "$work/up"
+        of=$(ls "$work"/*.vert "$work"/*.frag | wc -l)
+    fi
+    case $target in
+        spv)
+            ls "$folder"/*.vulkan.*vert "$folder"/*.vulkan.*frag "$folder"/*.vulkan.*tes[ce] "$folder"/*.vulkan.*geom \
+                2>/dev/null >"$work/list"
+            compile "$folder" <"$work/list"
+            count 'SPIR-V' spv "$(wc -l <"$work/list")" ;;
+        wgsl)
+            has node 'apt-get install nodejs npm'
+            if [ ! -s "$tint.cjs" ] || [ ! -s "$tint.wasm" ]; then
+                has npm 'apt-get install nodejs npm'
+                mkdir -p "${tint%/*}" &&
+                    (cd "${tint%/*}" && npm pack --silent @babylonjs/core@9.31.0 >/dev/null &&
+                        tar xzf babylonjs-core-9.31.0.tgz --strip-components=3 package/assets/twgsl &&
+                        mv twgsl.js twgsl.cjs && rm babylonjs-core-9.31.0.tgz) ||
+                    { echo 'translate: npm cannot bring @babylonjs/core@9.31.0, which has tint' >&2; exit 2; }
+            fi
+            (cd "$work/up" && ls *.spv) | (tint=$(realpath "$tint") script=$(realpath "$(dirname "$0")/wgsl.mjs")
+                cd "$work/up" && xargs node "$script" "$tint")
+            mv "$work"/up/*.wgsl "$folder"
+            count WGSL wgsl "$of" ;;
+        hlsl|msl)
+            has spirv-cross 'apt-get install spirv-cross'
+            how='--msl --msl-version 20100 --msl-decoration-binding'
+            [ "$target" = msl ] || how='--hlsl --shader-model 50'
+            for f in "$work"/up/*.spv; do
+                name=$(basename "$f" .spv)
+                spirv-cross "$f" $how --output "$folder/$name.$target" || echo "$name: not as $target" >&2
+            done
+            count "$(echo "$target" | tr a-z A-Z)" "$target" "$of" ;;
+        *) echo "translate: $target: there are spv, wgsl, hlsl, msl" >&2; exit 2 ;;
+    esac
+done
+exit $status

@@ -1,0 +1,19 @@
+/* wgsl.mjs - SPIR-V to WGSL by tint, which is inside npm's @babylonjs/core: assets/twgsl. For translate.sh.
+
+      node wgsl.mjs TWGSL FILE.spv ..      TWGSL.cjs (their twgsl.js) and TWGSL.wasm; writes FILE.wgsl, or says why not:
+         then its status is 1 */
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { resolve } from 'node:path';
+
+const [tint, ...files] = process.argv.slice(2), said = [];
+console.log = console.warn = console.error = line => said.push(line);        /* where tint complains */
+const twgsl = await createRequire(import.meta.url)(resolve(`${tint}.cjs`))(resolve(`${tint}.wasm`));
+for (const file of files) {
+    said.length = 0;
+    const text = twgsl.convertSpirV2WGSL(new Uint32Array(new Uint8Array(readFileSync(file)).buffer));
+    if (said.length || !/@(vertex|fragment)\s+fn main/.test(text)) {         /* text: of the last that was none worse */
+        process.stderr.write(`${file}: tint: ${said.join(' ').replace(/\s+/g, ' ') || 'no text'}\n`);
+        process.exitCode = 1;
+    } else writeFileSync(file.replace(/\.spv$/, '.wgsl'), text);
+}
