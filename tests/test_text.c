@@ -34,7 +34,8 @@ static const choice choices[] = {
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
     CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
-    CHOICE(motion, 2, 0, 1)
+    CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
+    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -567,7 +568,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
                *outside =
                    "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
     int es = d->dialect >= SSGI_GL_300ES, bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES,
-        block = -1, last = -1, precisions = 0;
+        block = -1, last = -1, precisions = 0, multisampled = 0;
     uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
@@ -613,6 +614,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
                             : sscanf(line, "%63s %31s %63[^;]; // %299[^\n]", begin, type, name, format) == 4
                                   && !strcmp(begin, "uniform"))
             io.kind = SSGI_GL_TEXTURE;
+        multisampled |= !strcmp(type, "sampler2DMS");
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same =
@@ -628,7 +630,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         char start[16] = "\n";
         CHECK(!strstr(end, strcat(start, w)), "%s: a declaration after the declarations: %s", describe(d), w);
     }
-    CHECK(precisions == (es ? 6 : 0), "%s: %d precisions", describe(d), precisions);
+    CHECK(precisions == (es ? 6 + multisampled : 0), "%s: %d precisions", describe(d), precisions);
     return found;
 }
 
@@ -978,7 +980,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
-             INT(span, 64),         INT(motion, 1)
+             INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
+             INT(multisampled, 1)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1007,6 +1010,11 @@ static void sentences(void)
         { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
         { "desc.receiver:",
           { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
+        { "desc.multisampled:", { .multisampled = 1, .dialect = SSGI_GL_300ES } },
+        { "desc.multisampled:", { .multisampled = 1, .array = 1 } },
+        { "desc.multisampled:", { .pass = SSGI_GL_SENDERS, .multisampled = 1, .layers = 2, .receiver = 1 } },
+        { NULL, { .multisampled = 1, .dialect = SSGI_GL_310ES } },
+        { "desc.array:", { .layers = 2, .array = 1 } },
         { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } },
         { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
@@ -1039,7 +1047,8 @@ static void sentences(void)
                                .fetch = FETCH },
                          was;
             if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
-            if (ints[i].offset == offsetof(ssgi_gl_desc, behind)) d.layers = 0;
+            if (ints[i].offset == offsetof(ssgi_gl_desc, behind) || ints[i].offset == offsetof(ssgi_gl_desc, array))
+                d.layers = 0;
             set(&d, ints[i].offset, ints[i].most);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "%s %d is refused: %s", ints[i].start, ints[i].most, why);
             set(&d, ints[i].offset, value[k]);
