@@ -528,8 +528,8 @@ typedef struct ssgi_gl_frame {
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
     float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float   last_from[16]; /* and back: ssgi_gl_frame_history */
-    int32_t slice, unused; /* desc.array: of your textures */
     float   oblique[2];  /* desc.oblique: from ssgi_view */
+    int32_t slice, unused; /* desc.array: of your textures; to a block's full 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
@@ -2315,7 +2315,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
     SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
     SSGI_GL__P(last_from, "mat4", "and back"),
-    SSGI_GL__P(slice, "int", "of your textures"), SSGI_GL__P(oblique, "vec2", "window depth per pixel"),
+    SSGI_GL__P(oblique, "vec2", "window depth per pixel"), SSGI_GL__P(slice, "int", "of your textures"),
     SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
@@ -3840,6 +3840,7 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
         return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
+    if (in && in->target == 0x9100u) return NULL;           /* samples are not filtered */
     if (in && is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
     if (in && is->filter == 0x2601 && (depth || integer || (known && known->type == 0x1406)))
         return "must have GL_NEAREST as its filter: it holds depth, integers or 32-bit floats";
