@@ -241,8 +241,8 @@ typedef struct ssgi_gl_desc {
     int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
     int multisampled;    /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
                             read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
-    int array;           /* 1: your textures (depth, normal, back, albedo, direct, objects, motion) are arrays with a
-                            slice a view, as for stereo: frame.slice. What passes write stays 2D */
+    int array;           /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
+                            with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
@@ -2340,7 +2340,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
     SSGI_GL__T("bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
-    SSGI_GL__T("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
+    SSGI_GL__Y("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
     SSGI_GL__Y("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__Y("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),

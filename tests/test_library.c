@@ -159,6 +159,15 @@ static void names(void)
     for (int r = 0; r < ROWS; ++r)         /* the emitter names one itself: see >>library */
         CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_slice"), "row %s: nothing can name it",
               ssgi_gl__rows[r].io.name);
+    for (int r = 0; r < ROWS; ++r) {       /* a texture of yours is where the emitter would put a slice in */
+        char at[80];
+        int fetched = 0;
+        snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
+        for (int i = 0; i < CODES; ++i) fetched |= strstr(ssgi_gl__library[i].text, at) != NULL;
+        CHECK(!fetched || ssgi_gl__rows[r].bytes == 1 || strstr(ssgi_gl__rows[r].io.type, "DMS")
+                  || strstr(ssgi_gl__rows[r].io.type, "Array"),
+              "%s is fetched at u_ssgi_origin and no texture of yours", ssgi_gl__rows[r].io.name);
+    }
     for (int r = 1; r < ROWS; ++r) {
         const ssgi_gl_io *a = &ssgi_gl__rows[r - 1].io, *b = &ssgi_gl__rows[r].io;
         CHECK(a->kind != SSGI_GL_PARAM || b->kind != SSGI_GL_PARAM || a->slot != b->slot || a->offset < b->offset,
