@@ -33,7 +33,7 @@
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
    ROOMS        search for ">>"
       >>types      results
-      >>view       projection decode: perspective, orthographic, reversed and infinite depth; additional cameras
+      >>view       projection decode: perspective, orthographic, any handedness and depth; additional cameras
       >>kernel     low-discrepancy points, sample sets
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
@@ -99,11 +99,16 @@ typedef struct ssgi_view {
     float clear;            /* the window depth of the background: 1, or 0 when the projection is reversed */
     int   orthographic;     /* 0 or 1 */
     int   width, height;    /* pixels of the frame */
+    float oblique[2];       /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
 } ssgi_view;
 
-/* Decodes a projection matrix: perspective or orthographic, any window depth (normal, reversed, infinite far plane),
-   off-centre (sub-pixel jitter, stereo), y up or down.
-     projection     [limit: w row (0,0,-1,0) or (0,0,0,1) up to a common factor; no skew] right-handed, camera along -z
+/* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
+   infinite far plane), off-centre (sub-pixel jitter, stereo), y up or down, the near plane oblique (planar reflections:
+   desc.oblique of ssgi_gl.h), right-handed or left-handed.
+   Left-handed, the camera along +z (orthographic: read as right-handed, all would lie behind the eye): view space here
+   is yours with z negated. Negate z of what you give in view space (lights; normals: desc.left_handed), and the third
+   row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation's too; what comes back is likewise.
+     projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
    Computed in double; exact to float rounding. */
@@ -111,8 +116,9 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why);
 
 /* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 0 or
-   infinity) gives SSGI_FAR. GLSL twin: ssgi_decode. */
+   infinity) gives SSGI_FAR. Where view->oblique is not 0 it depends on the pixel. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
+SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f      /* the view depth of the background: beyond any scene, its square a finite float */
 
 /* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
@@ -120,7 +126,7 @@ SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* View depth of the near plane that the projection implies [units: view]. */
+/* View depth of the near plane that the projection implies [units: view]; where that is oblique, its least. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
@@ -128,11 +134,11 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* An additional camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
    radius * displacement and looks at centre.
-     main_world_to_view  [limit: rigid: rotation and translation]
+     main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
      world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
-                         it looks as the main camera does
+                         it looks as the main camera does; mirrored if that is (left-handed)
      projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide; near plane radius /
                          50, since a solid cut by the near plane looks empty; far plane distance + radius
    The outputs may be the inputs. */
@@ -750,25 +756,29 @@ SSGI__FN void ssgi__polar(double w[3], double z, double angle)
 SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float projection[16], int clip, int width,
                                                int height, const char **why)
 {
-    double m[16], w, scale, shift;
+    double m[16], w, scale, shift, skew = 0.0;
     ssgi_view v;
     int perspective;
     SSGI__THERE2(view, projection);
     SSGI__CHECK(clip == SSGI_CLIP_GL || clip == SSGI_CLIP_ZERO, "clip: must be SSGI_CLIP_GL or SSGI_CLIP_ZERO");
     SSGI__SIZE(width, height);
     SSGI__CHECK(ssgi__finites(projection, 16), "projection: must be finite");
-    perspective = projection[11] < 0.0f;
+    perspective = projection[11] != 0.0f;
     if (projection[3] != 0.0f || projection[7] != 0.0f
-        || (perspective ? projection[15] != 0.0f : projection[11] != 0.0f || !(projection[15] > 0.0f)))
-        return ssgi__bad(why, "projection: its w row must be (0,0,-1,0) or (0,0,0,1): right-handed, camera along -z");
-    if (projection[1] != 0.0f || projection[4] != 0.0f || projection[2] != 0.0f || projection[6] != 0.0f)
-        return ssgi__bad(why, "projection: must not be skewed (elements 1, 2, 4, 6 are 0)");
-    w = perspective ? -(double)projection[11] : (double)projection[15];
+        || (perspective ? projection[15] != 0.0f : !(projection[15] > 0.0f)))
+        return ssgi__bad(why, "projection: its w row must be (0,0,-1,0), left-handed (0,0,1,0), or (0,0,0,1)");
+    if (projection[1] != 0.0f || projection[4] != 0.0f)
+        return ssgi__bad(why, "projection: must not be rolled (elements 1 and 4 are 0): roll world_to_view instead");
+    w = fabs((double)projection[perspective ? 11 : 15]);
     for (int i = 0; i < 16; ++i) m[i] = (double)projection[i] / w;
     if (projection[0] == 0.0f || projection[5] == 0.0f)
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
         return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
+    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0;       /* NDC z = scale * window depth + shift */
+    shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
+    if (perspective ? m[11] > 0.0 : (m[14] - shift) / m[10] <= 0.0 && (m[14] - shift - scale) / m[10] <= 0.0)
+        for (int i = 8; i < 12; ++i) m[i] = -m[i];  /* left-handed: of z negated it is right-handed */
 
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
@@ -779,27 +789,30 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         v.project[2 + i] = (float)((centre * 0.5 + 0.5) * size);
         v.unproject[i] = (float)(2.0 / (size * gain));
         v.unproject[2 + i] = (float)(-(1.0 + centre) / gain);
+        v.oblique[i] = (float)(-2.0 * m[2 + 4 * i] / (size * gain * scale));
+        skew -= m[2 + 4 * i] * (1.0 + centre) / gain;
     }
-    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0;       /* NDC z = scale * window depth + shift */
-    shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
-    if (perspective) {                              /* NDC z = m14/z - m10 */
-        v.depth[0] = (float)((shift + m[10]) / m[14]);
+    if (perspective) {                              /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
+        v.depth[0] = (float)((shift + m[10] - skew) / m[14]);
         v.depth[1] = (float)(scale / m[14]);
         v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f;  /* nearness grows with window depth: reversed */
-    } else {                                        /* NDC z = -m10 z + m14 */
-        v.depth[0] = (float)((m[14] - shift) / m[10]);
+    } else {                                        /* NDC z = -m10 z + m14, and m2 x + m6 y */
+        v.depth[0] = (float)((m[14] - shift + skew) / m[10]);
         v.depth[1] = (float)(-scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
     }
-    SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2),
+    SSGI__CHECK(ssgi__finites(v.project, 4) && ssgi__finites(v.unproject, 4) && ssgi__finites(v.depth, 2)
+                    && ssgi__finites(v.oblique, 2),
                 "projection: its elements are too large or too small for float arithmetic");
     *view = v;
     return SSGI_OK;
 }
 
-SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float d)
+SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float d) { return ssgi_view_depth_at(view, 0.0f, 0.0f, d); }
+
+SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float x, float y, float d)
 {
-    float z = view->depth[0] + view->depth[1] * d;
+    float z = view->depth[0] + view->depth[1] * (d + (x * view->oblique[0] + y * view->oblique[1]));
     if (!ssgi__finite(d) || !(d >= 0.0f && d <= 1.0f) || d == view->clear) return SSGI_FAR;
     if (!view->orthographic) z = z > 1.0f / SSGI_FAR ? 1.0f / z : SSGI_FAR;
     return z > 0.0f && z < SSGI_FAR ? z : SSGI_FAR;
@@ -823,7 +836,11 @@ SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float p[3], float o
 
 SSGI_DEF float ssgi_view_near(const ssgi_view *view)
 {
-    const float d = view->depth[0] + view->depth[1] * (1.0f - view->clear);
+    float d = view->depth[0] + view->depth[1] * (1.0f - view->clear);
+    for (int i = 0; i < 2; ++i) {
+        const float skew = view->depth[1] * view->oblique[i] * (float)(i ? view->height : view->width);
+        d += view->orthographic ? ssgi__min(skew, 0.0f) : ssgi__max(skew, 0.0f);
+    }
     return view->orthographic ? d : 1.0f / d;
 }
 
@@ -858,7 +875,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
 {
     const double cos40 = 0.76604444311897803520;        /* half of 100 degrees: sine and cosine change places */
     const double r = (double)radius;
-    double was[3][3], axis[3][3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
+    double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
     SSGI__THERE3(world_to_view, projection, main_world_to_view);
@@ -889,6 +906,8 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
         ssgi__normalise(axis[0]);
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
+    ssgi__cross(turn, was[0], was[1]);
+    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k];
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);

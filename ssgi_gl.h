@@ -20,14 +20,18 @@
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
-      Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, depth test and blending off, the
-      viewport on the image inside the target, glDrawArrays(GL_TRIANGLES, 0, 3). Textures are read by texelFetch at
-      level 0, so wrap modes do not matter, but a texture must be complete: one without mip levels reads 0 under GL's
-      default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit float textures
-      need it in GLES and WebGL. A texture has one unit, by its name, in every variant of a pass. The uniform block
-      "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding) the rows' slots are in
-      the text; in the others set them once by name (glUniform1i, glUniformBlockBinding). This header calls no GL and
-      includes no GL header.
+      Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image inside the
+      target, glDrawArrays(GL_TRIANGLES, 0, 3). Off: tests of depth (its mask does not matter then), stencil, scissor,
+      alpha (compatibility contexts); blending, but where told below; culling, rasteriser discard, logic op, clip
+      distances. Colour mask on, polygons filled, no sampler object on its units: it would override textures' filters.
+      Textures are read by texelFetch at level 0, so wrap modes do not matter, but a texture must be complete: one
+      without mip levels reads 0 under GL's default minifying filter, and the result is black. GL_NEAREST is right for
+      all; depth and 32-bit float textures need it in GLES and WebGL. A texture has one unit, by its name, in every
+      variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
+      layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
+      glUniformBlockBinding). The projection is the one that depth was drawn with: some engines (OpenSceneGraph) move
+      near and far behind its getter; what left-handed ones do stands at ssgi_view_from_projection (ssgi.h). This header
+      calls no GL and includes no GL header.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: slices through the view direction, or the paper's march [HSAO08]
@@ -102,7 +106,7 @@ enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_
 enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes */
        SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
        SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer), view depth;
-                                      layer 0 is the visible surface */
+                                      layer 0 is the visible surface. It may call our float ssgi_decode(float) */
 /* desc.normal: source and packing of normals */
 enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
        SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
@@ -203,6 +207,13 @@ typedef struct ssgi_gl_desc {
     int half;            /* gathers, shade, history, blur   1: all but blur draw one pixel of every 2x2, into targets of
                             half size, rounded up; blur brings it to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
+    int left_handed;     /* 1: view-space normals have +z away from the viewer; for world-space ones and all else see
+                            ssgi_view_from_projection */
+    int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
+    int multisampled;    /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
+                            read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
+    int array;           /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
+                            with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
@@ -489,6 +500,8 @@ typedef struct ssgi_gl_frame {
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
     float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float   last_from[16]; /* and back: ssgi_gl_frame_history */
+    float   oblique[2];  /* desc.oblique: from ssgi_view */
+    int32_t slice, unused; /* desc.array: of your textures; to a block's full 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
@@ -576,7 +589,7 @@ typedef struct ssgi_gl_occluder {
 /* Sets an occluder where it stands now.
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
-     mesh_to_view  [limit: rotation, translation, uniform scale] from the bake's coordinates to those of the pass
+     mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
      object        [limit: 0..16777215]
    Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
@@ -604,7 +617,8 @@ extern "C" {
    Whole functions, in the order in which GLSL wants them; constants, structs and globals are entries too. Lines of #if,
    #elif, #else and #endif name fields of the desc, and "// #if .." at the end of a line guards that line: the emitter
    resolves them, and none reaches the text. An entry is kept where its name occurs in what is kept after it; main_* are
-   named by >>passes. Entries of one name exclude each other. */
+   named by >>passes. Entries of one name exclude each other. Your textures are fetched at ", p + u_ssgi_origin, 0":
+   where they are arrays (desc.array) the emitter puts the slice in. */
 typedef struct ssgi_gl__code { const char *name; int line; const char *text; } ssgi_gl__code;
 
 static const ssgi_gl__code ssgi_gl__library[] = {
@@ -618,17 +632,22 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
     "    return d != u_ssgi_decode.z && w > 0.0 && w < SSGI_FAR ? w : SSGI_FAR; // #if orthographic\n"
     "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n}\n" },
+{ "ssgi_unskew", __LINE__, "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
+    "float ssgi_unskew(float d, ivec2 p) {\n"
+    "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n}\n" },
 { "ssgi_depth", __LINE__, "// view depth at a pixel\n"
     "float ssgi_depth(ivec2 p) {\n"
-    "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW\n"
-    "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR\n"
+    "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
+    "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
+    "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
 { "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel\n"
     "float ssgi_layer(ivec2 p, int j) {\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
-    "    return ssgi_decode(z); // #if depth == WINDOW\n"
+    "    return ssgi_decode(z); // #if depth == WINDOW && !oblique\n"
+    "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
 { "ssgi_slabs", __LINE__ + 1,
     "// view depths: of the nearest back face at or behind what is seen, of the next front face behind that, of where\n"
@@ -636,6 +655,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if behind == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
+    "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p)); // #if depth == WINDOW && oblique\n"
     "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
     "    return mix(z, vec3(SSGI_FAR), lessThanEqual(z, vec3(0.0))); // #if depth != WINDOW\n}\n" },
 { "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
@@ -717,7 +737,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// unit view-space normal at a pixel whose point is P\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
-    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !world_normals\n}\n#endif\n" },
+    "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0)); // #if left_handed && !world_normals\n"
+    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !left_handed && !world_normals\n}\n#endif\n" },
 { "ssgi_noise", __LINE__, "// in [0,1): x turns the directions, y offsets the steps\n"
     "vec2 ssgi_noise(ivec2 p) {\n"
     "#if noise == GRADIENT\n"
@@ -2217,7 +2238,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, so that a texture has one unit in every variant of a pass: textures that meet in a pass
-   differ in theirs. Locations of outputs and attributes, and places of captures, count up in this order. */
+   differ in theirs. Locations of outputs and attributes, and places of captures, count up in this order.
+   bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
 typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
 
 #define SSGI_GL__C(name, field) { NULL, 0, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
@@ -2226,6 +2248,7 @@ typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } s
 #define SSGI_GL__P(member, type, units) SSGI_GL__IN(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
 #define SSGI_GL__V(member, type, units) SSGI_GL__IN(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
 #define SSGI_GL__T(name, unit, when, type, is) { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__Y(name, unit, when, type, is) { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
 #define SSGI_GL__O(name, when, type, is)       { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
 #define SSGI_GL__A(name, type, is)             { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
 #define SSGI_GL__K(name, type, is)             { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
@@ -2264,12 +2287,17 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
     SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
     SSGI_GL__P(last_from, "mat4", "and back"),
+    SSGI_GL__P(oblique, "vec2", "window depth per pixel"), SSGI_GL__P(slice, "int", "of your textures"),
     SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
     SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
     SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
-    SSGI_GL__T("depth", 0, NULL, "sampler2D", "hardware depth (any, compare mode off) or R32F view depth, NEAREST"),
-    SSGI_GL__T("normal", 1, "!receiver", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
+    SSGI_GL__Y("depth", 0, "!multisampled", "sampler2D", "hardware depth (any, compare mode off) or R32F view depth, "
+               "NEAREST"),
+    SSGI_GL__Y("normal", 1, "!receiver && !multisampled", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal "
+               "says, NEAREST"),
+    SSGI_GL__T("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
+    SSGI_GL__T("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
     SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
     SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
@@ -2284,22 +2312,22 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
     SSGI_GL__T("bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
-    SSGI_GL__T("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
-    SSGI_GL__T("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
+    SSGI_GL__Y("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
+    SSGI_GL__Y("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__T("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
-    SSGI_GL__T("back", 13, "behind != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
-    SSGI_GL__T("back", 13, "behind == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
+    SSGI_GL__Y("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
+    SSGI_GL__Y("back", 13, "behind != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
+    SSGI_GL__Y("back", 13, "behind == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
                "back face; next front face behind it; next back face behind that"),
     SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
-    SSGI_GL__T("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
+    SSGI_GL__Y("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
     SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
     SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
     SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
     SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
     SSGI_GL__T("history", 2, NULL, "sampler2D", "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
     SSGI_GL__T("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
-    SSGI_GL__T("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
+    SSGI_GL__Y("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
     SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
     SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
@@ -2387,6 +2415,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
     SSGI_GL__B(orthographic), SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
+    SSGI_GL__B(left_handed), SSGI_GL__B(oblique), SSGI_GL__B(multisampled), SSGI_GL__B(array),
     SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"), SSGI_GL__I(samples, 64, "0..64"),
     SSGI_GL__I(steps, 64, "0..64"),
     SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
@@ -2465,6 +2494,9 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.shading: a mean direction needs one vector (desc.transfer) of 2 bands or more" },
     { "restore == RATIO && transfer == BOTH && (pass == SHADE || (pass == S3HO && shaded))",
       "desc.restore: what blockers reflect may exceed unoccluded light: SSGI_GL_RESTORE_DIFFERENCE" },
+    { "multisampled && (dialect == 300ES || array || receiver)",
+      "desc.multisampled: not in SSGI_GL_300ES, nor with desc.array or desc.receiver: resolve to plain textures" },
+    { "array && (layers > 1 || receiver)", "desc.array: hidden layers (desc.layers, .receiver) are slices themselves" },
     { "receiver && normal == FROM_DEPTH", "desc.receiver: hidden layers need their normals" },
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
@@ -2769,6 +2801,7 @@ typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL_
 /* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
+    const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
     int i;
@@ -2779,17 +2812,19 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         const ssgi_gl__code *code = &ssgi_gl__library[i];
         ssgi_gl__reader r;
         const char *line;
+        if (names.custom && decodes) ssgi_gl__named(&names, "ssgi_decode", 11, 1);
         if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0)) continue;
         for (r = ssgi_gl__read(code, d); (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1)
             ssgi_gl__scan(&names, line, line + n);
     }
-    for (i = 0; i < SSGI_GL__ROWS; ++i) {
+    for (i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
         const char *when = row->when;
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0)
                      && (!when || ssgi_gl__any(&when, d));
+        if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
-    stage->fetch = names.custom;
+    stage->fetch = (unsigned char)(names.custom << decodes);        /* 2: your text calls ssgi_decode */
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
@@ -2818,7 +2853,8 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
 {
     static const char *const words[][2] = {
         { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
-        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" } };
+        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" },
+        { "sampler2DMS", "texture2DMS" } };
     size_t i;
     for (i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
@@ -2838,6 +2874,8 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         if (!used) continue;
         if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(&p->d, io.offset); io.offset = 0; }
         else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
+        else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
+            io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
             continue;                           /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
@@ -2956,10 +2994,19 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
         if (!stage->code[i]) continue;
         ssgi_gl__print(t, "\n");
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
+            const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
             if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
             last = r.line;
-            if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, n, place);
-            else ssgi_gl__put(t, line, n);
+            for (;;) {
+                const size_t part = yours && yours < line + n ? (size_t)(yours - line) : n;
+                if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+                else ssgi_gl__put(t, line, part);
+                if (part == n) break;
+                ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
+                n -= part + 19;                         /* ", p + u_ssgi_origin" */
+                line = yours + 19;
+                yours = NULL;
+            }
             ssgi_gl__put(t, "\n", 1);
         }
         if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
@@ -2977,6 +3024,8 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     int i;
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
     ssgi_gl__print(t, dialect->head);
+    for (i = 0; i < n && strcmp(io[i].type, "sampler2DMS"); ++i) {}
+    if (*dialect->head == 'p' && i < n) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
     for (i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
     ssgi_gl__print_block(t, io, n, 0, dialect->set);
@@ -2990,6 +3039,7 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
             ssgi_gl__print(t, "layout(%sbinding = %d) ", dialect->set, io[i].slot + dialect->textures);
         ssgi_gl__print(t, "%s %s %s; // %s\n", words[kind], io[i].type, io[i].name, io[i].format);
     }
+    if (p->stage[stage].fetch > 1) ssgi_gl__print(t, "\nfloat ssgi_decode(float d);\n");
     if (d->fetch && p->stage[stage].fetch) ssgi_gl__print(t, "\n%s\n", d->fetch);
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
@@ -3111,6 +3161,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     memcpy(f.unproject, view->unproject, sizeof f.unproject);
     memcpy(f.decode, view->depth, sizeof view->depth);
     f.decode[2] = view->clear;
+    memcpy(f.oblique, view->oblique, sizeof f.oblique);
     f.size[0] = view->width;
     f.size[1] = view->height;
     f.radius = radius;
@@ -3284,6 +3335,10 @@ static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
     decode[3] = (float)view->orthographic;
 }
 
+#define SSGI_GL__STRAIGHT(view) \
+    SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
+                   "view: its near plane must not be oblique; only the picture's may be")
+
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why)
@@ -3291,6 +3346,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
     SSGI_GL__THERE(extra_world_to_view);
+    SSGI_GL__STRAIGHT(view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(views->to[i], views->from[i], view, main_world_to_view, extra_world_to_view, why));
     ssgi_gl__decode(views->decode[i], view);
     const float size[4] = { (float)view->width, (float)view->height, 2.0f * ssgi_pixel_footprint(view, 1.0f), 0.0f };
@@ -3327,6 +3383,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
     SSGI_GL__THERE(light_world_to_view);
+    SSGI_GL__STRAIGHT(view);
     SSGI_GL__TRY(ssgi_gl__to_pixels(to, from, view, main_world_to_view, light_world_to_view, why));
     for (int i = 0; i < 12; ++i) light->map[i / 4][i % 4] = to[4 * (i % 4) + i / 4];
     light->patch = ssgi_pixel_footprint(view, 1.0f);
@@ -3342,7 +3399,7 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 {
     ssgi_field_limits l;
     ssgi_gl_occluder c;
-    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 }, turn = 0.0;  /* turn: the determinant */
+    double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
     const float *m = mesh_to_view;
     SSGI_GL__THERE(occluder);
     SSGI_GL__CHECK(field && field->texels && field->resolution >= 2,
@@ -3356,18 +3413,14 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
     SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
     SSGI_GL__CHECK(l.power > 0.0f && l.power < SSGI_FAR, "limits.power: must be above 0 and finite");
     SSGI_GL__CHECK(ssgi_gl__finite(m), "mesh_to_view: must be finite");
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, n = (i + 2) % 3;
+    for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
             square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
-            across[i] += (double)m[4 * i + k] * (double)m[4 * j + k];
+            across[i] += (double)m[4 * i + k] * (double)m[4 * ((i + 1) % 3) + k];
         }
-        turn += (double)m[i] * ((double)m[4 + j] * (double)m[8 + n] - (double)m[4 + n] * (double)m[8 + j]);
-    }
     for (int i = 0; i < 3; ++i)
-        SSGI_GL__CHECK(turn > 0.0 && square[i] > 1e-30 && square[i] < 1.002 * square[0]
-                       && square[i] > 0.998 * square[0] && across[i] < 1e-3 * square[0]
-                       && across[i] > -1e-3 * square[0],
+        SSGI_GL__CHECK(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
+                       && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
                        "mesh_to_view: must be a rotation, a translation and a uniform scale");
     memset(&c, 0, sizeof c);
     for (int i = 0; i < 3; ++i) {       /* the inverse: transposed over the squared scale */
@@ -3446,10 +3499,10 @@ static int ssgi_gl__format_of(const ssgi_gl_chain *chain, const ssgi_gl_desc *d,
     return wide ? SSGI_GL__RGBA32F : SSGI_GL__RGBA16F;
 }
 
-static unsigned ssgi_gl__target(const char *type)
+static unsigned ssgi_gl__target(const char *type)       /* GL_TEXTURE_2D, _2D_ARRAY, _2D_MULTISAMPLE */
 {
-    return strstr(type, "2DMSArray") ? 0x9102u : strstr(type, "2DMS") ? 0x9100u : strstr(type, "Array") ? 0x8c1au
-         : 0x0de1u;
+    const char end = type[strlen(type) - 1];
+    return end == 'y' ? 0x8c1au : end == 'S' ? 0x9100u : 0x0de1u;
 }
 
 /* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
@@ -3785,6 +3838,7 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
+    if (in && in->target == 0x9100u) return NULL;           /* samples are not filtered */
     if (in && is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
     if (in && is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
     return in && is->compare ? "must have GL_NONE as its compare mode" : NULL;

@@ -83,7 +83,11 @@ const choice choices[] = { { "", 0, 0 },
                            CHOICE("vectors", colour, SSGI_GL_COEFFICIENTS),
                            CHOICE("motion", motion, 1),
                            CHOICE("gaussian", filter, SSGI_GL_GAUSSIAN),
-                           CHOICE("normals", filter_normals, 1) };
+                           CHOICE("normals", filter_normals, 1),
+                           CHOICE("lefthanded", left_handed, 1),
+                           CHOICE("oblique", oblique, 1),
+                           CHOICE("multisampled", multisampled, 1),
+                           CHOICE("array", array, 1) };
 const int choices_count = (int)(sizeof choices / sizeof choices[0]);
 
 const variant variants[] = {

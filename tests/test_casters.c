@@ -405,7 +405,7 @@ static void refusals(void)
         if (k == 9) l.inside = 1.1f;
         if (k == 10) l.power = 0;
         if (k == 11) for (int i = 0; i < 3; ++i) m[i] *= 1.1f;
-        if (k == 12) for (int i = 0; i < 3; ++i) m[i] = -m[i];
+        if (k == 12) m[4] += m[0];
         if (k == 13) m[13] = INFINITY;
         occluder = was;
         CHECK(ssgi_gl_occluder_set(k ? &occluder : NULL, k == 1 ? &none : f, &l, k == 2 ? NULL : m,
@@ -417,6 +417,15 @@ static void refusals(void)
                   && !strncmp(why, names[k], strlen(names[k])) && !memcmp(&occluder, &was, sizeof was),
               "%d: \"%s\" (expected %s)", k, why, names[k]);
     }
+    placed(m, 1, 2, 0, 0, -5);
+    for (int i = 2; i < 16; i += 4) m[i] = -m[i];          /* a left-handed engine's */
+    CHECK(ssgi_gl_occluder_set(&occluder, f, &fine, m, 0, 0, NULL) == SSGI_OK, "a mirrored occluder is refused");
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            float to = 0;
+            for (int j = 0; j < 3; ++j) to += occluder.to_field[i][j] * m[4 * k + j];
+            CHECK(fabsf(to - (float)(i == k)) < 1e-6f, "a mirrored occluder: %d %d is %g", i, k, (double)to);
+        }
     kit_scene_free(&scene);
 }
 

@@ -156,7 +156,18 @@ static void names(void)
         CHECK((defines || !strcmp(c->name, "SSGI_KERNEL")) && !others, "%s: its text defines %s", c->name,
               defines ? "something else, too" : "something else");
     }
-    for (int r = 0; r < ROWS; ++r) CHECK(named[r], "row %s: nothing can name it", ssgi_gl__rows[r].io.name);
+    for (int r = 0; r < ROWS; ++r)         /* the emitter names one itself: see >>library */
+        CHECK(named[r] || !strcmp(ssgi_gl__rows[r].io.name, "u_ssgi_slice"), "row %s: nothing can name it",
+              ssgi_gl__rows[r].io.name);
+    for (int r = 0; r < ROWS; ++r) {       /* a texture of yours is where the emitter would put a slice in */
+        char at[80];
+        int fetched = 0;
+        snprintf(at, sizeof at, "%s, p + u_ssgi_origin, 0", ssgi_gl__rows[r].io.name);
+        for (int i = 0; i < CODES; ++i) fetched |= strstr(ssgi_gl__library[i].text, at) != NULL;
+        CHECK(!fetched || ssgi_gl__rows[r].bytes == 1 || strstr(ssgi_gl__rows[r].io.type, "DMS")
+                  || strstr(ssgi_gl__rows[r].io.type, "Array"),
+              "%s is fetched at u_ssgi_origin and no texture of yours", ssgi_gl__rows[r].io.name);
+    }
     for (int r = 1; r < ROWS; ++r) {
         const ssgi_gl_io *a = &ssgi_gl__rows[r - 1].io, *b = &ssgi_gl__rows[r].io;
         CHECK(a->kind != SSGI_GL_PARAM || b->kind != SSGI_GL_PARAM || a->slot != b->slot || a->offset < b->offset,
@@ -190,8 +201,8 @@ static void reflection(void)
               end[io->slot]);
         end[io->slot] = io->offset + ssgi_gl__rows[i].bytes;
     }
-    CHECK(end[0] == sizeof(ssgi_gl_frame) && end[1] == sizeof(ssgi_gl_views), "members end at %zu and %zu", end[0],
-          end[1]);
+    CHECK((end[0] + 15) / 16 * 16 == sizeof(ssgi_gl_frame) && end[1] == sizeof(ssgi_gl_views),
+          "members end at %zu and %zu", end[0], end[1]);
     CHECK(!strcmp(ssgi_gl_member_at(0)->name, "u_ssgi_project") && !ssgi_gl_member_at(-1) && !ssgi_gl_member_at(99),
           "members");
     for (int pass = 0; pass < SSGI_GL_PASSES; ++pass)

@@ -105,8 +105,8 @@ static int shine(kit_run *run)
         const size_t texels = (size_t)held[k].width * (size_t)held[k].height;
         uint32_t *word = malloc(2 * texels * (size_t)held[k].slices * sizeof *word + 1);
         for (int s = 0; s < held[k].slices; ++s)
-            if (!CHECK(!kit_texture_slice_read(kit_run_input(run, held[k].array, 0), s, held[k].width, held[k].height, 2,
-                                               (float *)(word + 2 * texels * (size_t)s)),
+            if (!CHECK(!kit_texture_slice_read(kit_run_input(run, held[k].array, 0), s, held[k].width,
+                                               held[k].height, 2, (float *)(word + 2 * texels * (size_t)s)),
                        "senders cannot be read"))
                 return 0;
         for (size_t i = 0; i < texels * (size_t)held[k].slices; ++i) word[2 * i] = one;

@@ -110,11 +110,10 @@ static void views(void)
 static void bad_views(void)
 {
     static const struct { int at; float value; const char *what;
-    } wrong[] = { { 0, NAN, "not finite" },  { 14, INFINITY, "not finite" }, { 11, 1, "along +z" },
-                  { 11, 0, "no w" },         { 3, 0.1f, "w of x" },          { 7, 0.1f, "w of y" },
-                  { 15, 1, "w of both" },    { 1, 0.1f, "skewed" },          { 4, 0.1f, "skewed" },
-                  { 2, 0.1f, "skewed" },     { 6, 0.1f, "skewed" },          { 0, 0, "flat" },
-                  { 5, 0, "flat" },          { 14, 0, "no depth" },          { 14, 1e-42f, "too small" },
+    } wrong[] = { { 0, NAN, "not finite" }, { 14, INFINITY, "not finite" }, { 11, 0, "no w" },
+                  { 3, 0.1f, "w of x" },    { 7, 0.1f, "w of y" },          { 15, 1, "w of both" },
+                  { 1, 0.1f, "rolled" },    { 4, 0.1f, "rolled" },          { 0, 0, "flat" },
+                  { 5, 0, "flat" },         { 14, 0, "no depth" },          { 14, 1e-42f, "too small" },
                   { 0, 1e-42f, "too small" } };
     float good[16], m[16];
     const layout l = layout_at(0, 1, 100);
@@ -179,6 +178,69 @@ static void rigid(float m[16], const float z[3])
 static void through(const float m[16], const float p[3], float w, float out[3])
 {
     for (int i = 0; i < 3; ++i) out[i] = m[i] * p[0] + m[4 + i] * p[1] + m[8 + i] * p[2] + m[12 + i] * w;
+}
+
+/* Left-handed: z is all that changes. Oblique: what the matrix, in double, makes of a point comes back. */
+static void engines_views(void)
+{
+    for (int i = 0; i < LAYOUTS; ++i) {
+        const layout l = layout_at(i, 1, 100);
+        float m[16], last[16];
+        ssgi_view right, left, view;
+        int seen = 0;
+        matrix(m, &l, i);
+        memcpy(last, m, sizeof m);
+        for (int k = 8; k < 12; ++k) last[k] = -last[k];
+        if (!CHECK(ssgi_view_from_projection(&right, m, l.clip, 1920, 1080, NULL) == SSGI_OK
+                       && ssgi_view_from_projection(&left, last, l.clip, 1920, 1080, NULL) == SSGI_OK,
+                   "%s, left-handed: refused", l.name))
+            continue;
+        CHECK(!memcmp(&left, &right, sizeof left), "%s: left-handed is another view", l.name);
+        m[2] = 0.2f * m[0];
+        m[6] = -0.3f * m[0];
+        if (!CHECK(ssgi_view_from_projection(&view, m, l.clip, 1920, 1080, NULL) == SSGI_OK, "%s, oblique: refused",
+                   l.name))
+            continue;
+        for (int k = 0; k < 2000; ++k) {
+            const float pixel[2] = { uniform(0, 1920), uniform(0, 1080) }, z = expf(uniform(-1, 5));
+            float p[3];
+            ssgi_view_position(&right, pixel[0], pixel[1], z, p);
+            const double w = (double)m[11] * (double)p[2] + (double)m[15],
+                         clip = (double)m[2] * (double)p[0] + (double)m[6] * (double)p[1]
+                                + (double)m[10] * (double)p[2] + (double)m[14],
+                         window = l.clip == SSGI_CLIP_GL ? 0.5 * clip / w + 0.5 : clip / w;
+            if (window <= 0 || window >= 1 || (float)window == view.clear) continue;
+            const double x = fabs((double)pixel[0] * (double)view.oblique[0]),
+                         y = fabs((double)pixel[1] * (double)view.oblique[1]),
+                         lost = 3e-7 * (fabs((double)view.depth[0]) + fabs((double)view.depth[1]) * (1 + x + y)),
+                         back = (double)ssgi_view_depth_at(&view, pixel[0], pixel[1], (float)window);
+            CHECK(fabs(back - (double)z) <= (l.ortho ? lost : (double)z * fmax(back, (double)z) * lost),
+                  "%s, oblique: depth %.9g of %g", l.name, back, (double)z);
+            CHECK(ssgi_view_near(&view) <= z * 1.0001f, "%s, oblique: the near plane at %g, a point at %g", l.name,
+                  (double)ssgi_view_near(&view), (double)z);
+            ++seen;
+        }
+        CHECK(seen > 200, "%s: an oblique view shows %d points", l.name, seen);
+    }
+}
+
+/* In a world with z mirrored the camera is mirrored, too. */
+static void mirrored_cameras(void)
+{
+    for (int t = 0; t < 100; ++t) {
+        const float centre[2][3] = { { 1, 2, 3 }, { 1, 2, -3 } };
+        float z[3], main_view[2][16], view[2][16], clip[16], offset[3];
+        direction(z);
+        rigid(main_view[0], z);
+        memcpy(main_view[1], main_view[0], sizeof main_view[0]);
+        for (int k = 8; k < 12; ++k) main_view[1][k] = -main_view[0][k];
+        direction(offset);
+        for (int i = 0; i < 2; ++i)
+            CHECK(ssgi_extra_camera(view[i], clip, main_view[i], centre[i], 1, offset, NULL) == SSGI_OK, "refused");
+        for (int k = 0; k < 16; ++k)
+            CHECK(fabsf(view[0][k] - (k / 4 == 2 ? -1.0f : 1.0f) * view[1][k]) < 2e-5f, "element %d: %g, mirrored %g",
+                  k, (double)view[0][k], (double)view[1][k]);
+    }
 }
 
 static void extra_cameras(void)
@@ -728,6 +790,7 @@ static void rotations(void)
             both[16];
         for (int i = 0; i < 5 * MOST; ++i) { f[i] = uniform(-1, 1); turned[i] = twice[i] = at_once[i] = 7; }
         direction(z); rigid(m, z);
+        for (int i = 2; i < 16 && t % 2; i += 4) m[i] = -m[i];     /* mirrored, as left-handed engines' are */
         direction(z); rigid(m2, z);
         for (int i = 0; i < 4; ++i) through(m2, m + 4 * i, 0, both + 4 * i);
         ssgi_sh_rotate(turned, bands, f, channels, m);
@@ -1201,6 +1264,10 @@ void test_math(void)
 {
     RUN("views: every layout decodes its depth, and pixels come back, as by the matrix in double", views);
     RUN("views: bad projections are named and leave the view as it was", bad_views);
+    RUN("views: left-handed ones are right-handed with z negated; oblique near planes decode as by the matrix in "
+        "double",
+        engines_views);
+    RUN("additional cameras are mirrored where the main one is", mirrored_cameras);
     RUN("additional cameras hold the sphere, centred and no wider, with the main camera's up", extra_cameras);
     RUN("kernels: counts sum to 1, one length a stratum, unit directions, moments of their shape", kernels);
     RUN("points are spread far better than random", evenness);

@@ -661,6 +661,211 @@ static void same_picture(void)
     for (int w = 0; w < WAYS; ++w) if (w != REVERSED) t_note("%s: RMSE %.1e", names[w], worst[w]);
 }
 
+/* ---- what engines have: the same picture from a left-handed camera, drawn upside down, through an oblique near plane,
+   from the first of several samples, from a slice, through a text that decodes by ours --------------------------- */
+
+enum { ENGINE_W = 240, ENGINE_H = 136, ENGINE = ENGINE_W * ENGINE_H };
+
+/* The run's gather, its choices changed, on another G-buffer. */
+static int otherwise(kit_image *out, kit_run *run, kit_gbuffer *g, ssgi_gl_desc d, float radius, int slice)
+{
+    kit_pass *p = &run->pass[0];
+    const GLuint was = p->program;
+    int ok = fit(run, g, radius, 0);
+    run->frame.slice = slice;
+    p->program = kit_pass_program(&d, &err);
+    ok = ok && TRY(!p->program) && draw(out, run);
+    glDeleteProgram(p->program);
+    p->program = was;
+    run->frame.slice = 0;
+    return ok;
+}
+
+/* The pixels that differ by more than a bound, the second picture upside down. */
+static int apart(const kit_image *a, const kit_image *b, float most, int turned)
+{
+    int n = 0;
+    for (int i = 0; i < ENGINE; ++i) {
+        const int k = turned ? (ENGINE_H - 1 - i / ENGINE_W) * ENGINE_W + i % ENGINE_W : i;
+        n += !(fabsf(a->data[i] - b->data[k]) <= most);
+    }
+    return n;
+}
+
+/* Two textures of four samples, bound where the gather reads them: the first sample of each is what the G-buffer has,
+   the others are nonsense. */
+static int sampled(GLuint texture[2], const kit_gbuffer *g)
+{
+    static const char *const source[2] = {
+        "#version 430\nvoid main() {\n"
+        "    gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0);\n}\n",
+        "#version 430\nlayout(binding = 0) uniform sampler2D depth;\nlayout(binding = 1) uniform sampler2D normal;\n"
+        "out vec4 n;\nvoid main() {\n    ivec2 p = ivec2(gl_FragCoord.xy);\n"
+        "    gl_FragDepth = gl_SampleID == 0 ? texelFetch(depth, p, 0).x : 0.3;\n"
+        "    n = gl_SampleID == 0 ? texelFetch(normal, p, 0) : vec4(0.6, 0.8, 0.0, 0.0);\n}\n"
+    };
+    static const GLenum stages[2] = { GL_VERTEX_SHADER, GL_FRAGMENT_SHADER },
+                        formats[2] = { GL_DEPTH_COMPONENT32F, GL_RGBA32F },
+                        places[2] = { GL_DEPTH_ATTACHMENT, GL_COLOR_ATTACHMENT0 };
+    GLuint program = kit_program(source, stages, 2, &err), framebuffer;
+    if (!TRY(!program)) return 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glGenTextures(2, texture);
+    for (unsigned i = 0; i < 2; ++i) {
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_2D, i ? g->normal : g->depth);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture[i]);
+        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, 4, formats[i], ENGINE_W, ENGINE_H, GL_TRUE);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, places[i], GL_TEXTURE_2D_MULTISAMPLE, texture[i], 0);
+    }
+    glViewport(0, 0, ENGINE_W, ENGINE_H);
+    glUseProgram(program);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    const int ok = CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "no samples");
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteProgram(program);
+    return ok;
+}
+
+/* The projection with a near plane of its own, in view space, the scene beyond it [Lengyel 2005]. */
+static void oblique_plane(float m[16], const double plane[4])
+{
+    const double q[4] = { (copysign(1, plane[0]) + (double)m[8]) / (double)m[0],
+                          (copysign(1, plane[1]) + (double)m[9]) / (double)m[5], -1,
+                          (1 + (double)m[10]) / (double)m[14] };
+    double at = 0;
+    for (int k = 0; k < 4; ++k) at += plane[k] * q[k];
+    for (int k = 0; k < 4; ++k) m[4 * k + 2] = (float)(2 / at * plane[k] + (k == 2 ? 1 : 0));
+}
+
+static void what_engines_have(void)
+{
+    static const float none[4] = { 0, 0, 0, 0 };
+    static float z[2 * ENGINE], n[8 * ENGINE], m[ENGINE], flat_[4 * ENGINE];
+    kit_scene scene;
+    kit_gbuffer g, other;
+    kit_run run = { 0 };
+    kit_image want, got, frame;
+    GLuint texture[2];
+    ssgi_gl_desc d;
+    ssgi_view view;
+    int beyond = 0;
+    if (!load(&scene, ENGINE_W, ENGINE_H)) return;
+    scene.camera.depth = KIT_DEPTH_NORMAL;
+    if (!TRY(kit_gbuffer_from_scene(&g, &scene, &scene.camera, NULL, &err)) || !TRY(kit_gbuffer_read(&frame, &g, &err))
+        || !start(&run, &g, "hsao-best", "steps=4,directions=2,blur=0,noise=texture", scene.radius))
+        return;
+    glBindTexture(GL_TEXTURE_2D, run.noise);               /* upside down noise would be other noise */
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, none);
+    if (!picture(&want, &run, &g, NULL, NULL, scene.radius, 0, 0) || !view_of(&view, &g.camera)
+        || !TRY(kit_texture_read(g.depth, ENGINE_W, ENGINE_H, 1, z))
+        || !TRY(kit_texture_read(g.normal, ENGINE_W, ENGINE_H, 4, n)))
+        return;
+
+    other = g;                                             /* the camera along +z, normals as it has them */
+    for (int k = 8; k < 12; ++k) other.projection[k] = -g.projection[k];
+    for (int i = 0; i < 4 * ENGINE; ++i) flat_[i] = i % 4 == 2 ? -n[i] : n[i];
+    other.normal = kit_texture(ENGINE_W, ENGINE_H, GL_RGBA32F, flat_);
+    d = run.pass[0].desc;
+    d.left_handed = 1;
+    if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
+    CHECK(!apart(&want, &got, 0, 0), "left-handed: %d pixels differ", apart(&want, &got, 0, 0));
+    kit_image_free(&got);
+    glDeleteTextures(1, &other.normal);
+
+    if (sampled(texture, &g)) {
+        d = run.pass[0].desc;
+        d.multisampled = 1;
+        if (!otherwise(&got, &run, &g, d, scene.radius, 0)) return;
+        CHECK(!apart(&want, &got, 0, 0), "multisampled: %d pixels differ", apart(&want, &got, 0, 0));
+        kit_image_free(&got);
+        glDeleteTextures(2, texture);
+    }
+
+    for (int i = 0; i < ENGINE; ++i) z[ENGINE + i] = z[i]; /* slice 0 shows nothing */
+    for (int i = 0; i < 4 * ENGINE; ++i) n[4 * ENGINE + i] = n[i];
+    for (int i = 0; i < ENGINE; ++i) z[i] = 0.5f;
+    for (unsigned i = 0; i < 2; ++i) {
+        texture[i] = kit_texture_array(ENGINE_W, ENGINE_H, 2, i ? GL_RGBA32F : GL_DEPTH_COMPONENT32F, i ? n : z);
+        glActiveTexture(GL_TEXTURE0 + i);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, texture[i]);
+    }
+    d = run.pass[0].desc;
+    d.array = 1;
+    if (!otherwise(&got, &run, &g, d, scene.radius, 1)) return;
+    CHECK(!apart(&want, &got, 0, 0), "a slice: %d pixels differ", apart(&want, &got, 0, 0));
+    kit_image_free(&got);
+    glDeleteTextures(2, texture);
+
+    d = run.pass[0].desc;
+    d.depth = SSGI_GL_DEPTH_CUSTOM;                        /* its sampler is at unit 0, where depth is */
+    d.fetch = "uniform sampler2D my_depth;\nfloat ssgi_custom_depth(ivec2 texel, int layer) {\n"
+              "    return ssgi_decode(texelFetch(my_depth, texel, layer).x);\n}";
+    if (!otherwise(&got, &run, &g, d, scene.radius, 0)) return;
+    CHECK(!apart(&want, &got, 0, 0), "decoded by a text of one's own: %d pixels differ", apart(&want, &got, 0, 0));
+    kit_image_free(&got);
+
+    other = g;
+    oblique_plane(other.projection, (const double[4]) { 0.1, -0.2, -1, -0.05 });
+    for (int i = 0; i < ENGINE; ++i) {
+        const double depth = (double)frame.data[(ENGINE_H - 1 - i / ENGINE_W) * ENGINE_W + i % ENGINE_W],
+                     x = (i % ENGINE_W + 0.5) * (double)view.unproject[0] + (double)view.unproject[2],
+                     y = (i / ENGINE_W + 0.5) * (double)view.unproject[1] + (double)view.unproject[3];
+        const float *p = other.projection;
+        const double window = 0.5 + 0.5 * ((double)p[2] * x + (double)p[6] * y - (double)p[10] + (double)p[14] / depth);
+        m[i] = depth > 0 ? (float)window : 1;
+        beyond += depth > 0 && !(window > 0 && window < 1);
+    }
+    CHECK(!beyond, "%d pixels are outside of the oblique frustum", beyond);
+    other.depth = kit_texture(ENGINE_W, ENGINE_H, GL_DEPTH_COMPONENT32F, m);
+    d = run.pass[0].desc;
+    d.oblique = 1;
+    if (!otherwise(&got, &run, &other, d, scene.radius, 0)) return;
+    t_note("oblique: RMSE %.1e, %d pixels by more than 1/255", difference(&want, &got, 0, 0, 0),
+           apart(&want, &got, 1 / 255.0f, 0));
+    CHECK(difference(&want, &got, 0, 0, 0) <= 5e-4, "an oblique near plane: RMSE %.5f",
+          difference(&want, &got, 0, 0, 0));
+    kit_image_free(&got);
+    glDeleteTextures(1, &other.depth);
+
+    other = g;                                             /* drawn upside down */
+    other.projection[5] = -g.projection[5];
+    other.projection[9] = -g.projection[9];
+    for (int i = 0; i < ENGINE; ++i) {
+        const int k = (ENGINE_H - 1 - i / ENGINE_W) * ENGINE_W + i % ENGINE_W;
+        m[i] = z[ENGINE + k];
+        memcpy(flat_ + 4 * i, n + 4 * k, 4 * sizeof *n);
+    }
+    other.depth = kit_texture(ENGINE_W, ENGINE_H, GL_DEPTH_COMPONENT32F, m);
+    other.normal = kit_texture(ENGINE_W, ENGINE_H, GL_RGBA32F, flat_);
+    for (int k = 0; k < 2; ++k) {
+        kit_image straight;
+        d = run.pass[0].desc;
+        if (k) d.normal = SSGI_GL_NORMAL_FROM_DEPTH;
+        if (!otherwise(&straight, &run, &g, d, scene.radius, 0) || !otherwise(&got, &run, &other, d, scene.radius, 0))
+            return;
+        t_note("upside down%s: %d pixels differ, by more than 1/255 %d", k ? ", normals from depth" : "",
+               apart(&straight, &got, 0, 1), apart(&straight, &got, 1 / 255.0f, 1));
+        CHECK(apart(&straight, &got, 1 / 255.0f, 1) < 4, "upside down%s: %d pixels differ by more than 1/255",
+              k ? ", normals from depth" : "", apart(&straight, &got, 1 / 255.0f, 1));
+        kit_image_free(&straight);
+        kit_image_free(&got);
+    }
+    glDeleteTextures(1, &other.depth);
+    glDeleteTextures(1, &other.normal);
+    glActiveTexture(GL_TEXTURE0);
+    kit_image_free(&want);
+    kit_image_free(&frame);
+    kit_run_close(&run);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
 /* ---- sizes, radii, garbage --------------------------------------------------------------------------------------- */
 
 /* How many pixels of any pass are not in [0,1], or not 1 where nothing holds no depth. */
@@ -1346,6 +1551,8 @@ void test_pipeline(void)
     RUN("taps of a wall are joined: few see it as dark as many", taps_of_a_wall_are_joined);
     RUN("back faces and slabs are what rays meet, and come back from a frame", back_faces_are_drawn);
     RUN("depth layout, units, shift, roll and place in the textures change nothing", same_picture);
+    RUN("what engines have: left-handed, upside down, oblique, sampled, sliced, decoded by a text of one's own",
+        what_engines_have);
     RUN("every size of picture gives sound values, and 1 where nothing is", sizes_do_not_matter);
     RUN("a tiny radius sees nothing, a huge one no nonsense", radii_do_not_matter);
     RUN("garbage in depth and normals stays within [0,1]", garbage_is_survived);

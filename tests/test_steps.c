@@ -266,8 +266,8 @@ static void wrong_things(void)
         if (wrong == 7) target.format = GL_RGBA8;
         const size_t n = ssgi_gl_step_check(why, sizeof why, blur, u, &target);
         /* units exchanged: depth is smaller or of a format that it must not be, and so is the other */
-        CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_") : wrong ? n == strlen(why) && strstr(why, says[wrong]) != NULL
-                                                                     : !n && !*why,
+        CHECK(wrong == 1 ? n && strstr(why, "blur: t_ssgi_")
+                         : wrong ? n == strlen(why) && strstr(why, says[wrong]) != NULL : !n && !*why,
               "%d: \"%s\" (expected %s)", wrong, why, says[wrong]);
     }
     shut(&h);

@@ -1125,7 +1125,8 @@ static void shuffled(void)
     const int wide = d.run.frame.level[0], high = d.run.frame.level[1];
     float *texel = malloc((size_t)(4 * wide * high * LEVELS) * sizeof *texel);
     if (!CHECK(wide == 64 && high == 48, "%d x %d", wide, high)
-        || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_shuffled", 0), wide, high * LEVELS, 4, texel), "it cannot be read"))
+        || !CHECK(!kit_texture_read(kit_run_input(&d.run, "t_ssgi_shuffled", 0), wide, high * LEVELS, 4, texel),
+                  "it cannot be read"))
         return;
     for (int i = 0; i < SW * SH; ++i) surfaces += d.frame.data[i] > 0;
     for (int l = 0; l < LEVELS; ++l) {

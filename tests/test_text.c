@@ -34,7 +34,8 @@ static const choice choices[] = {
     CHOICE(colour, 3, 0, 1),        CHOICE(filter, 2, 0, 1),   CHOICE(filter_normals, 2, 0, 1),
     CHOICE(effect, 5, 0, 1),        CHOICE(sends, 3, 0, 1),    CHOICE(near_samples, 2, 1, 3),
     CHOICE(axis, 2, 0, 1),          CHOICE(restore, 3, 0, 1),  CHOICE(span, 2, 0, 4),
-    CHOICE(motion, 2, 0, 1)
+    CHOICE(motion, 2, 0, 1),        CHOICE(left_handed, 2, 0, 1), CHOICE(oblique, 2, 0, 1),
+    CHOICE(multisampled, 2, 0, 1),  CHOICE(array, 2, 0, 1)
 };
 enum {
     CHOICES = (int)(sizeof choices / sizeof choices[0]),
@@ -595,7 +596,8 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
                *outside =
                    "uniform \0layout(binding\0layout(std140\0layout(location\0const int \0out vec4 o_\0in vec4 a_\0";
     int es = is_es(d), vulkan = d->dialect == SSGI_GL_VULKAN,
-        bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0;
+        bindings = d->dialect == SSGI_GL_450 || d->dialect >= SSGI_GL_310ES, block = -1, last = -1, precisions = 0,
+        multisampled = 0;
     uint64_t found = 0;
     size_t offset = 0;
     if (!CHECK(end, "%s: no end of the declarations", describe(d))) return 0;
@@ -650,6 +652,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
             io.kind = SSGI_GL_TEXTURE;
             if (vulkan) io.slot -= 2;
         }
+        multisampled |= !strcmp(type, "sampler2DMS");
         int at = 0;
         while (at < rows && (found >> at & 1 || (has_vertices(d) && strcmp(row[at].name, name)))) ++at;
         int same =
@@ -666,7 +669,7 @@ static uint64_t compare_rows(const char *text, const ssgi_gl_desc *d, const ssgi
         CHECK((vulkan && !strcmp(w, "layout(location")) || !strstr(end, strcat(start, w)),
               "%s: a declaration after the declarations: %s", describe(d), w);
     }
-    CHECK(precisions == (es ? 6 : 0), "%s: %d precisions", describe(d), precisions);
+    CHECK(precisions == (es ? 6 + multisampled : 0), "%s: %d precisions", describe(d), precisions);
     return found;
 }
 
@@ -1193,7 +1196,7 @@ static void lint(void)
 #define INT(field, most) { "desc." #field ":", offsetof(ssgi_gl_desc, field), most }
 static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
-             INT(pass, 16),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
+             INT(pass, 17),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
              INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(behind, 3),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
@@ -1203,7 +1206,8 @@ static const struct { const char *start; size_t offset; int most;
              INT(radiance, 3),      INT(objects, 2),       INT(effect, 4),         INT(levels, 7),  INT(tessellate, 1),
              INT(sends, 2),         INT(near_samples, 16), INT(axis, 1),           INT(half, 1),    INT(colour, 2),
              INT(filter, 1),        INT(filter_radius, 4), INT(filter_normals, 1), INT(lines, 1),   INT(restore, 2),
-             INT(span, 64),         INT(motion, 1)
+             INT(span, 64),         INT(motion, 1),        INT(left_handed, 1),    INT(oblique, 1), INT(array, 1),
+             INT(multisampled, 1),  INT(onto, 3)
 };
 enum { INTS = (int)(sizeof ints / sizeof ints[0]) };
 
@@ -1232,6 +1236,11 @@ static void sentences(void)
         { "desc.receiver:", { .pass = SSGI_GL_SENDERS, .layers = 3, .receiver = 3 } },
         { "desc.receiver:",
           { .pass = SSGI_GL_LIGHTS, .layers = 2, .receiver = 1, .normal = SSGI_GL_NORMAL_FROM_DEPTH } },
+        { "desc.multisampled:", { .multisampled = 1, .dialect = SSGI_GL_300ES } },
+        { "desc.multisampled:", { .multisampled = 1, .array = 1 } },
+        { "desc.multisampled:", { .pass = SSGI_GL_SENDERS, .multisampled = 1, .layers = 2, .receiver = 1 } },
+        { NULL, { .multisampled = 1, .dialect = SSGI_GL_310ES } },
+        { "desc.array:", { .layers = 2, .array = 1 } },
         { "desc.fetch:", { .depth = SSGI_GL_DEPTH_CUSTOM } },
         { "desc.fetch:", { .normal = SSGI_GL_NORMAL_CUSTOM } },
         { "desc.fetch:", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_CUSTOM } },
@@ -1267,7 +1276,8 @@ static void sentences(void)
                                .fetch = FETCH },
                          was;
             if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
-            if (ints[i].offset == offsetof(ssgi_gl_desc, behind)) d.layers = 0;
+            if (ints[i].offset == offsetof(ssgi_gl_desc, behind) || ints[i].offset == offsetof(ssgi_gl_desc, array))
+                d.layers = 0;
             set(&d, ints[i].offset, ints[i].most);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "%s %d is refused: %s", ints[i].start, ints[i].most, why);
             set(&d, ints[i].offset, value[k]);
@@ -1464,7 +1474,7 @@ static void fuzz(void)
         }
         emitted += !bad;
         CHECK(bad ? !rows && !ssgi_gl_key(&d) && !ssgi_gl_field(NULL, 0, &d)
-                  : rows > 3 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
+                  : rows >= 3 && rows <= SSGI_GL_MAX_IO && ssgi_gl_key(&d) && ssgi_gl_field(NULL, 0, &d),
               "%s: %d rows", bad ? "refused" : describe(&d), rows);
         CHECK(stages == there && whole, "%s: stages %x, of the pass %x, whole: %d", bad ? "refused" : describe(&d),
               (unsigned)stages, (unsigned)there, whole);

@@ -96,6 +96,10 @@ static void cameras(void)
         if (!any_view(&view, ortho)) return;
         rigid(picture);
         rigid(other);
+        for (int k = 2; k < 16 && i % 4 > 1; k += 4) {     /* both mirrored, as left-handed engines' are */
+            picture[k] = -picture[k];
+            other[k] = -other[k];
+        }
         memset(&was, 0x5a, sizeof was);
         memset(&bare, 0x5a, sizeof bare);
         v = was;

@@ -49,7 +49,8 @@
     X(GetTexLevelParameteriv, GETTEXLEVELPARAMETERIV) \
     X(MemoryBarrier, MEMORYBARRIER) X(PatchParameteri, PATCHPARAMETERI)
 #define KIT_GL_DESKTOP(X) \
-    X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V)
+    X(ClipControl, CLIPCONTROL) X(GetBufferSubData, GETBUFFERSUBDATA) X(GetQueryObjectui64v, GETQUERYOBJECTUI64V) \
+    X(TexImage2DMultisample, TEXIMAGE2DMULTISAMPLE)
 #if defined(__GNUC__)
 #define KIT_GL_HIDDEN __attribute__((visibility("hidden")))   /* else Mesa's own calls could land on these pointers */
 #else

@@ -485,7 +485,8 @@ static int add_harmonic_light(kit_making *m, int indirect)
     if (chain.desc.restore) bounce.desc.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.restore = bounce.desc.restore;
     if (m->rows[0] && kit_method_value(m->method, "lights") > 0) chain.lights = m->lights;
-    if ((indirect && kit_add_steps(m, &bounce, 0, &run->bounce, NULL)) || kit_add_steps(m, &chain, joint, &run->light, NULL))
+    if ((indirect && kit_add_steps(m, &bounce, 0, &run->bounce, NULL))
+        || kit_add_steps(m, &chain, joint, &run->light, NULL))
         return -1;
     if (joint) {
         const kit_pass *last = &run->pass[run->passes - 1];

@@ -122,7 +122,8 @@ static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textur
     }
     glDrawBuffers(step->outputs, attachment);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(), ssgi_gl_pass_name(step->desc.pass));
+        kit_fail(m->err, "%s cannot draw into the targets of pass %s", kit_gl_name(),
+                 ssgi_gl_pass_name(step->desc.pass));
         return NULL;
     }
     for (int i = 0; i < step->outputs; ++i)
@@ -511,7 +512,9 @@ void kit_run_draw(kit_run *run, int timed)
             glBlendFunc(step->blend[1], step->blend[2]);
         }
         if (p->array) kit_draw_surfels(run, p);
-        else glDrawArraysInstanced(step->primitive, 0, step->vertices, step->instances ? step->instances : p->instances);
+        else
+            glDrawArraysInstanced(step->primitive, 0, step->vertices,
+                                  step->instances ? step->instances : p->instances);
         glDisable(GL_BLEND);
         if (timed && !p->aside) p->ms = kit_timer_end();
         if (p->box[2]) glDisable(GL_SCISSOR_TEST);

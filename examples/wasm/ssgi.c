@@ -94,6 +94,13 @@ char *strchr(const char *s, int c)
     return *s == (char)c ? (char *)(uintptr_t)s : NULL;
 }
 
+char *strstr(const char *s, const char *part)
+{
+    const size_t n = strlen(part);
+    while (*s && strncmp(s, part, n)) ++s;
+    return *s || !n ? (char *)(uintptr_t)s : NULL;
+}
+
 size_t strcspn(const char *s, const char *stop)
 {
     size_t n = 0;
