@@ -3536,7 +3536,10 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    .near_samples, .behind; frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth; light.least
    -> .min_distance. Removed: SH product, deringing, sky; cap tables, 16-bit and cube-map fields, solid-angle
    measure; surfels' shrink, jitter, enlarge, overlap; splat_predict, materials, dipole_total, jitter_tile,
-   field_peek, radius_guess, normal_offset, shadow_patch, shadow_bias. */
+   field_peek, radius_guess, normal_offset, shadow_patch, shadow_bias.
+   New: slices (hsao, ssdo, s3ho), desc.behind BACK and SLABS, .restore, .span, .onto, .motion, .left_handed, .oblique,
+   .multisampled, .array; passes HISTORY and COMPOSE; SSGI_GL_VULKAN; ssgi_gl_steps, _step_check, _resolve, _choice_at,
+   _member_at, _frame_history, _phase. ssgi_gl_frame grew by history, last_to, last_from, oblique, slice. */
 
 /* --------------------------------------------------------------------------------------------------------------
    This software is available under two licences; choose the one you like.
