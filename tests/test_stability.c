@@ -40,6 +40,7 @@ static const struct bounded {
     { "over frames: what appears is seen at once",
       "kept-appear",
       { { "hsao-fast-history", 0.5, 1.1 }, { "hsao-2x8-history", 0.5, 1.1 } } },
+    { "over frames: a box that leaves leaves no trail", "kept-trail-jump", { { "hsao-fast-history", 1e-4, 0.01 } } },
     { "ringing: none with the positive window",
       "sh-shade",
       { { "4 bands", 0.05, 0.2 }, { "4 bands, Hann", 0, 0.03 }, { "4 bands, positive", 0, 1e-4 } } },
