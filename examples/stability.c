@@ -367,6 +367,22 @@ static void only_new(shot *s, const shot *last)
     }
 }
 
+/* How much of what was before is still seen: where the truth has changed, the picture's mean difference from the frame
+   alone, counted toward what was. */
+static double remains(const shot *s, const shot *before, int m)
+{
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < s->frame.width * s->frame.height; ++i) {
+        const float now = values_of(&s->truth[0])[i], was = values_of(&before->truth[0])[i];
+        if (!(s->mask[i] > 0) || !(fabsf(now - was) > 0.05f)) continue;
+        const float d = values_of(&s->picture[m])[i] - values_of(&s->single[m])[i];
+        sum += (double)(was > now ? d : -d);
+        ++count;
+    }
+    return count ? sum / count : 0;
+}
+
 /* A point of every curve, from the frames of one value; the worst is kept as a picture. */
 static int point_of(result *r, int point, const shot *shots, int frames, const look *l, kit_error *err)
 {
@@ -397,7 +413,8 @@ static int point_of(result *r, int point, const shot *shots, int frames, const l
                     if (e > 0) sum[g] += e * e;
                 }
             y = sqrt(sum[0] / sum[1]);
-        } else if (over) {
+        } else if (kind == TRAIL) y = remains(s, &shots[CHANGED - 1], m);
+        else if (over) {
             y = 0;
             for (int k = kind == AFTER ? frames - 1 : 1; k < frames; ++k)
                 y = fmax(y, apart(&shots[k].picture[m], &shots[k].truth[0], shots[k].mask)
@@ -445,9 +462,10 @@ static look look_of(const cause *c, double value, int frame)
 
 static int sweep(result *r, const cause *c, const options *o, const char *what, kit_error *err)
 {
-    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL };
+    static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL };
     static kit_run runs[METHODS][2];
     int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : c->kind == FOLLOWS || c->kind == NEWLY ? FRAMES : 4;
+    if (c->kind == DEVIATION && c->of == KEPT) frames = FRAMES;
     int truths[2] = { 0, 0 }, values = 1;
     memset(r, 0, sizeof *r);
     r->cause = c;
@@ -465,7 +483,7 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
         l = look_of(c, c->value[v], 0);
         if (o->quick && (v % 2 != (values - 1) % 2 || l.width > 1920)) continue;
         r->x[r->points] = c->value[v];
-        if (c->kind == AFTER) frames = CHANGED + (int)c->value[v];
+        if (c->kind == AFTER || c->kind == TRAIL) frames = CHANGED + (int)c->value[v];
         for (int k = 0; k < frames; ++k) {
             l = look_of(c, c->value[v], k);
             if (o->quick) l.rays /= 2;
@@ -484,7 +502,8 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
             }
         }
         for (int m = 0; m < METHODS; ++m) kit_run_close(&runs[m][(frames - 1) & 1]);
-        if (point_of(r, r->points++, shots, frames, &l, err)) return -1;
+        const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* before, there is no history yet */
+        if (point_of(r, r->points++, shots + first, frames - first, &l, err)) return -1;
         for (int k = 0; k < frames; ++k) shot_close(&shots[k]);
     }
     kit_progress(what, 1);
@@ -679,6 +698,8 @@ static const struct { const char *number, *up, *shown;
                 "method, truth, difference (full colour: 0.5)" },
               { "largest error of what is newly seen over that of the frame alone",
                 "error of what is newly seen over that of the frame alone",
+                "method, truth, difference (full colour: 0.5)" },
+              { "most of what was that is left", "what was before and is still seen, of ambient visibility",
                 "method, truth, difference (full colour: 0.5)" } };
 
 static const char *settings(const curve *c) { return c->method < 0 ? "" : methods[c->method].settings; }

@@ -61,8 +61,8 @@ typedef struct look {
 /* How frames become a figure: RMSE to the truth; to the same picture with exact depth; deviation over frames after
    reprojection, less the truth's; second difference over frames; that of light over its mean, less an open
    surface's; with history, RMSE over that of the frame alone, the most of a sequence, so many frames after CHANGED,
-   and, all frames together, where the frame before showed something else. */
-enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY };
+   and, all frames together, where the frame before showed something else; after CHANGED, what is left of what was. */
+enum { ERROR, PRECISION, DEVIATION, SECOND, LIT_SECOND, FOLLOWS, AFTER, NEWLY, TRAIL };
 enum { FRAMES = 16, CHANGED = 8 };
 typedef struct result result;
 typedef struct cause {
@@ -453,6 +453,12 @@ static const cause causes[] = {
       appeared, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
     { "kept-jump", "Over frames: a box is elsewhere at once", "frames after", AFTER, KEPT, 160, 64, 1,
       vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Without motion vectors." },
+    { "kept-trail-appear", "Over frames: a box appears, what is left of the light that was", "frames after", TRAIL,
+      KEPT, 160, 64, 1, appeared, NULL, { 1, 2, 3, 5, 8 }, .about = "Where the truth changed by more than 0.05." },
+    { "kept-trail-jump", "Over frames: a box is elsewhere at once, what is left of what was", "frames after", TRAIL,
+      KEPT, 160, 64, 1, vanished, NULL, { 1, 2, 3, 5, 8 }, .about = "Where the truth changed by more than 0.05." },
+    { "kept-flicker", "Over frames: deviation while the camera moves sideways", "pixels a frame", DEVIATION, KEPT, 160,
+      64, 1, moved, NULL, { 0.1, 0.25, 0.5, 1 }, .about = "Eight frames, after eight that are not counted." },
     { "kept-cut", "Over frames: another view that nobody tells of", "frames after", AFTER, KEPT, 160, 64, 1,
       jumped, NULL, { 1, 2, 3, 5, 8 }, .about = "A cut that is told of starts anew." },
     { "kept-newly", "Over frames: what the frame before did not show", "pixels a frame", NEWLY, KEPT, 160, 64, 1,
