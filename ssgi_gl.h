@@ -2120,10 +2120,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
     "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n}\n" },
-{ "ssgi_from", __LINE__, "// and the point\n"
-    "vec3 ssgi_from(vec2 pixel, float z) {\n"
-    "    return (u_ssgi_last_from * vec4(pixel, z, 1.0)).xyz; // #if orthographic\n"
-    "    return (u_ssgi_last_from * vec4(pixel * z, z, 1.0)).xyz; // #if !orthographic\n}\n" },
 { "ssgi_grey", __LINE__, "float ssgi_grey(vec4 t) {\n"
     "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
     "    return t.x; // #if colour == GREY\n}\n" },
