@@ -1,4 +1,4 @@
-/* fuzz.c - random bytes as descs, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and
+/* fuzz.c - random bytes as descs, chains, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and
    plans. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
@@ -22,6 +22,40 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
     } while (0)
 
 enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE = 16, MOST = 32 * 1024 };
+
+/* A desc that is right as a chain: each texture that is read is yours, or written before, or the last frame's. */
+static void chains(const ssgi_gl_desc *d, const uint8_t *data, size_t size)
+{
+    ssgi_gl_chain chain;
+    const char *why = NULL;
+    memset(&chain, 0, sizeof chain);
+    chain.desc = chain.lights = *d;
+    chain.lights.pass = size > 3 && data[3] & 1 ? SSGI_GL_LIGHTS : 0;
+    chain.width = size > 0 ? 1 + 64 * data[0] : 1;
+    chain.height = size > 1 ? data[1] : 1;
+    for (size_t k = 0; k < (sizeof chain - offsetof(ssgi_gl_chain, blur)) / sizeof(int) && size > 2; ++k) {
+        const int flag = data[2] >> k % 8 & 1;
+        memcpy((char *)&chain + offsetof(ssgi_gl_chain, blur) + k * sizeof flag, &flag, sizeof flag);
+    }
+    const int n = ssgi_gl_steps(NULL, 0, &chain, &why), room = size > 4 && data[4] & 1 ? n : n / 2;
+    MUST(n ? n < 200 : why != NULL);
+    ssgi_gl_step *step = n ? (ssgi_gl_step *)malloc((size_t)(room ? room : 1) * sizeof *step) : NULL;
+    if (!step) return;
+    MUST(ssgi_gl_steps(step, room, &chain, NULL) == n);
+    for (int i = 0; i < room; ++i) {
+        for (int k = 0; k < step[i].inputs; ++k) {
+            const ssgi_gl_input *in = &step[i].input[k];
+            int written = in->meaning >= 0 || in->last;
+            for (int j = 0; j < i; ++j)
+                for (int o = 0; o < step[j].outputs; ++o) written |= step[j].output[o].texture == in->texture;
+            MUST(written && in->unit >= 0 && in->unit < 16 && (in->meaning < 0) == (in->texture >= 0 || in->last));
+        }
+        for (int k = 0; k < step[i].outputs; ++k)
+            MUST(step[i].output[k].format ? step[i].output[k].texture >= 0 : step[i].output[k].texture == -1);
+        MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK);
+    }
+    free(step);
+}
 
 /* The desc's ints from a signed byte each, then its texts. One accepted desc in eight is emitted: the rest stay
    cheap. */
@@ -57,6 +91,7 @@ static void descs(const uint8_t *data, size_t size)
     MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0
          && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
     if (sum % 8) return;
+    chains(&d, data, size);
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);
     for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all */
