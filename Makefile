@@ -174,3 +174,12 @@ clean:
 	rm -rf build report
 
 .PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
+
+# A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
+VIEWER_O = $(addprefix build/kit/,util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o)
+viewer: build/viewer
+build/viewer: examples/viewer.c $(VIEWER_O)
+	@pkg-config --exists glfw3 || { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(VIEWER_O) $(KIT_LIBS) $(shell pkg-config --libs glfw3) -lGL -o $@
+
+.PHONY: viewer
