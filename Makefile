@@ -182,4 +182,22 @@ build/viewer: examples/viewer.c $(VIEWER_O)
 	@pkg-config --exists glfw3 || { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(VIEWER_O) $(KIT_LIBS) $(shell pkg-config --libs glfw3) -lGL -o $@
 
-.PHONY: viewer
+# OpenSceneGraph with ambient occlusion by the same steps.
+engine: build/engine
+build/engine: examples/engine.cpp ssgi.h ssgi_gl.h
+	@pkg-config --exists openscenegraph-osgViewer || \
+	  { echo 'engine: OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)' >&2; exit 2; }
+	@mkdir -p $(@D)
+	@echo '  c++ $@'; $(CXX) -std=c++17 -Wall -Wextra $(CFLAGS) $< \
+	  $(shell pkg-config --cflags --libs openscenegraph-osgViewer openscenegraph-osgDB) -lGL -o $@
+
+# Both under Xvfb, beside build/render's pictures; what is not installed is named as skipped.
+build/rmse: tests/rmse.c | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
+viewer-test: build/render build/rmse
+	@if pkg-config --exists glfw3; then $(MAKE) --no-print-directory viewer; fi
+	@if pkg-config --exists openscenegraph-osgViewer; then $(MAKE) --no-print-directory engine; fi
+	@sh tests/viewer.sh
+
+.PHONY: viewer engine viewer-test

@@ -1521,11 +1521,11 @@ static int window_open(viewer *v, const int size[2])
     return 0;
 }
 
-/* All frames of --shot are drawn, and where the truth is looked at it has had its first rays. */
-static int shot_done(const viewer *v)
+/* The frame that --shot is of comes now: those before are drawn, a truth that is looked at has had its first rays. */
+static int shot_next(const viewer *v)
 {
-    return v->shot && v->frame >= (unsigned)(v->frames ? v->frames : 1)
-           && (!v->truth.started || (v->truth.rounds && v->shown == v->truth.version));
+    return v->shot && v->frame + 1 >= (unsigned)(v->frames ? v->frames : 1)
+           && (!v->error || (v->truth.rounds && v->shown == v->truth.version));
 }
 
 int main(int argc, char **argv)
@@ -1545,10 +1545,12 @@ int main(int argc, char **argv)
     v.dirty = 1;
     while (!failed && !glfwWindowShouldClose(v.window)) {
         glfwPollEvents();
+        const int shot = shot_next(&v);
+        if (shot) v.scored = 0;
         failed = show(&v);
-        if (!failed && shot_done(&v)) {
-            v.scored = 0;
-            failed = show(&v) || window_save(&v, v.shot);
+        if (!failed && shot) {
+            if (v.error) printf("RMSE %.5f\n", v.half[0].error);
+            failed = window_save(&v, v.shot);
             break;
         }
         glfwSwapBuffers(v.window);

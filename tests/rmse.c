@@ -25,7 +25,10 @@ int main(int argc, char **argv)
         p[i] = stbi_load(argv[1 + i], &w[i], &h[i], &n, 3);
         if (!p[i]) { fprintf(stderr, "rmse: %s: %s\n", argv[1 + i], stbi_failure_reason()); return 2; }
     }
-    if (w[0] != w[1] || h[0] != h[1]) { fprintf(stderr, "rmse: %dx%d against %dx%d\n", w[0], h[0], w[1], h[1]); return 2; }
+    if (w[0] != w[1] || h[0] != h[1]) {
+        fprintf(stderr, "rmse: %dx%d against %dx%d\n", w[0], h[0], w[1], h[1]);
+        return 2;
+    }
     for (int i = 0; i < 3 * w[0] * h[0]; ++i) sum += pow((p[0][i] - p[1][i]) / 255.0, 2);
     printf("%.5f\n", sqrt(sum / (3.0 * w[0] * h[0])));
     free(p[0]);

@@ -1,0 +1,126 @@
+#!/bin/sh
+# viewer.sh - the viewer's window, and an engine's, under Xvfb, beside build/render's picture of the same:
+#
+#   make viewer-test
+#
+# Both are other embeddings than the kit's own, so that a picture that agrees says: the steps are all that is needed.
+# What cannot be run here is named as skipped.
+export LIBGL_ALWAYS_SOFTWARE=1
+work=build/viewer-test
+rm -rf $work
+mkdir -p $work report
+passed=0 failed=0 x=
+
+check() {    # WHAT, whether it is so
+    if [ "$2" = 1 ]; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAILED: $1"; fi
+}
+near() {    # WHAT A.png B.png MOST: their RMSE
+    rmse=$(build/rmse "$2" "$3") || rmse=none
+    echo "  $1: RMSE $rmse"
+    check "$1: RMSE $rmse, at most $4" "$(awk -v a="$rmse" -v b="$4" 'BEGIN { print (a != "none" && a + 0 <= b + 0) }')"
+}
+skip() { echo "skipped: $1"; }
+finish() {
+    [ -n "$x" ] && kill "$x" 2>/dev/null
+    echo "$passed passed, $failed failed"
+    exit $((failed > 0))
+}
+
+if ! command -v Xvfb >/dev/null; then skip 'viewer and engine, Xvfb is missing (apt-get install xvfb)'; finish; fi
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>$work/display 2>/dev/null &
+x=$!
+for i in $(seq 100); do [ -s $work/display ] && break; sleep 0.2; done
+DISPLAY=:$(cat $work/display)
+export DISPLAY
+if [ "$DISPLAY" = : ]; then skip 'viewer and engine, Xvfb does not start'; finish; fi
+
+# A yard of boxes: as an OBJ with normals and colours, as a glTF of one box and many nodes, below one that is turned by
+# a quaternion and one that is turned back by a matrix.
+awk -v obj=$work/yard.obj -v mtl=$work/yard.mtl -v gltf=$work/yard.gltf '
+function box(x, y, z, a, b, c, of,   i, k, f, normals) {
+    for (i = 0; i < 8; i++) printf("v %g %g %g\n", i % 2 ? a : x, int(i / 2) % 2 ? b : y, int(i / 4) ? c : z) > obj
+    print "usemtl " of > obj
+    split("1 5 7 3,2 4 8 6,1 2 6 5,3 7 8 4,1 3 4 2,5 6 8 7", f, ",")
+    for (i = 1; i <= 6; i++) {
+        split(f[i], k, " ")
+        printf("f %d//%d %d//%d %d//%d %d//%d\n", n + k[1], i, n + k[2], i, n + k[3], i, n + k[4], i) > obj
+    }
+    n += 8
+    nodes = nodes sprintf(",\n{\"mesh\":0,\"translation\":[%g,%g,%g],", x, y, z)
+    nodes = nodes sprintf("\"scale\":[%g,%g,%g]}", a - x, b - y, c - z)
+    children = children (boxes ? "," : "") 2 + boxes++
+}
+function chance() { s = s * 16807 % 2147483647; return s % 1000 / 1000 }
+BEGIN {
+    print "mtllib yard.mtl\nvn -1 0 0\nvn 1 0 0\nvn 0 -1 0\nvn 0 1 0\nvn 0 0 -1\nvn 0 0 1" > obj
+    print "newmtl ground\nKa 0.6 0.58 0.52\nKd 0.5 0.48 0.42\nnewmtl stone\nKa 0.6 0.57 0.5\nKd 0.54 0.52 0.45" > mtl
+    print "newmtl brick\nKa 0.5 0.3 0.22\nKd 0.5 0.3 0.22" > mtl
+    s = 7
+    box(-6, -0.2, -6, 6, 0, 6, "ground")
+    for (i = 0; i < 6; i++) {
+        c = -4 + 1.6 * i
+        box(c, 0, -3, c + 0.5, 2.4, -2.5, "stone")
+        box(c - 0.1, 0, -3.1, c + 0.6, 0.2, -2.4, "stone")
+    }
+    box(-4.3, 2.4, -3.3, 5, 2.8, -2.2, "stone")
+    for (i = 0; i < 4; i++) box(-5, 0.25 * i, -4.4 - 0.4 * i, 5, 0.25 * (i + 1), -4 - 0.4 * i, "stone")
+    for (i = 0; i < 26; i++) {
+        c = -3.5 + 7 * chance(); d = -1.5 + 4 * chance(); h = 0.2 + 0.9 * chance(); w = 0.2 + 0.4 * chance()
+        box(c, 0, d, c + w, h, d + w, "brick")
+    }
+    printf "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[" > gltf
+    printf "{\"children\":[1],\"rotation\":[0,0.70710678,0,0.70710678]},\n" > gltf
+    printf("{\"children\":[%s],\"matrix\":[0,0,1,0,0,1,0,0,-1,0,0,0,0,0,0,1]}%s],\n", children, nodes) > gltf
+    print "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],\"accessors\":[" > gltf
+    print "{\"bufferView\":0,\"componentType\":5126,\"count\":8,\"type\":\"VEC3\"}," > gltf
+    print "{\"bufferView\":1,\"componentType\":5121,\"count\":36,\"type\":\"SCALAR\"}],\"bufferViews\":[" > gltf
+    print "{\"buffer\":0,\"byteLength\":96},{\"buffer\":0,\"byteOffset\":96,\"byteLength\":36}]," > gltf
+    print "\"buffers\":[{\"byteLength\":132,\"uri\":\"data:application/octet-stream;base64," \
+        "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAAAAAAAAAAAAAAAIA/AACAPwAAAAAAAIA/AAAAAAAAgD8A" \
+        "AIA/AACAPwAAgD8AAIA/AAQGAAYCAQMHAQcFAAEFAAUEAgYHAgcDAAIDAAMBBAUHBAcG\"}]}" > gltf
+}'
+place=3.5,3.2,6.5,0.3,0.7,-0.8
+size=480x270
+
+if [ ! -x build/viewer ]; then skip 'viewer, GLFW is missing (apt-get install libglfw3-dev)'
+else
+    for m in ssao hsao hsao-march 'hsao back' 'hsao slabs' 'hsao solid'; do
+        name=${m% *} behind=${m#"$name"} behind=${behind# }
+        build/viewer room --method "$name" --behind ${behind:-constant} --size $size --shot $work/a.png
+        build/render room --method "$name" --set behind=${behind:-constant} --size $size --out $work/b.png
+        near "viewer, $m" $work/a.png $work/b.png 0.006
+    done
+    for m in ssdo s3ho; do
+        build/viewer room --method $m --size $size --shot $work/a.png
+        build/render room --method $m --env sky --size $size --out $work/b.png
+        near "viewer, $m" $work/a.png $work/b.png 0.006
+    done
+    build/viewer room --history --frames 6 --size $size --shot $work/a.png
+    build/render room --set history=1 --frames 6 --size $size --out $work/h%d.png
+    near 'viewer, hsao over six frames' $work/a.png $work/h5.png 0.006
+    build/render $work/yard.obj --camera $place --fovy 45 --size $size --radius 0.6 --out $work/b.png
+    for ending in obj gltf; do
+        build/viewer $work/yard.$ending --camera $place --size $size --radius 0.6 --shot $work/a.png
+        near "viewer, hsao of an .$ending" $work/a.png $work/b.png 0.006
+    done
+    is=$(build/viewer room --right truth --size 240x136 --shot $work/a.png | sed -n 's/^RMSE //p')
+    build/render room --size 240x136 --truth 16 --out $work/truth.exr
+    be=$(build/render room --size 240x136 --score $work/truth.exr | sed -n 's/.*: RMSE \([0-9.]*\).*/\1/p')
+    echo "  viewer, error to its own truth: $is; build/render: $be"
+    check 'viewer, error to the truth' "$(awk -v a="$is" -v b="$be" 'BEGIN { print (a * b > 0 && (a - b) ^ 2 < 9e-6) }')"
+    echo '{"meshes":[' >$work/bad.gltf
+    for bad in no-such-scene $work/bad.gltf; do
+        build/viewer $bad --shot $work/none.png 2>$work/said
+        check "viewer, $bad: status 2, one line" "$(test $? = 2 && test "$(wc -l <$work/said)" = 1 && echo 1)"
+    done
+fi
+
+if [ ! -x build/engine ]; then skip 'engine, OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)'
+else
+    build/engine $work/yard.obj $place 1 report/engine
+    build/render $work/yard.obj --camera $place --fovy 45 --near 0.1 --far 100 --size 960x540 --set normal=depth \
+        --radius 1 --out $work/b.png
+    near 'engine, hsao from its depth alone' report/engine-ao.png $work/b.png 0.006
+    check 'engine, its picture changes' "$(cmp -s report/engine-before.png report/engine-after.png || echo 1)"
+fi
+finish
