@@ -200,4 +200,11 @@ viewer-test: build/render build/rmse
 	@if pkg-config --exists openscenegraph-osgViewer; then $(MAKE) --no-print-directory engine; fi
 	@sh tests/viewer.sh
 
-.PHONY: viewer engine viewer-test
+# Milliseconds of every method on whatever GPU EGL finds, as Markdown: report/bench.md. METHOD=hsao: names that begin so.
+bench: build/bench
+	@mkdir -p report
+	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %)
+build/bench: examples/bench.c $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+
+.PHONY: viewer engine viewer-test bench

@@ -1,0 +1,223 @@
+/* bench.c - what every method takes on this machine's GPU, as a table in Markdown.
+
+      build/bench [--context egl | egl-es | osmesa] [--scene NAME] [--method NAME] [--out report/bench.md]
+
+   Every row of build/render --list at its defaults and some settings that engines ask about, at 1920x1080 and
+   3840x2160. Milliseconds by timer queries; each row is opened, warmed up and timed once a round, so that rows of all
+   kinds share what the clock and the neighbours do; medians. Without a GPU few rows, small, and the table says so. */
+#include "kit/kit_gl.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROUNDS = 3, DRAWS = 15, SIZES = 2, MOST = 64, PARTS = 24 };
+
+typedef struct row {
+    kit_method  method;
+    const char *set;                       /* beyond the defaults */
+    double      ms[SIZES][ROUNDS], slabs[SIZES];
+    int         timed[SIZES];              /* rounds */
+    const char *part[PARTS];               /* passes by name, and what those of a name take together */
+    double      part_ms[PARTS];
+    int         parts, draws;
+    char        why[160];                  /* it cannot be drawn here */
+} row;
+
+static const char *const more[][2] = {
+    { "ssao", "samples=32" }, { "hsao", "normal=depth" }, { "hsao", "behind=back" }, { "hsao", "behind=slabs" },
+    { "hsao", "history=1" }, { "ssdo", "bounce=none" }, { "ssdo", "reuse=1" }
+};
+/* what a machine without a GPU has time for */
+static const char *const few[] = { "ssao", "hsao-fast", "hsao", "hsao-best", "ssdo", "s3ho" };
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(const double *v, int count)
+{
+    double sorted[ROUNDS > DRAWS ? ROUNDS : DRAWS];
+    memcpy(sorted, v, (size_t)count * sizeof *v);
+    qsort(sorted, (size_t)count, sizeof *sorted, by_value);
+    return count ? sorted[count / 2] : (double)NAN;
+}
+
+static int chosen(const char *name, const char *asked, int software)
+{
+    int one_of = 0;
+    for (size_t i = 0; i < sizeof few / sizeof *few; ++i) one_of |= !strcmp(name, few[i]);
+    return asked ? !strncmp(name, asked, strlen(asked)) : one_of || !software;    /* "": all */
+}
+
+static int rows_new(row *rows, const char *asked, int software, kit_error *err)
+{
+    kit_method m;
+    int count = 0;
+    for (int i = 0; kit_method_at(&m, i) && count < MOST; ++i) {
+        if (!chosen(m.name, asked, software)) continue;
+        rows[count].method = m;
+        rows[count++].set = "";
+        for (size_t k = 0; k < sizeof more / sizeof *more && (asked || !software) && count < MOST; ++k) {
+            if (strcmp(more[k][0], m.name)) continue;
+            rows[count].method = m;
+            rows[count].set = more[k][1];
+            if (kit_method_set(&rows[count++].method, more[k][1], err)) return -1;
+        }
+    }
+    return count ? count : kit_fail(err, "--method %s: there is none whose name begins so", asked);
+}
+
+/* The next frame: where history is kept, of what the one before left. */
+static int frame(kit_run *run, int number, int timed, kit_error *err)
+{
+    int kept = 0;
+    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    if (kept && number && kit_run_follow(run, run, (unsigned)number, err)) return -1;
+    kit_run_draw(run, timed);
+    return 0;
+}
+
+static void note_parts(row *r, const kit_run *run, double pass_ms[][DRAWS])
+{
+    r->parts = r->draws = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const char *name = ssgi_gl_pass_name(run->pass[i].desc.pass);
+        int k = 0;
+        if (run->pass[i].aside) continue;
+        while (k < r->parts && strcmp(r->part[k], name)) ++k;
+        if (k == PARTS) continue;
+        if (k == r->parts) { r->part[r->parts] = name; r->part_ms[r->parts++] = 0; }
+        r->part_ms[k] += median(pass_ms[i], DRAWS);
+        ++r->draws;
+    }
+}
+
+/* One round of a row: warmed up for a tenth of a second, so that the GPU is at its clock. */
+static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world *world, kit_error *err)
+{
+    static double pass_ms[KIT_MAX_PASSES][DRAWS];
+    static kit_run run;
+    double all[DRAWS], began;
+    int failed, n = 0;
+    if (kit_run_open(&run, g, &r->method, radius, world, err)) return -1;
+    began = kit_seconds();
+    do failed = frame(&run, n++, 1, err); while (!failed && n < 200 && kit_seconds() < began + 0.1);
+    for (int k = 0; k < DRAWS && !failed; ++k) {
+        failed = frame(&run, n++, 1, err);
+        all[k] = 0;
+        for (int i = 0; i < run.passes; ++i) {
+            pass_ms[i][k] = run.pass[i].ms;
+            if (!run.pass[i].aside) all[k] += run.pass[i].ms;
+        }
+    }
+    if (!failed) {
+        r->ms[s][r->timed[s]++] = median(all, DRAWS);
+        if (!s) note_parts(r, &run, pass_ms);
+    }
+    kit_run_close(&run);
+    return failed;
+}
+
+static void print(FILE *f, const row *rows, int count, int size[][2], int sizes, const char *scene, int software,
+                  size_t triangles, const char *command)
+{
+    fprintf(f, "`%s` on %s: `%s`, %zu triangles, medians of %d frames, milliseconds by %s.\n", command, kit_gl_name(),
+            scene, triangles, software ? DRAWS : ROUNDS * DRAWS, software ? "the clock" : "timer queries");
+    if (software)
+        fputs("**No GPU was found: a CPU drew this, small, few rows. These times say nothing about a GPU.**\n", f);
+    fputs("\n| method | ", f);
+    for (int s = 0; s < sizes; ++s) fprintf(f, "%dx%d | ", size[s][0], size[s][1]);
+    fprintf(f, "passes at %dx%d |\n|---|", size[0][0], size[0][1]);
+    for (int s = 0; s < sizes; ++s) fputs("--:|", f);
+    fputs("---|\n", f);
+    for (int i = 0; i < count; ++i) {
+        const row *r = &rows[i];
+        fprintf(f, "| `%s`%s%s%s |", r->method.name, *r->set ? " `" : "", r->set, *r->set ? "`" : "");
+        for (int s = 0; s < sizes; ++s) {
+            if (r->timed[s]) fprintf(f, " %.*f |", software ? 0 : 3, median(r->ms[s], r->timed[s]));
+            else fputs(" |", f);
+        }
+        if (*r->why) fprintf(f, " not drawn: %s", r->why);
+        for (int k = 0; k < r->parts && !*r->why; ++k)
+            fprintf(f, "%s %s %.*f", k ? "," : "", r->part[k], software ? 0 : 3, r->part_ms[k]);
+        if (r->slabs[0] > 0) fprintf(f, "; and the scene's back faces %.*f", software ? 0 : 3, r->slabs[0]);
+        fputs(" |\n", f);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static row rows[MOST];
+    static const float sun_at[3] = { 0.4f, 0.8f, 0.45f }, sun_colour[3] = { 3, 2.8f, 2.4f };
+    const char *context = "egl", *name = "room", *asked = NULL, *out = "report/bench.md";
+    char command[256] = "make bench";
+    int size[SIZES][2] = { { 1920, 1080 }, { 3840, 2160 } }, sizes = SIZES, count = 0, failed = 0;
+    kit_error err = { "" };
+    kit_scene scene = { 0 };
+    kit_lighting sky = { 0 }, both;
+    kit_streams_open();
+    for (int i = 1; i + 1 < argc && !failed; i += 2) {
+        if (!strcmp(argv[i], "--context")) context = argv[i + 1];
+        else if (!strcmp(argv[i], "--scene")) name = argv[i + 1];
+        else if (!strcmp(argv[i], "--method")) asked = argv[i + 1];
+        else if (!strcmp(argv[i], "--out")) out = argv[i + 1];
+        else failed = kit_fail(&err, "%s: there is no such option (--context, --scene, --method, --out)", argv[i]);
+    }
+    if (!failed && argc % 2 == 0) failed = kit_fail(&err, "%s: needs a value", argv[argc - 1]);
+    if (strcmp(context, "egl")) snprintf(command, sizeof command, "make bench CONTEXT=%.100s", context);
+    if (strcmp(name, "room"))
+        snprintf(command + strlen(command), sizeof command - strlen(command), " SCENE=%.100s", name);
+    failed = failed || kit_gl_open(context, &err) || kit_scene_load(&scene, name, 0, &err)
+             || kit_env_read(&sky.env, "sky", &err);
+    const int software = !failed && kit_gl_is_software();
+    if (!failed) {
+        count = rows_new(rows, asked, software, &err);
+        failed = count < 0;
+    }
+    if (software) { sizes = 1; size[0][0] = 480; size[0][1] = 270; }
+    both = sky;
+    both.lights = 1;                        /* what scatters, and what shines, wants a light */
+    both.light[0].kind = KIT_SUN;
+    memcpy(both.light[0].at, sun_at, sizeof sun_at);
+    memcpy(both.light[0].colour, sun_colour, sizeof sun_colour);
+    for (int s = 0; s < sizes && !failed; ++s) {
+        kit_camera camera = scene.camera;
+        kit_gbuffer g;
+        camera.width = size[s][0];
+        camera.height = size[s][1];
+        failed = kit_gbuffer_from_scene(&g, &scene, &camera, NULL, &err);
+        for (int k = 0; k < (software ? 1 : ROUNDS) && !failed; ++k)
+            for (int i = 0; i < count; ++i) {
+                row *r = &rows[i];
+                const int lamp = !strcmp(r->method.name, "dss-gloss") || !strcmp(r->method.name, "dss-scatter");
+                const kit_world world = { &scene, lamp ? &both : &sky };
+                kit_error why;
+                if (!*r->why && measure(r, s, &g, scene.radius, &world, &why))
+                    snprintf(r->why, sizeof r->why, "%.150s", why.text);
+                const int behind = (int)kit_method_value(&r->method, "behind");
+                const int two = behind == SSGI_GL_BEHIND_SLABS;     /* drawn anew: the first time is of a cold program */
+                if (behind >= SSGI_GL_BEHIND_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
+                    r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];
+                kit_progress(s ? "3840x2160" : "1920x1080", ((double)k * count + i + 1) / (count * (ROUNDS + 0.01)));
+            }
+        kit_progress("", 1);
+        if (!failed) kit_gbuffer_free(&g);
+    }
+    FILE *f = failed ? NULL : fopen(out, "w");
+    if (!failed && !f) failed = kit_fail(&err, "%s: cannot be written", out);
+    if (f) {
+        print(f, rows, count, size, sizes, scene.name, software, scene.mesh.triangles, command);
+        if (fclose(f)) failed = kit_fail(&err, "%s: cannot be written", out);
+        print(stdout, rows, count, size, sizes, scene.name, software, scene.mesh.triangles, command);
+    }
+    kit_fields_free();
+    kit_image_free(&sky.env);
+    kit_scene_free(&scene);
+    if (!failed) failed = kit_streams_close(&err);
+    if (failed) { fprintf(stderr, "bench: %s\n", err.text); return 2; }
+    kit_gl_close();
+    return 0;
+}
