@@ -198,7 +198,7 @@ int main(int argc, char **argv)
                 if (!*r->why && measure(r, s, &g, scene.radius, &world, &why))
                     snprintf(r->why, sizeof r->why, "%.150s", why.text);
                 const int behind = (int)kit_method_value(&r->method, "behind");
-                const int two = behind == SSGI_GL_BEHIND_SLABS;     /* drawn anew: the first time is of a cold program */
+                const int two = behind == SSGI_GL_BEHIND_SLABS;     /* anew: the first was of a cold program */
                 if (behind >= SSGI_GL_BEHIND_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
                     r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];
                 kit_progress(s ? "3840x2160" : "1920x1080", ((double)k * count + i + 1) / (count * (ROUNDS + 0.01)));

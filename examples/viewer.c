@@ -861,12 +861,12 @@ typedef struct viewer {
     half         half[2];
     truth        truth;
     unsigned     shown, frame;
-    double       mouse[2], scored, fps, then;
-    GLuint       resolve, display, text, array, quads, quad_index, truth_picture;
+    double       mouse[2], scored;
+    GLuint       resolve, display, text, quads, truth_picture;
     char         note[256];
     double       noted;
     const char  *shot, *env;
-    int          frames, failed;
+    int          frames;
     kit_error    err;
 } viewer;
 
@@ -891,7 +891,8 @@ static const char display_fs[] =
     "    bool first = float(p.x) < split;\n"
     "    vec3 c = first ? texelFetch(half0, p, 0).rgb : texelFetch(half1, p, 0).rgb;\n"
     "    int k = first ? kind.x : kind.y; // 0: visibility; 1: the same on colours; 2: radiance\n"
-    "    if (k == 1) c *= texelFetch(albedo, p, 0).rgb;\n"
+    "    vec4 a = texelFetch(albedo, p, 0);\n"
+    "    if (k == 1) c = a.a > 0.0 ? c * a.rgb : vec3(0.2);\n"
     "    vec3 encoded = 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055;\n"
     "    if (k > 0) c = mix(encoded, 12.92 * c, lessThan(c, vec3(0.0031308)));\n"
     "    o = vec4(abs(float(p.x) + 0.5 - split) < 1.0 ? vec3(1.0, 0.6, 0.1) : c, 1.0);\n"
@@ -1171,7 +1172,8 @@ static void describe(char *text, size_t size, const viewer *v, const half *h)
 static void overlay(viewer *v)
 {
     const float scale = v->camera.height >= 500 ? 2 : 1, width = (float)v->camera.width / scale;
-    const double about = v->scene.mesh.triangles < 1e5 ? 1 : 1e-3;
+    const double about = v->scene.mesh.triangles < 100000 ? 1 : 1e-3;
+    const char *slash = strrchr(v->scene.name, '/');
     char text[4096] = "";
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, v->camera.width, v->camera.height);
@@ -1184,8 +1186,8 @@ static void overlay(viewer *v)
             print(v, v->split * width + 8, 0, scale, text);
             *text = 0;
         }
-        add(text, sizeof text, "%s, %.0f%s triangles, %dx%d, G-buffer %.2f ms%s", v->scene.name,
-            (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->camera.width, v->camera.height,
+        add(text, sizeof text, "%s, %.0f%s triangles, %dx%d, G-buffer %.2f ms%s",
+            slash ? slash + 1 : v->scene.name, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->camera.width, v->camera.height,
             v->gbuffer.time.ms, software ? ", drawn by the CPU" : "");
         add(text, sizeof text, "\nradius %.3g, behind: %s", (double)v->radius, behinds[v->behind]);
         if (v->behind >= SSGI_GL_BEHIND_BACK) add(text, sizeof text, " (%.2f ms)", v->gbuffer.slab_time.ms);
