@@ -1187,8 +1187,8 @@ static void overlay(viewer *v)
             *text = 0;
         }
         add(text, sizeof text, "%s, %.0f%s triangles, %dx%d, G-buffer %.2f ms%s",
-            slash ? slash + 1 : v->scene.name, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "", v->camera.width, v->camera.height,
-            v->gbuffer.time.ms, software ? ", drawn by the CPU" : "");
+            slash ? slash + 1 : v->scene.name, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "",
+            v->camera.width, v->camera.height, v->gbuffer.time.ms, software ? ", drawn by the CPU" : "");
         add(text, sizeof text, "\nradius %.3g, behind: %s", (double)v->radius, behinds[v->behind]);
         if (v->behind >= SSGI_GL_BEHIND_BACK) add(text, sizeof text, " (%.2f ms)", v->gbuffer.slab_time.ms);
         add(text, sizeof text, "%s%s", v->history ? ", history" : "", v->from_depth ? ", normals from depth" : "");

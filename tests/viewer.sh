@@ -107,7 +107,8 @@ else
     build/render room --size 240x136 --truth 16 --out $work/truth.exr
     be=$(build/render room --size 240x136 --score $work/truth.exr | sed -n 's/.*: RMSE \([0-9.]*\).*/\1/p')
     echo "  viewer, error to its own truth: $is; build/render: $be"
-    check 'viewer, error to the truth' "$(awk -v a="$is" -v b="$be" 'BEGIN { print (a * b > 0 && (a - b) ^ 2 < 9e-6) }')"
+    close=$(awk -v a="$is" -v b="$be" 'BEGIN { print (a * b > 0 && (a - b) ^ 2 < 9e-6) }')
+    check 'viewer, error to the truth' "$close"
     echo '{"meshes":[' >$work/bad.gltf
     for bad in no-such-scene $work/bad.gltf; do
         build/viewer $bad --shot $work/none.png 2>$work/said
