@@ -1032,7 +1032,7 @@ static void half_score(viewer *v, half *h)
     const int w = v->gbuffer.width, height = v->gbuffer.height;
     double sum = 0, mean = 0, count = 0;
     float *p;
-    h->error = NAN;
+    h->error = (double)NAN;
     if (h->method == TRUTH || methods[h->method].lit != v->truth.lit || !(p = half_read(v, h))) return;
     pthread_mutex_lock(&v->truth.lock);
     for (int i = 0; i < w * height; ++i) {
@@ -1537,7 +1537,7 @@ int main(int argc, char **argv)
     char cores[32];
     pthread_mutex_init(&v.truth.lock, NULL);
     pthread_cond_init(&v.truth.wake, NULL);
-    v.half[0].error = v.half[1].error = NAN;
+    v.half[0].error = v.half[1].error = (double)NAN;
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
     setenv("KIT_THREADS", cores, 0);        /* one core is left to draw */
     failed = parse(&v, argc, argv, size) || window_open(&v, size) || gbuffer_open(&v.gbuffer, &v.scene.mesh, &v.err)
