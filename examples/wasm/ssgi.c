@@ -20,22 +20,47 @@ EXPORT(ssgi_gl_frame_init);
 EXPORT(ssgi_gl_frame_history);
 EXPORT(ssgi_gl_phase);
 EXPORT(ssgi_gl_harmonics_set);
-/* ssgi_gl_steps goes here */
+EXPORT(ssgi_gl_steps);
+EXPORT(ssgi_environment_map);
+EXPORT(ssgi_environment_cone);
+EXPORT(ssgi_sh_project_equirect);
+EXPORT(ssgi_sh_residual);
+EXPORT(ssgi_trace_size);
+EXPORT(ssgi_trace_build);
+EXPORT(ssgi_trace_closest);
+EXPORT(ssgi_trace_any);
 
-/* Sizes and places of members, in the order in which ssgi.mjs reads them. */
-const int32_t *ssgi_wasm_layout(void) __attribute__((export_name("ssgi_wasm_layout")));
-const int32_t *ssgi_wasm_layout(void)
+/* Sizes and places of members by name, for ssgi.mjs: the i-th; NULL past the last. */
+typedef struct place { const char *name; int32_t value; } place;
+const place *ssgi_wasm_place_at(int i) __attribute__((export_name("ssgi_wasm_place_at")));
+const place *ssgi_wasm_place_at(int i)
 {
-#define AT(of, member) (int32_t)offsetof(of, member)
-    static const int32_t layout[] = {
-        sizeof(ssgi_view), sizeof(ssgi_gl_desc), sizeof(ssgi_gl_frame), sizeof(ssgi_gl_views), sizeof(ssgi_gl_io),
+#define SIZE(of) { #of, (int32_t)sizeof(of) }
+#define AT(of, member) { #of "." #member, (int32_t)offsetof(of, member) }
+#define CHAIN(member) AT(ssgi_gl_chain, member)
+#define STEP(member) AT(ssgi_gl_step, member)
+#define INPUT(member) AT(ssgi_gl_input, member)
+#define OUTPUT(member) AT(ssgi_gl_output, member)
+    static const place places[] = {
+        { "major", SSGI_VERSION_MAJOR }, { "minor", SSGI_VERSION_MINOR },
+        SIZE(ssgi_view), SIZE(ssgi_gl_desc), SIZE(ssgi_gl_frame), SIZE(ssgi_gl_io), SIZE(ssgi_gl_chain),
+        SIZE(ssgi_gl_step), SIZE(ssgi_gl_input), SIZE(ssgi_gl_output), SIZE(ssgi_trace), SIZE(ssgi_hit),
         AT(ssgi_gl_desc, version), AT(ssgi_gl_desc, fetch),
         AT(ssgi_gl_choice, name), AT(ssgi_gl_choice, values), AT(ssgi_gl_choice, sentence), AT(ssgi_gl_choice, offset),
         AT(ssgi_gl_choice, most),
         AT(ssgi_gl_io, name), AT(ssgi_gl_io, kind), AT(ssgi_gl_io, type), AT(ssgi_gl_io, slot), AT(ssgi_gl_io, offset),
-        AT(ssgi_gl_io, format), SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR
+        AT(ssgi_gl_io, format),
+        CHAIN(desc), CHAIN(lights), CHAIN(width), CHAIN(height), CHAIN(blur), CHAIN(history), CHAIN(vectors),
+        CHAIN(reuse), CHAIN(vpls), CHAIN(direct), CHAIN(surfels), CHAIN(hidden_sky), CHAIN(unsmoothed), CHAIN(precise),
+        STEP(desc), STEP(size), STEP(width), STEP(height), STEP(inputs), STEP(outputs), STEP(input), STEP(output),
+        STEP(frame), STEP(primitive), STEP(vertices), STEP(instances), STEP(blend), STEP(clear), STEP(clear_to),
+        INPUT(name), INPUT(type), INPUT(unit), INPUT(target), INPUT(meaning), INPUT(texture), INPUT(last),
+        INPUT(format), INPUT(width), INPUT(height),
+        OUTPUT(name), OUTPUT(texture), OUTPUT(format), OUTPUT(slices), OUTPUT(slice), OUTPUT(kept), OUTPUT(result),
+        AT(ssgi_gl_format, name), AT(ssgi_gl_format, internal), AT(ssgi_gl_format, format), AT(ssgi_gl_format, type),
+        AT(ssgi_gl_format, bytes)
     };
-    return layout;
+    return i >= 0 && i < (int)(sizeof places / sizeof *places) ? &places[i] : NULL;
 }
 
 #define SSGI_IMPLEMENTATION
@@ -106,4 +131,11 @@ size_t strcspn(const char *s, const char *stop)
     size_t n = 0;
     while (s[n] && !strchr(stop, s[n])) ++n;
     return n;
+}
+
+char *strstr(const char *s, const char *part)
+{
+    const size_t n = strlen(part);
+    for (; strncmp(s, part, n); ++s) if (!*s) return NULL;
+    return (char *)(uintptr_t)s;
 }

@@ -21,6 +21,44 @@ export interface Row {
 /** ssgi_gl_frame: buffer is the uniform block "ssgi_frame"; its members are arrays in it. */
 export type Frame = { buffer: ArrayBuffer } & { [member: string]: Float32Array | Int32Array };
 
+/** ssgi_gl_chain: what is drawn for a desc. What is left out is 0 */
+export interface Chain {
+  desc: Desc; lights?: Desc; width: number; height: number;
+  blur?: number; history?: number; vectors?: number; reuse?: number; vpls?: number; direct?: number;
+  surfels?: number; hidden_sky?: number; unsmoothed?: number; precise?: number;
+}
+
+/** ssgi_gl_format: the numbers that texImage2D takes */
+export interface Format { name: string; internal: number; format: number; type: number; bytes: number; }
+
+/** ssgi_gl_input */
+export interface Input {
+  name: string; type: string; unit: number; target: number;
+  /** what texture of yours it is, the words of SSGI_GL_YOUR_*; null: one of the steps, by its number */
+  meaning: string | null; texture: number; last: number; format: Format | 0; width: number; height: number;
+}
+
+/** ssgi_gl_output */
+export interface Output {
+  name: string; texture: number; format: Format | 0; slices: number; slice: number; kept: number;
+  result: 'NONE' | 'LIGHT' | 'BOUNCE';
+}
+
+/** ssgi_gl_step: one draw */
+export interface Step {
+  desc: Desc; size: 'FULL' | 'HALF' | 'LEVELS'; width: number; height: number; inputs: Input[]; outputs: Output[];
+  frame: number; primitive: number; vertices: number; instances: number; blend: number[]; clear: number;
+  clear_to: number;
+}
+
+/** ssgi_hit */
+export interface Hit { t: number; u: number; v: number; triangle: number; }
+export interface Trace {
+  triangles: number;
+  any(origin: ArrayLike<number>, direction: ArrayLike<number>, tmin: number, tmax: number): boolean;
+  closest(origin: ArrayLike<number>, direction: ArrayLike<number>, tmin: number, tmax: number): Hit | null;
+}
+
 export class Ssgi {
   constructor(exports: WebAssembly.Exports);
   readonly version: string;
@@ -39,6 +77,12 @@ export class Ssgi {
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
   harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number, worldToView?: ArrayLike<number> | null): Frame;
   phase(k: number): number;
+  steps(chain: Chain): Step[];
+  environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number, solidAngle?: number): Float32Array;
+  environmentCone(size: number, rgb: ArrayLike<number>, width: number, height: number, cosine?: number): Float32Array;
+  residual(size: number, map: Float32Array, coefficients: ArrayLike<number>, bands: number): Float32Array;
+  projectEquirect(bands: number, rgb: ArrayLike<number>, width: number, height: number): Float32Array;
+  trace(position: ArrayLike<number>, index?: ArrayLike<number> | null): Trace;
 }
 
 /** source: by default ssgi.wasm beside this file */

@@ -1,0 +1,157 @@
+/* scenes.c - the kit's scenes as files that the page of make web fetches: scenes FOLDER writes FOLDER/NAME.bin and
+   FOLDER/scenes.json, so that page and build/render draw the same triangles from the same camera.
+
+   NAME.bin, little-endian: vertices, indices (uint32); positions (3 floats a vertex); normals (3 int16 and a 0, of
+   32767), albedo (3 uint16 and a 0, linear, of 65535); indices (uint32, counter-clockwise as their normals say). */
+#include "../kit/kit.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct corner { float at[3]; int16_t normal[4]; uint16_t albedo[4]; } corner;
+
+static int16_t snorm(float v) { return (int16_t)lrintf(32767 * fminf(fmaxf(v, -1), 1)); }
+static uint16_t unorm(float v) { return (uint16_t)lrintf(65535 * fminf(fmaxf(v, 0), 1)); }
+
+static corner corner_of(const kit_mesh *mesh, size_t triangle, size_t k)
+{
+    corner c;
+    memset(&c, 0, sizeof c);
+    for (size_t i = 0; i < 3; ++i) {
+        c.at[i] = mesh->position[9 * triangle + 3 * k + i];
+        c.normal[i] = snorm(mesh->normal[9 * triangle + 3 * k + i]);
+        c.albedo[i] = unorm(mesh->albedo[3 * triangle + i]);
+    }
+    return c;
+}
+
+/* 1: its corners run clockwise seen from where its normals point; culling wants all of them the other way. */
+static int turned(const kit_mesh *mesh, size_t triangle)
+{
+    const float *p = mesh->position + 9 * triangle, *n = mesh->normal + 9 * triangle;
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double face = (double)(p[3 + j] - p[j]) * (double)(p[6 + k] - p[k])
+                          - (double)(p[3 + k] - p[k]) * (double)(p[6 + j] - p[j]);
+        sum += face * ((double)n[i] + (double)n[3 + i] + (double)n[6 + i]);
+    }
+    return sum < 0;
+}
+
+static uint32_t hash(const void *of, size_t size)
+{
+    const unsigned char *bytes = of;
+    uint32_t h = 2166136261u;
+    for (size_t i = 0; i < size; ++i) h = (h ^ bytes[i]) * 16777619u;
+    return h;
+}
+
+/* A scan without normals has its faces' in the kit: here corners at one place share the mean of them, by area, which
+   shades better and makes a third of the file. */
+static int smooth(kit_mesh *mesh)
+{
+    const size_t corners = 3 * mesh->triangles;
+    size_t slots = 16;
+    while (slots < 2 * corners) slots *= 2;
+    uint32_t *slot = calloc(slots, sizeof *slot), *place = malloc(corners * sizeof *place);
+    double *sum = calloc(3 * corners, sizeof *sum);
+    for (size_t i = 0; i < corners && slot && place && sum; ++i) {
+        const float *at = mesh->position + 3 * i, *p = mesh->position + 9 * (i / 3), *n = mesh->normal + 3 * i;
+        size_t s = hash(at, 3 * sizeof *at) & (slots - 1);
+        double face[3], length = 0;
+        while (slot[s] && memcmp(mesh->position + 3 * (slot[s] - 1), at, 3 * sizeof *at)) s = (s + 1) & (slots - 1);
+        if (!slot[s]) slot[s] = (uint32_t)i + 1;
+        place[i] = slot[s] - 1;
+        for (int k = 0; k < 3; ++k) {
+            const int a = (k + 1) % 3, b = (k + 2) % 3;
+            face[k] = (double)(p[3 + a] - p[a]) * (double)(p[6 + b] - p[b])
+                    - (double)(p[3 + b] - p[b]) * (double)(p[6 + a] - p[a]);
+            length += face[k] * face[k];
+        }
+        for (int k = 0; k < 3; ++k) sum[3 * place[i] + (size_t)k] += (double)n[k] * sqrt(length);
+    }
+    const int failed = !slot || !place || !sum;
+    for (size_t i = 0; i < corners && !failed; ++i) {
+        const double *n = sum + 3 * place[i], length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (int k = 0; k < 3 && length > 0; ++k) mesh->normal[3 * i + (size_t)k] = (float)(n[k] / length);
+    }
+    free(slot);
+    free(place);
+    free(sum);
+    return failed;
+}
+
+/* Equal corners become one vertex. */
+static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
+{
+    const size_t corners = 3 * mesh->triangles;
+    size_t slots = 16;
+    while (slots < 2 * corners) slots *= 2;
+    corner *vertex = malloc((corners + 1) * sizeof *vertex);
+    uint32_t *index = malloc((corners + 1) * sizeof *index), *slot = calloc(slots, sizeof *slot);
+    FILE *file = vertex && index && slot ? fopen(path, "wb") : NULL;
+    uint32_t vertices = 0;
+    int failed = !file;
+    for (size_t i = 0; i < corners && !failed; ++i) {
+        const size_t t = i / 3, k = i % 3, flip = k && turned(mesh, t) ? 3 - k : k;
+        const corner c = corner_of(mesh, t, flip);
+        size_t at = hash(&c, sizeof c) & (slots - 1);
+        while (slot[at] && memcmp(&vertex[slot[at] - 1], &c, sizeof c)) at = (at + 1) & (slots - 1);
+        if (!slot[at]) { vertex[vertices] = c; slot[at] = ++vertices; }
+        index[i] = slot[at] - 1;
+    }
+    head[0] = vertices;
+    head[1] = (uint32_t)corners;
+    failed = failed || fwrite(head, sizeof *head, 2, file) != 2;
+    for (uint32_t i = 0; i < vertices && !failed; ++i) failed = fwrite(vertex[i].at, sizeof vertex[i].at, 1, file) != 1;
+    for (uint32_t i = 0; i < vertices && !failed; ++i) failed = fwrite(vertex[i].normal, 8, 1, file) != 1;
+    for (uint32_t i = 0; i < vertices && !failed; ++i) failed = fwrite(vertex[i].albedo, 8, 1, file) != 1;
+    failed = failed || fwrite(index, sizeof *index, corners, file) != corners;
+    if (file && fclose(file)) failed = 1;
+    free(vertex);
+    free(index);
+    free(slot);
+    return failed;
+}
+
+int main(int count, char **word)
+{
+    static const struct { const char *name, *title, *from; int scan; } wanted[] = {
+        { "bunny", "Bunny", "/usr/share/glmark2/models/bunny.obj", 1 },
+        { "room", "Room", "room", 0 }, { "colonnade", "Colonnade", "colonnade", 0 },
+        { "cornell", "Cornell box", "cornell", 0 }, { "casters", "Shapes", "casters", 0 },
+        { "slats", "Veranda", "slats", 0 }, { "grass", "Grass", "grass", 0 }, { "plates", "Plates", "plates", 0 }
+    };
+    char path[1024];
+    kit_error err;
+    int written = 0;
+    FILE *list;
+    if (count != 2) { fprintf(stderr, "usage: scenes FOLDER\n"); return 2; }
+    snprintf(path, sizeof path, "%s/scenes.json", word[1]);
+    list = fopen(path, "w");
+    if (!list) { fprintf(stderr, "scenes: %s: cannot be written\n", path); return 2; }
+    fprintf(list, "[");
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i) {
+        kit_scene scene;
+        kit_camera c;
+        uint32_t head[2];
+        if (kit_scene_load(&scene, wanted[i].from, wanted[i].scan, &err)) {
+            fprintf(stderr, "scenes: %s is left out: %s\n", wanted[i].name, err.text);
+            continue;
+        }
+        c = scene.camera;
+        kit_camera_planes(&c, &scene.mesh);
+        snprintf(path, sizeof path, "%s/%s.bin", word[1], wanted[i].name);
+        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, path, head)) { fprintf(stderr, "scenes: %s: cannot be written\n", path); return 2; }
+        fprintf(list, "%s\n{ \"name\": \"%s\", \"title\": \"%s\", \"triangles\": %u, \"radius\": %.9g, \"fovy\": %.9g, "
+                "\"near\": %.9g, \"far\": %.9g, \"eye\": [%.9g, %.9g, %.9g], \"target\": [%.9g, %.9g, %.9g] }",
+                written++ ? "," : "", wanted[i].name, wanted[i].title, head[1] / 3, (double)scene.radius,
+                (double)c.fovy, (double)c.znear, (double)c.zfar, (double)c.eye[0], (double)c.eye[1], (double)c.eye[2],
+                (double)c.target[0], (double)c.target[1], (double)c.target[2]);
+        kit_scene_free(&scene);
+    }
+    fprintf(list, "\n]\n");
+    return fclose(list) || !written ? 2 : 0;
+}
