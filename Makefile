@@ -209,3 +209,34 @@ build/bench: examples/bench.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 .PHONY: viewer engine viewer-test bench
+# The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a browser without a
+# window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.
+WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
+THREE    = build/three.module.js build/three.core.js LICENSE $(addprefix examples/jsm/,controls/OrbitControls.js \
+           loaders/GLTFLoader.js loaders/OBJLoader.js utils/BufferGeometryUtils.js utils/SkeletonUtils.js)
+NPM_WEB  = npm install --prefix build/web-deps --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 \
+           puppeteer-core@24.43.1
+web: build/web/index.html
+build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.js build/web/scenes/scenes.json
+	@cp $(WEB) build/wasm/ssgi.mjs build/wasm/ssgi.wasm LICENSE build/web
+	@touch $@
+	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
+
+build/web-deps/node_modules/three/package.json:
+	@command -v npm >/dev/null || { echo 'web: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@mkdir -p build/web-deps
+	$(NPM_WEB)
+
+build/web/three/three.module.js: build/web-deps/node_modules/three/package.json
+	@mkdir -p $(@D)/controls $(@D)/loaders $(@D)/utils
+	@for f in $(THREE); do to=$${f#build/}; cp $(<D)/$$f $(@D)/$${to#examples/jsm/} || exit 1; done
+	@touch $@
+
+build/web-scenes: examples/web/scenes.c $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
+
+build/web/scenes/scenes.json: build/web-scenes
+	@mkdir -p $(@D)
+	@build/web-scenes $(@D)
+
+.PHONY: web

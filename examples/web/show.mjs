@@ -1,0 +1,121 @@
+/* show.mjs - the last draw, onto the canvas: light times albedo, and the views that compare. */
+
+const vertex = `#version 300 es
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
+
+/* Of each side: 0 ambient light as it is, 1 ambient visibility, 2 light, 3 light and a bounce, 4 the truth. */
+const fragment = `#version 300 es
+precision highp float;
+uniform sampler2D t_depth, t_normal, t_albedo, t_direct, t_truth, t_left, t_right, t_left_bounce, t_right_bounce;
+uniform vec3 u_sky[9];       // radiance as spherical harmonics
+uniform mat3 u_world;        // view space to the world
+uniform vec4 u_ray;          // a pixel's way in view space: xy * [0,1] + [2,3], -1
+uniform ivec2 u_kind;
+uniform int u_view;          // 0 lit, 1 ambient light alone, 2 difference
+uniform int u_light;         // 1: the truth of light, else of visibility
+uniform int u_traced;        // 1: there is a truth
+uniform float u_split, u_sun, u_range;
+out vec4 o_colour;
+
+vec3 harmonics(vec3 n, vec3 band) {
+    vec3 l = u_sky[0] * 0.282095 * band.x;
+    l += (u_sky[1] * n.y + u_sky[2] * n.z + u_sky[3] * n.x) * 0.488603 * band.y;
+    l += (u_sky[4] * 1.092548 * n.x * n.y + u_sky[5] * 1.092548 * n.y * n.z + u_sky[6] * (0.946175 * n.z * n.z - 0.315392)
+          + u_sky[7] * 1.092548 * n.x * n.z + u_sky[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
+    return max(l, 0.0);
+}
+vec3 shown(vec3 c) { // a shoulder for what is bright, then sRGB
+    c = max(c, 0.0);
+    c = mix(c, 1.0 - 0.4 * exp((0.6 - c) / 0.4), step(0.6, c));
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    bool right = gl_FragCoord.x > u_split;
+    int kind = right ? u_kind.y : u_kind.x;
+    o_colour = vec4(0.0, 0.0, 0.0, 1.0);
+    vec3 way = u_world * vec3(gl_FragCoord.xy * u_ray.xy + u_ray.zw, -1.0);
+    if (texelFetch(t_depth, p, 0).x >= 1.0) {
+        o_colour.rgb = u_view == 0 ? shown(harmonics(normalize(way), vec3(1.0)) * 0.8) : vec3(0.105, 0.11, 0.118);
+        return;
+    }
+    vec3 n = normalize(u_world * texelFetch(t_normal, p, 0).xyz);
+    vec3 open = harmonics(n, vec3(1.0, 0.6666667, 0.25)), light = open;
+    vec4 seen = u_traced == 1 ? texelFetch(t_truth, p, 0) : vec4(-1.0);
+    bool traced = seen.a >= 0.0;
+    vec3 truth = u_light == 1 ? seen.rgb : open * seen.a;
+    float visible = 1.0;
+    vec4 of = right ? texelFetch(t_right, p, 0) : texelFetch(t_left, p, 0);
+    if (kind == 1) light = open * (visible = of.r);
+    if (kind == 2 || kind == 3) light = of.rgb;
+    if (kind == 3) light += right ? texelFetch(t_right_bounce, p, 0).rgb : texelFetch(t_left_bounce, p, 0).rgb;
+    if (kind == 4) { light = traced ? truth : vec3(0.0); visible = traced ? seen.a : 0.0; }
+    if (u_view == 0) {
+        vec3 sun = texelFetch(t_direct, p, 0).rgb * u_sun;
+        o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light * 0.8 + sun);
+    } else if (u_view == 1) {
+        o_colour.rgb = u_light == 1 ? shown(light * 0.6) : vec3(visible);
+    } else {
+        float off = u_light == 1 ? dot(light - truth, vec3(0.3333333)) : visible - seen.a;
+        off = traced ? clamp(off / u_range, -1.0, 1.0) : 0.0;
+        vec3 none = vec3(0.16, 0.165, 0.175), less = vec3(0.25, 0.56, 1.0), more = vec3(1.0, 0.48, 0.25);
+        o_colour.rgb = mix(none, off < 0.0 ? less : more, abs(off));
+    }
+}`;
+
+const textures = ['t_depth', 't_normal', 't_albedo', 't_direct', 't_truth', 't_left', 't_right', 't_left_bounce',
+                  't_right_bounce'];
+
+export class Show {
+    #gl; #program; #place = {}; #nothing; #array;
+
+    constructor(gl, drawer) {
+        this.#gl = gl;
+        this.#array = drawer.array;
+        const program = this.#program = gl.createProgram();
+        for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+            const shader = gl.createShader(kind);
+            gl.shaderSource(shader, text);
+            gl.compileShader(shader);
+            gl.attachShader(program, shader);
+        }
+        gl.linkProgram(program);
+        this.#nothing = drawer.texture(1, 1, { internal: gl.RGBA8 });
+    }
+
+    #begin() {
+        const gl = this.#gl, program = this.#program;
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+        gl.useProgram(program);
+        for (const name of ['u_sky', 'u_world', 'u_ray', 'u_kind', 'u_view', 'u_light', 'u_traced', 'u_split', 'u_sun', 'u_range'])
+            this.#place[name] = gl.getUniformLocation(program, name);
+        textures.forEach((name, unit) => gl.uniform1i(gl.getUniformLocation(program, name), unit));
+    }
+
+    draw(width, height, bound, { sky, world, ray, kinds, view, light, split, sun, range }) {
+        const gl = this.#gl, at = this.#place;
+        if (!at.u_sky) this.#begin();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        gl.viewport(0, 0, width, height);
+        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST]) gl.disable(state);
+        gl.colorMask(true, true, true, true);
+        gl.bindVertexArray(this.#array);
+        gl.useProgram(this.#program);
+        textures.forEach((name, unit) => {
+            gl.activeTexture(gl.TEXTURE0 + unit);
+            gl.bindTexture(gl.TEXTURE_2D, bound[name] ?? this.#nothing);
+        });
+        gl.uniform3fv(at.u_sky, sky);
+        gl.uniformMatrix3fv(at.u_world, false, world);
+        gl.uniform4fv(at.u_ray, ray);
+        gl.uniform2iv(at.u_kind, kinds);
+        gl.uniform1i(at.u_view, view);
+        gl.uniform1i(at.u_light, light);
+        gl.uniform1i(at.u_traced, +!!bound.t_truth);
+        gl.uniform1f(at.u_split, split);
+        gl.uniform1f(at.u_sun, sun);
+        gl.uniform1f(at.u_range, range);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.activeTexture(gl.TEXTURE0);
+    }
+}

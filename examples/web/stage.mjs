@@ -1,0 +1,193 @@
+/* stage.mjs - the host: three.js keeps scene, camera and sun, and draws once what ssgi reads: depth, normals in view
+   space, albedo, and beside them what the sun lights. Its materials stay its own; a patch of their text adds outputs. */
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+/* Outputs 1 and 2 of a material of three's. Its normal is turned to the side that is seen, whichever way its triangle
+   is wound. */
+function seen(material) {
+    material.onBeforeCompile = shader => {
+        shader.fragmentShader = shader.fragmentShader
+            .replace('void main() {', `layout(location = 1) out highp vec4 g_normal;
+                layout(location = 2) out highp vec4 g_albedo;
+                void main() {`)
+            .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
+                vec3 toward = cross(dFdx(vViewPosition), dFdy(vViewPosition));
+                normal = dot(normal, toward) < 0.0 ? -normal : normal;`)
+            .replace('#include <opaque_fragment>', `#include <opaque_fragment>
+                g_normal = vec4(normal, 0.0);
+                g_albedo = vec4(diffuseColor.rgb, 1.0);`);
+    };
+    return material;
+}
+
+const lambert = from => seen(new THREE.MeshLambertMaterial({
+    color: from.color ?? 0xcccccc, map: from.map ?? null, normalMap: from.normalMap ?? null,
+    alphaTest: from.alphaTest || (from.transparent ? 0.5 : 0), vertexColors: from.vertexColors ?? false,
+    side: THREE.DoubleSide, shadowSide: THREE.DoubleSide
+}));
+
+export class Stage {
+    #target = null; #back = null; #model = null; #sunAt = new THREE.Vector3(0.5792280, 0.5735764, 0.5792280);
+    #behind = new THREE.MeshBasicMaterial({ side: THREE.BackSide, colorWrite: false });
+
+    constructor(canvas) {
+        this.renderer = new THREE.WebGLRenderer({ canvas, antialias: false, stencil: false,
+                                                  powerPreference: 'high-performance' });
+        this.renderer.shadowMap.enabled = true;
+        this.renderer.shadowMap.autoUpdate = false;
+        this.renderer.setClearColor(0x000000, 0);
+        this.scene = new THREE.Scene();
+        this.camera = new THREE.PerspectiveCamera();
+        this.controls = new OrbitControls(this.camera, canvas);
+        this.controls.enableDamping = false;
+        this.controls.zoomToCursor = true;
+        this.sun = new THREE.DirectionalLight(0xffffff, 1);
+        this.sun.color.setRGB(1, 0.89, 0.74);
+        this.sun.castShadow = true;
+        this.sun.shadow.mapSize.set(2048, 2048);
+        this.sun.shadow.radius = 2;
+        this.scene.add(this.sun, this.sun.target);
+    }
+    get gl() { return this.renderer.getContext(); }
+
+    resize(width, height) {
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / height;
+        this.camera.updateProjectionMatrix();
+        const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
+        const depth = () => new THREE.DepthTexture(width, height, THREE.FloatType);
+        this.#target?.dispose();
+        this.#back?.dispose();
+        this.#target = new THREE.WebGLRenderTarget(width, height, { count: 3, type: THREE.HalfFloatType, ...nearest,
+                                                                    depthTexture: depth() });
+        this.#target.textures[2].type = THREE.UnsignedByteType;
+        this.#back = new THREE.WebGLRenderTarget(width, height, { ...nearest, depthTexture: depth() });
+    }
+
+    /* A file of scenes.c. */
+    async fetch(info, folder, wanted = () => true) {
+        const answer = await fetch(`${folder}/${info.name}.bin`);
+        if (!answer.ok) throw new Error(`${info.name}.bin: ${answer.status} ${answer.statusText}`);
+        const file = await answer.arrayBuffer();
+        if (!wanted()) return;                              /* another was chosen meanwhile */
+        const [vertices, indices] = new Uint32Array(file, 0, 2);
+        const geometry = new THREE.BufferGeometry();
+        const at = [8, 8 + 12 * vertices, 8 + 20 * vertices, 8 + 28 * vertices];
+        const fours = (Type, offset) => new THREE.InterleavedBufferAttribute(
+            new THREE.InterleavedBuffer(new Type(file, offset, 4 * vertices), 4), 3, 0, true);
+        geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(file, at[0], 3 * vertices), 3));
+        geometry.setAttribute('normal', fours(Int16Array, at[1]));
+        geometry.setAttribute('color', fours(Uint16Array, at[2]));
+        geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(file, at[3], indices), 1));
+        this.show(new THREE.Mesh(geometry, lambert({ color: 0xffffff, vertexColors: true })), info);
+    }
+
+    /* An OBJ or glTF of the visitor's, on a floor. Readers are fetched when they are wanted. */
+    async open(file) {
+        const name = file.name.toLowerCase(), load = which => import(`three/addons/loaders/${which}.js`);
+        let model;
+        if (name.endsWith('.obj')) {
+            model = new (await load('OBJLoader')).OBJLoader().parse(await file.text());
+        } else if (name.endsWith('.glb') || name.endsWith('.gltf')) {
+            const { GLTFLoader } = await load('GLTFLoader');
+            model = (await new GLTFLoader().parseAsync(await file.arrayBuffer(), '')).scene;
+        } else throw new Error(`${file.name}: must be .obj, .glb or .gltf`);
+        model.updateMatrixWorld(true);
+        model.traverse(part => {
+            if (!part.isMesh) return;
+            if (!part.geometry.attributes.normal) part.geometry.computeVertexNormals();
+            part.material = Array.isArray(part.material) ? part.material.map(lambert) : lambert(part.material);
+        });
+        const box = new THREE.Box3().setFromObject(model);
+        if (box.isEmpty()) throw new Error(`${file.name}: holds no triangles`);
+        const middle = box.getCenter(new THREE.Vector3()), wide = box.getSize(new THREE.Vector3()).length();
+        const floor = new THREE.Mesh(new THREE.PlaneGeometry(5 * wide, 5 * wide).rotateX(-Math.PI / 2),
+                                     lambert({ color: 0xe0e0e0 }));
+        floor.position.set(middle.x, box.min.y, middle.z);
+        const group = new THREE.Group().add(model, floor), eye = new THREE.Vector3(0.4, 0.32, 0.9);
+        eye.normalize().multiplyScalar(1.25 * wide).add(middle);
+        const info = { name: 'file', title: file.name, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,
+                       eye: eye.toArray(), target: middle.toArray() };
+        this.show(group, info);
+        return info;
+    }
+
+    show(model, info) {
+        if (this.#model) {
+            this.scene.remove(this.#model);
+            this.#model.traverse(part => { part.geometry?.dispose(); [part.material ?? []].flat().forEach(m => m.dispose()); });
+        }
+        model.traverse(part => { part.castShadow = part.receiveShadow = true; });
+        this.scene.add(this.#model = model);
+        this.info = info;
+        Object.assign(this.camera, { fov: info.fovy, near: info.near, far: info.far });
+        this.look(info.eye, info.target);
+        /* the sun's map covers what the first view looks at */
+        const reach = new THREE.Vector3(...info.eye).distanceTo(this.controls.target), { shadow } = this.sun;
+        this.sun.target.position.copy(this.controls.target);
+        this.sun.position.copy(this.#sunAt).multiplyScalar(3 * reach).add(this.controls.target);
+        Object.assign(shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.2 * reach,
+                                       far: 6 * reach });
+        shadow.camera.updateProjectionMatrix();
+        shadow.normalBias = 3 * reach / shadow.mapSize.x;
+        shadow.bias = -0.0008;
+        this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    look(eye, target) {
+        this.camera.position.fromArray(eye);
+        this.controls.target.fromArray(target);
+        this.controls.update();
+        this.camera.updateProjectionMatrix();
+        this.camera.updateMatrixWorld();
+    }
+
+    /* The G-buffer, as three's textures are in WebGL. back: 1: depth of the nearest back face, too. */
+    draw(back) {
+        const { renderer, scene, camera } = this, raw = texture => renderer.properties.get(texture).__webglTexture;
+        renderer.resetState();
+        renderer.setRenderTarget(this.#target);
+        renderer.clear();
+        renderer.render(scene, camera);
+        if (back) {
+            const shadows = this.sun.castShadow;
+            scene.overrideMaterial = this.#behind;
+            renderer.setRenderTarget(this.#back);
+            renderer.clear();
+            renderer.render(scene, camera);
+            scene.overrideMaterial = null;
+            this.sun.castShadow = shadows;
+        }
+        renderer.setRenderTarget(null);
+        const [direct, normal, albedo] = this.#target.textures.map(raw);
+        return { DIRECT: direct, NORMAL: normal, ALBEDO: albedo, DEPTH: raw(this.#target.depthTexture),
+                 BACK: back ? raw(this.#back.depthTexture) : null };
+    }
+
+    /* The triangles in the world, for the tracer. */
+    triangles() {
+        const position = [], normal = [], p = new THREE.Vector3(), turn = new THREE.Matrix3();
+        this.#model.updateMatrixWorld(true);
+        this.#model.traverse(part => {
+            if (!part.isMesh) return;
+            const { attributes, index } = part.geometry, count = index ? index.count : attributes.position.count;
+            const at = new Float32Array(3 * count), way = new Float32Array(3 * count);
+            turn.getNormalMatrix(part.matrixWorld);
+            for (let i = 0; i < count; ++i) {
+                const k = index ? index.getX(i) : i;
+                p.fromBufferAttribute(attributes.position, k).applyMatrix4(part.matrixWorld).toArray(at, 3 * i);
+                p.fromBufferAttribute(attributes.normal, k).applyMatrix3(turn).normalize().toArray(way, 3 * i);
+            }
+            position.push(at);
+            normal.push(way);
+        });
+        const join = parts => {
+            const all = new Float32Array(parts.reduce((n, part) => n + part.length, 0));
+            let at = 0;
+            for (const part of parts) { all.set(part, at); at += part.length; }
+            return all;
+        };
+        return { position: join(position), normal: join(normal) };
+    }
+}

@@ -1,0 +1,188 @@
+/* steps.mjs - draws what ssgi.steps() lists, with WebGL 2 alone: all that an embedder writes. Nothing here knows a
+   method by name; what is drawn, in which order, from what and into what is read from the steps. */
+
+export class Drawer {
+    #gl; #ssgi; #programs = new Map();
+
+    constructor(gl, ssgi) {
+        this.#gl = gl;
+        this.#ssgi = ssgi;
+        this.array = gl.createVertexArray();
+        this.timer = gl.getExtension('EXT_disjoint_timer_query_webgl2');
+        /* asks without stopping whether a program is linked */
+        this.parallel = gl.getExtension('KHR_parallel_shader_compile');
+    }
+
+    /* Begun at once, waited for by finish(): many are linked side by side. */
+    program(desc) {
+        const gl = this.#gl, key = this.#ssgi.key(desc);
+        if (this.#programs.has(key)) return this.#programs.get(key);
+        const program = gl.createProgram(), shaders = [];
+        for (const [stage, kind] of [['vert', gl.VERTEX_SHADER], ['frag', gl.FRAGMENT_SHADER]]) {
+            const shader = gl.createShader(kind);
+            gl.shaderSource(shader, this.#ssgi.text(desc, stage));
+            gl.compileShader(shader);
+            gl.attachShader(program, shader);
+            shaders.push(shader);
+        }
+        gl.linkProgram(program);
+        const made = { program, shaders, desc, finished: false };
+        this.#programs.set(key, made);
+        return made;
+    }
+
+    finish(made) {
+        const gl = this.#gl, { program, shaders, desc } = made;
+        if (made.finished) return program;
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+            throw new Error(`pass ${desc.pass}: ${shaders.map(s => gl.getShaderInfoLog(s)).join('')}${
+                gl.getProgramInfoLog(program)}`);
+        shaders.forEach(s => gl.deleteShader(s));
+        gl.useProgram(program);
+        for (const row of this.#ssgi.rows(desc))
+            if (row.kind === 'TEXTURE') gl.uniform1i(gl.getUniformLocation(program, row.name), row.slot);
+        const block = gl.getUniformBlockIndex(program, 'ssgi_frame');
+        if (block !== gl.INVALID_INDEX) gl.uniformBlockBinding(program, block, 0);
+        made.finished = true;
+        return program;
+    }
+
+    linked({ program, finished }) {
+        return finished || !this.parallel || this.#gl.getProgramParameter(program, this.parallel.COMPLETION_STATUS_KHR);
+    }
+
+    texture(width, height, { internal }, slices = 0) {
+        const gl = this.#gl, target = slices ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D, texture = gl.createTexture();
+        gl.bindTexture(target, texture);
+        if (slices) gl.texStorage3D(target, 1, internal, width, height, slices);
+        else gl.texStorage2D(target, 1, internal, width, height);
+        for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, name, gl.NEAREST);
+        return texture;
+    }
+
+    run(chain) { return new Run(this.#gl, this.#ssgi, this, chain); }
+}
+
+/* A chain with its targets, of one size. */
+class Run {
+    #gl; #drawer; #block; #textures = []; #draws; #pending = []; #clocked = null;
+    light = null;                                   /* result: ambient visibility or light */
+    bounce = null;
+    ms = [];                                        /* of each step, when clocked */
+
+    constructor(gl, ssgi, drawer, chain) {
+        this.#gl = gl;
+        this.#drawer = drawer;
+        this.chain = chain;
+        this.steps = ssgi.steps(chain);
+        this.#block = gl.createBuffer();
+        this.#draws = this.steps.map(step => this.#draw(step));
+        this.#results();
+    }
+
+    #draw(step) {
+        const gl = this.#gl, draw = { step, made: this.#drawer.program(step.desc), framebuffer: [] };
+        for (const { texture, format, slices, kept } of step.outputs)
+            this.#textures[texture] ??= Array.from({ length: kept ? 2 : 1 },
+                () => this.#drawer.texture(step.width, step.height, format, slices));
+        for (let turn = 0; turn < (step.outputs.some(o => o.kept) ? 2 : 1); ++turn) {
+            const attachments = step.outputs.map((_, i) => gl.COLOR_ATTACHMENT0 + i);
+            gl.bindFramebuffer(gl.FRAMEBUFFER, draw.framebuffer[turn] = gl.createFramebuffer());
+            step.outputs.forEach(({ texture, slices, slice }, i) => {
+                const of = this.#textures[texture][turn] ?? this.#textures[texture][0];
+                if (slices) gl.framebufferTextureLayer(gl.FRAMEBUFFER, attachments[i], of, 0, slice);
+                else gl.framebufferTexture2D(gl.FRAMEBUFFER, attachments[i], gl.TEXTURE_2D, of, 0);
+            });
+            gl.drawBuffers(attachments);
+            if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE)
+                throw new Error(`this device cannot draw into ${step.outputs.map(o => o.format.name).join(', ')}`);
+        }
+        return draw;
+    }
+
+    #results() {
+        for (const { outputs } of this.steps)
+            for (const { result, texture } of outputs) {
+                if (result === 'LIGHT') this.light = this.#textures[texture][0];
+                if (result === 'BOUNCE') this.bounce = this.#textures[texture][0];
+            }
+    }
+
+    get linked() { return this.#draws.every(({ made }) => this.#drawer.linked(made)); }
+
+    /* yours: textures by meaning. frame: of ssgi.frame(). clock: 1 times each step, 2 by waiting for it where there is
+       no timer. */
+    draw(yours, frame, clock = 0) {
+        const gl = this.#gl, timer = clock === 1 ? this.#drawer.timer : null, queries = [];
+        if (this.#pending.length) clock = 0;
+        gl.bindVertexArray(this.#drawer.array);
+        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST]) gl.disable(state);
+        gl.colorMask(true, true, true, true);
+        gl.bindBuffer(gl.UNIFORM_BUFFER, this.#block);
+        gl.bufferData(gl.UNIFORM_BUFFER, frame.buffer, gl.DYNAMIC_DRAW);
+        gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#block);
+        this.#draws.forEach(({ step, made, framebuffer }, number) => {
+            const program = this.#drawer.finish(made), turn = framebuffer.length - 1;
+            for (const { name, unit, target, meaning, texture, last } of step.inputs) {
+                const own = this.#textures[texture], of = meaning ? yours[meaning] : last ? own[1] ?? own[0] : own[0];
+                if (!of) throw new Error(`pass ${step.desc.pass} reads ${name}, which nobody gives`);
+                gl.activeTexture(gl.TEXTURE0 + unit);
+                gl.bindTexture(target, of);
+                gl.bindSampler(unit, null);
+            }
+            gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer[turn && this.turned ? 1 : 0]);
+            gl.viewport(0, 0, step.width, step.height);
+            gl.useProgram(program);
+            if (clock && timer) gl.beginQuery(timer.TIME_ELAPSED_EXT, queries[number] = gl.createQuery());
+            const begun = clock === 2 ? (this.#wait(), performance.now()) : 0;
+            if (step.clear) step.outputs.forEach((_, i) => gl.clearBufferfv(gl.COLOR, i, Array(4).fill(step.clear_to)));
+            if (step.blend[0]) {
+                gl.enable(gl.BLEND);
+                gl.blendEquation(step.blend[0]);
+                gl.blendFunc(step.blend[1], step.blend[2]);
+            }
+            gl.drawArraysInstanced(step.primitive, 0, step.vertices, step.instances);
+            gl.disable(gl.BLEND);
+            if (clock && timer) gl.endQuery(timer.TIME_ELAPSED_EXT);
+            if (clock === 2) { this.#wait(); this.ms[number] = performance.now() - begun; }
+        });
+        if (queries.length) this.#pending = queries;
+        gl.activeTexture(gl.TEXTURE0);
+    }
+
+    /* A texel read back comes after what was drawn before: gl.finish() alone need not wait in a browser. */
+    #wait() {
+        const gl = this.#gl;
+        gl.finish();
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
+        gl.getError();                              /* of a format that reads back as another type */
+    }
+
+    /* Timer queries come frames later; true: ms is new. */
+    poll() {
+        const gl = this.#gl, { timer } = this.#drawer, queries = this.#pending;
+        if (!queries.length || !gl.getQueryParameter(queries[queries.length - 1], gl.QUERY_RESULT_AVAILABLE)) return false;
+        const torn = gl.getParameter(timer.GPU_DISJOINT_EXT);
+        if (!torn) this.ms = queries.map(q => gl.getQueryParameter(q, gl.QUERY_RESULT) / 1e6);
+        queries.forEach(q => gl.deleteQuery(q));
+        this.#pending = [];
+        return !torn;
+    }
+    get waiting() { return this.#pending.length > 0; }
+
+    /* After a frame whose history is kept: both textures of each change places. */
+    turn() {
+        for (const { outputs } of this.steps)
+            for (const { texture, kept } of outputs) if (kept) this.#textures[texture].reverse();
+        this.turned = !this.turned;
+        this.#results();
+    }
+
+    free() {
+        const gl = this.#gl;
+        this.#pending.forEach(q => gl.deleteQuery(q));
+        this.#textures.flat().forEach(t => gl.deleteTexture(t));
+        this.#draws.forEach(({ framebuffer }) => framebuffer.forEach(f => gl.deleteFramebuffer(f)));
+        gl.deleteBuffer(this.#block);
+    }
+}

@@ -1,0 +1,116 @@
+/* tracer.mjs - a worker that traces the truth of some rows of the picture with the rays of ssgi.h (WebAssembly).
+
+   Each pixel's rays are of two halves, A and B, whose errors know nothing of each other: (m - A)(m - B), averaged, is
+   the mean square error of m without that of the rays, be they ever so few. */
+import { load } from './ssgi.mjs';
+import { skies } from './sky.mjs';
+
+let trace = null, normal = null, job = null;
+
+/* Well mixed bits of a number [PCG, O'Neill 2014]. */
+function hash(x) {
+    x = (Math.imul(x, 747796405) + 2891336453) >>> 0;
+    x = Math.imul((x >>> ((x >>> 28) + 4)) ^ x, 277803737) >>> 0;
+    return ((x >>> 22) ^ x) >>> 0;
+}
+
+/* Where the rays of a pixel start, its shading normal on the side that is seen. */
+function place(eye, way, origin, n) {
+    const hit = trace.closest(eye, way, 0, 1e12);
+    if (!hit) return false;
+    const at = 9 * hit.triangle, w = 1 - hit.u - hit.v;
+    const { corner } = job;
+    let facing = 0, length = 0;
+    const e = [0, 1, 2].map(i => corner[at + 3 + i] - corner[at + i]), f = [0, 1, 2].map(i => corner[at + 6 + i] - corner[at + i]);
+    const face = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    const side = face[0] * way[0] + face[1] * way[1] + face[2] * way[2] > 0 ? -1 : 1, size = side / Math.hypot(...face);
+    for (let i = 0; i < 3; ++i) {
+        n[i] = normal[at + i] * w + normal[at + 3 + i] * hit.u + normal[at + 6 + i] * hit.v;
+        length += n[i] * n[i];
+        facing += n[i] * face[i] * side;
+    }
+    length = (facing < 0 ? -1 : 1) / (Math.sqrt(length) || 1);
+    let far = 0;
+    for (let i = 0; i < 3; ++i) far = Math.max(far, Math.abs(eye[i] + way[i] * hit.t));
+    for (let i = 0; i < 3; ++i) {
+        n[i] *= length;
+        origin[i] = eye[i] + way[i] * hit.t + face[i] * size * 4e-6 * far;
+    }
+    return true;
+}
+
+function begin() {
+    const { width, height, camera, first, every } = job, rows = Math.ceil((height - first) / every);
+    const origin = [0, 0, 0], n = [0, 0, 0], way = [0, 0, 0];
+    job.rows = rows;
+    job.origin = new Float64Array(3 * width * rows);
+    job.n = new Float32Array(3 * width * rows).fill(NaN);
+    job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
+    for (let r = 0; r < rows; ++r)
+        for (let x = 0; x < width; ++x) {
+            const sx = camera.ray[0] * (x + 0.5) + camera.ray[2], sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
+            for (let i = 0; i < 3; ++i) way[i] = camera.world[i] * sx + camera.world[3 + i] * sy - camera.world[6 + i];
+            if (!place(camera.eye, way, origin, n)) continue;
+            job.origin.set(origin, 3 * (r * width + x));
+            job.n.set(n, 3 * (r * width + x));
+        }
+    job.round = 0;
+}
+
+/* One ray more of each pixel, into one half. */
+function round(k) {
+    const { width, height, first, every, rows, radius, origin, n } = job, { radiance } = skies[job.sky];
+    const half = k & 1, sums = job.sums[half], index = k >> 1, from = [0, 0, 0], d = [0, 0, 0], light = [0, 0, 0];
+    for (let i = 0; i < width * rows; ++i) {
+        const nx = n[3 * i], ny = n[3 * i + 1], nz = n[3 * i + 2];
+        if (nx !== nx) continue;
+        const pixel = (first + Math.floor(i / width) * every) * width + i % width;
+        const a = hash(2 * pixel + half), b = hash(a ^ 0x9e3779b9);
+        const u = (a / 4294967296 + index * 0.7548776662466927) % 1, v = (b / 4294967296 + index * 0.5698402909980532) % 1;
+        const ring = Math.sqrt(u), turn = 2 * Math.PI * v, x = ring * Math.cos(turn), y = ring * Math.sin(turn);
+        const z = Math.sqrt(1 - u), sign = nz < 0 ? -1 : 1, c = -1 / (sign + nz), m = nx * ny * c;
+        d[0] = x * (1 + sign * nx * nx * c) + y * m + z * nx;
+        d[1] = x * sign * m + y * (sign + ny * ny * c) + z * ny;
+        d[2] = -x * sign * nx - y * ny + z * nz;
+        from[0] = origin[3 * i];
+        from[1] = origin[3 * i + 1];
+        from[2] = origin[3 * i + 2];
+        const hit = trace.closest(from, d, 0, radius), open = hit ? hit.t / radius : 1;
+        radiance(d, light);
+        sums[4 * i] += light[0] * open;
+        sums[4 * i + 1] += light[1] * open;
+        sums[4 * i + 2] += light[2] * open;
+        sums[4 * i + 3] += open;
+    }
+}
+
+let told = 0, working = false;
+function work() {
+    const mine = job;
+    working = mine !== null;
+    if (!mine) return;
+    if (!mine.sums) begin();
+    round(mine.round++);
+    const now = performance.now(), even = mine.round % 2 === 0;
+    if (even && (now - told > 400 || mine.round >= mine.most)) {
+        told = now;
+        const sums = mine.sums.map(s => s.slice());
+        postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums }, sums.map(s => s.buffer));
+    }
+    if (mine.round >= mine.most) job = null;
+    setTimeout(work);                               /* after what was heard meanwhile: another job, or none */
+}
+
+onmessage = async ({ data }) => {
+    if (data.scene) {
+        job = trace = null;
+        const ssgi = await load();
+        trace = ssgi.trace(data.scene.position);
+        normal = data.scene.normal;
+        self.corner = data.scene.position;
+        postMessage({ ready: true });
+    } else if (data.job) {
+        job = trace && { ...data.job, corner: self.corner };
+        if (!working && job) work();
+    } else job = null;
+};
