@@ -239,4 +239,16 @@ build/web/scenes/scenes.json: build/web-scenes
 	@mkdir -p $(@D)
 	@build/web-scenes $(@D)
 
-.PHONY: web
+# Headless Chromium draws what make web made; last line "N passed, N failed".
+web-deps:
+	@sh examples/kit/install.sh chromium fonts-dejavu-core npm || true
+	@test -d build/web-deps/node_modules/puppeteer-core || { mkdir -p build/web-deps && $(NPM_WEB); } || true
+
+web-test: web-deps
+	@if test -d build/web-deps/node_modules/three; then $(MAKE) --no-print-directory web build/render build/glsl-text; fi
+	@mkdir -p build/web-test && echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html
+	@if ! command -v node >/dev/null || ! test -e build/web/index.html; then \
+	  echo 'skipped: everything: no node, npm or clang'; echo '0 passed, 0 failed'; \
+	else build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs; fi
+
+.PHONY: web web-deps web-test

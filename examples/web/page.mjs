@@ -305,6 +305,7 @@ function fit() {
     if (width === size.width && height === size.height) return;
     size = { width, height };
     stage.resize(width, height);
+    canvas.style.objectFit = set.size === 'auto' ? 'fill' : 'contain';
     last = null;
     dirty.scene = dirty.gather = true;
 }
@@ -483,7 +484,7 @@ const sum = ms => ms.reduce((all, one) => all + one, 0);
 function writeStatus() {
     const times = sides.filter(s => s?.ms).map(s => `${digits(sum(s.ms))} ms`);
     $('cost').textContent = times.join(' | ');
-    $('clock').textContent = times.length ? clockless ? 'by the CPU’s clock' : 'on the GPU' : '';
+    $('clock').textContent = times.length ? software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU' : '';
     const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
     $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
     $('rays').textContent = traced ? truth.rays ? `${truth.rays} rays a pixel` : 'tracing …' : '';

@@ -24,10 +24,12 @@ vec3 harmonics(vec3 n, vec3 band) {
           + u_sky[7] * 1.092548 * n.x * n.z + u_sky[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
     return max(l, 0.0);
 }
-vec3 shown(vec3 c) { // a shoulder for what is bright, then sRGB
-    c = max(c, 0.0);
-    c = mix(c, 1.0 - 0.4 * exp((0.6 - c) / 0.4), step(0.6, c));
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+vec3 coded(vec3 c) {
+    return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+vec3 shown(vec3 c) { // the curve of film [Narkowicz 2016], then sRGB
+    c = max(c, 0.0) * 0.62;
+    return coded(clamp(c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14), 0.0, 1.0));
 }
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -36,7 +38,7 @@ void main() {
     o_colour = vec4(0.0, 0.0, 0.0, 1.0);
     vec3 way = u_world * vec3(gl_FragCoord.xy * u_ray.xy + u_ray.zw, -1.0);
     if (texelFetch(t_depth, p, 0).x >= 1.0) {
-        o_colour.rgb = u_view == 0 ? shown(harmonics(normalize(way), vec3(1.0)) * 0.8) : vec3(0.105, 0.11, 0.118);
+        o_colour.rgb = u_view == 0 ? shown(harmonics(normalize(way), vec3(1.0)) * 0.5) : vec3(0.105, 0.11, 0.118);
         return;
     }
     vec3 n = normalize(u_world * texelFetch(t_normal, p, 0).xyz);
@@ -52,9 +54,9 @@ void main() {
     if (kind == 4) { light = traced ? truth : vec3(0.0); visible = traced ? seen.a : 0.0; }
     if (u_view == 0) {
         vec3 sun = texelFetch(t_direct, p, 0).rgb * u_sun;
-        o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light * 0.8 + sun);
+        o_colour.rgb = shown(texelFetch(t_albedo, p, 0).rgb * light * 0.55 + sun);
     } else if (u_view == 1) {
-        o_colour.rgb = u_light == 1 ? shown(light * 0.6) : vec3(visible);
+        o_colour.rgb = u_light == 1 ? shown(light * 0.7) : vec3(visible);
     } else {
         float off = u_light == 1 ? dot(light - truth, vec3(0.3333333)) : visible - seen.a;
         off = traced ? clamp(off / u_range, -1.0, 1.0) : 0.0;

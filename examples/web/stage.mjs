@@ -42,7 +42,7 @@ export class Stage {
         this.controls = new OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
         this.controls.zoomToCursor = true;
-        this.sun = new THREE.DirectionalLight(0xffffff, 1);
+        this.sun = new THREE.DirectionalLight(0xffffff, 3.2);
         this.sun.color.setRGB(1, 0.89, 0.74);
         this.sun.castShadow = true;
         this.sun.shadow.mapSize.set(2048, 2048);
@@ -54,7 +54,7 @@ export class Stage {
     resize(width, height) {
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
-        this.camera.updateProjectionMatrix();
+        this.#widen();
         const nearest = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
         const depth = () => new THREE.DepthTexture(width, height, THREE.FloatType);
         this.#target?.dispose();
@@ -121,7 +121,8 @@ export class Stage {
         model.traverse(part => { part.castShadow = part.receiveShadow = true; });
         this.scene.add(this.#model = model);
         this.info = info;
-        Object.assign(this.camera, { fov: info.fovy, near: info.near, far: info.far });
+        Object.assign(this.camera, { near: info.near, far: info.far });
+        this.#widen();
         this.look(info.eye, info.target);
         /* the sun's map covers what the first view looks at */
         const reach = new THREE.Vector3(...info.eye).distanceTo(this.controls.target), { shadow } = this.sun;
@@ -133,6 +134,13 @@ export class Stage {
         shadow.normalBias = 3 * reach / shadow.mapSize.x;
         shadow.bias = -0.0008;
         this.renderer.shadowMap.needsUpdate = true;
+    }
+
+    /* Narrow pictures see as far to the sides as those a little wider than high. */
+    #widen() {
+        const half = Math.tan((this.info?.fovy ?? 50) * Math.PI / 360), { camera } = this;
+        camera.fov = Math.atan(half * Math.max(1, 1.25 / camera.aspect)) * 360 / Math.PI;
+        camera.updateProjectionMatrix();
     }
 
     look(eye, target) {
