@@ -241,7 +241,9 @@ build/web/scenes/scenes.json: build/web-scenes
 
 # Headless Chromium draws what make web made; last line "N passed, N failed".
 web-deps:
-	@sh examples/kit/install.sh chromium fonts-dejavu-core npm || true
+	@lacks=; for p in chromium clang:clang wasm-ld:lld npm fonts-dejavu-core; do \
+	  command -v $${p%:*} >/dev/null || test -d /usr/share/fonts/truetype/dejavu -a $$p = fonts-dejavu-core || lacks="$$lacks $${p#*:}"; \
+	done; test -z "$$lacks" || sh examples/kit/install.sh $$lacks || true
 	@test -d build/web-deps/node_modules/puppeteer-core || { mkdir -p build/web-deps && $(NPM_WEB); } || true
 
 web-test: web-deps

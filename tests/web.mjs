@@ -119,8 +119,8 @@ await run('the page draws', async () => {
 });
 
 /* A result of the page against a PNG of build/render, top row first. */
-const scored = async (hash, png) => {
-    await page.evaluate(h => page.go(h), hash);
+const go = hash => page.evaluate(h => page.go(h), hash);
+const against = png => {
     return page.evaluate(async bytes => {
         const blob = await (await fetch(`data:image/png;base64,${bytes}`)).blob();
         const image = await createImageBitmap(blob, { colorSpaceConversion: 'none' });
@@ -141,24 +141,48 @@ const scored = async (hash, png) => {
     }, readFileSync(png).toString('base64'));
 };
 const out = 'build/web-test';
+/* Both draw the scene: at silhouettes rasterisers differ by a pixel here and there, which fine scenes have many of. */
 for (const [scene, hash, words] of [
-    ['room', 'a=hsao', ['hsao']], ['room', 'a=hsao&p=FAST', ['hsao-fast']], ['room', 'a=ssao', ['ssao']],
-    ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=march', ['hsao-march']],
-    ['casters', 'a=hsao&behind=BACK', ['hsao', '--set', 'behind=back']],
-    ['room', 'a=hsao&normals=FROM_DEPTH', ['hsao', '--set', 'normal=depth']]])
+    ['casters', 'a=hsao', ['hsao']], ['casters', 'a=hsao&p=BEST', ['hsao-best']], ['casters', 'a=ssao', ['ssao']],
+    ['casters', 'a=march', ['hsao-march']], ['casters', 'a=hsao&behind=BACK', ['hsao', '--set', 'behind=back']],
+    ['plates', 'a=hsao&p=FAST', ['hsao-fast']]])
     await run(`ambient visibility is build/render's: ${scene}, ${words.join(' ')}`, async () => {
         render(scene, '--method', ...words, '--size', '480x270', '--out', `${out}/ao.png`);
-        const { rmse, near, least } = await scored(`scene=${scene}&b=off&size=480x270&${hash}`, `${out}/ao.png`);
+        await go(`scene=${scene}&b=off&size=480x270&${hash}`);
+        const { rmse, near, least } = await against(`${out}/ao.png`);
         note(`RMSE ${rmse.toFixed(4)}, ${(100 * near).toFixed(1)} % of pixels within 1/255`);
         check(least < 0.8, 'nothing is occluded');
         check(rmse <= 0.006, `RMSE ${rmse}`);
     });
+/* Both read one G-buffer, which the page drew. */
+await run('the same of one G-buffer, that of the page: room', async () => {
+    await go('scene=room&b=off&size=480x270');
+    const [bytes, fovy, radius] = await page.evaluate(() => {
+        const [file, fovy, radius] = page.frame();
+        let text = '';
+        for (let i = 0; i < file.length; i += 32768) text += String.fromCharCode(...file.subarray(i, i + 32768));
+        return [btoa(text), fovy, radius];
+    });
+    writeFileSync(`${out}/frame.exr`, Buffer.from(bytes, 'base64'));
+    const found = [];
+    for (const [hash, words] of [['a=hsao', ['hsao']], ['a=hsao&p=FAST', ['hsao-fast']], ['a=hsao&p=BEST', ['hsao-best']],
+                                 ['a=ssao', ['ssao']], ['a=march', ['hsao-march']],
+                                 ['a=hsao&normals=FROM_DEPTH', ['hsao', '--set', 'normal=depth']]]) {
+        render('--gbuffer', `${out}/frame.exr`, '--fovy', String(fovy), '--radius', String(radius), '--method', ...words,
+               '--out', `${out}/ao.png`);
+        await go(`scene=room&b=off&size=480x270&${hash}`);
+        const { rmse } = await against(`${out}/ao.png`);
+        found.push(`${words.join(' ')} ${rmse.toFixed(4)}`);
+        check(rmse <= 0.006, found.join(', '));
+    }
+    note(`RMSE ${found.join(', ')}`);
+});
 
 await run('the truth traced in the page is build/render\'s: the same error of hsao', async () => {
     render('room', '--truth', '64', '--size', '480x270', '--out', `${out}/truth.exr`);
     const told = render('room', '--method', 'hsao', '--size', '480x270', '--score', `${out}/truth.exr`);
     const wanted = +/RMSE ([\d.]+)/.exec(told)[1];
-    await page.evaluate(h => page.go(h), 'b=truth&size=480x270');
+    await go('b=truth&size=480x270');
     await page.waitForFunction('page.rays() >= 8', { timeout: 60000 });
     const [is, rays] = await page.evaluate('[page.error(0), page.rays()]');
     note(`RMSE ${is.toFixed(4)} by ${rays} rays a pixel, ${wanted.toFixed(4)} by build/render's 64`);
@@ -170,7 +194,7 @@ await run('every method, side, view and choice is drawn', async () => {
     for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
                         'a=ssao&b=hsao&behind=SOLID&history=1', 'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
                         'scene=cornell&view=difference&b=ssao&sky=white', 'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
-        await page.evaluate(h => page.go(h), `size=320x180&${hash}`);
+        await go(`size=320x180&${hash}`);
         const notice = await page.evaluate(() => document.getElementById('notice').hidden ? '' : document.getElementById('notice').textContent);
         check(!notice, `${hash}: ${notice}`);
         drawn.push(hash);
@@ -179,7 +203,7 @@ await run('every method, side, view and choice is drawn', async () => {
 });
 
 await run('the address carries the settings', async () => {
-    await page.evaluate(h => page.go(h), 'scene=cornell&a=ssdo&p=BEST&b=truth&radius=0.5&behind=SOLID&size=320x180&cam=0,2.745,9,0,2.7,0');
+    await go('scene=cornell&a=ssdo&p=BEST&b=truth&radius=0.5&behind=SOLID&size=320x180&cam=0,2.745,9,0,2.7,0');
     await rest(400);
     const { hash, selected } = await page.evaluate(() => {
         const { elements } = document.getElementById('panel');
@@ -193,7 +217,7 @@ await run('the address carries the settings', async () => {
 await run('a model of one\'s own is drawn', async () => {
     const wedge = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
     writeFileSync(`${out}/wedge.obj`, wedge);
-    await page.evaluate(h => page.go(h), 'size=320x180&b=off');
+    await go('size=320x180&b=off');
     await (await page.$('#file')).uploadFile(`${out}/wedge.obj`);
     await page.waitForFunction(`document.querySelector('[name=scene]').value === 'file'`, { timeout: 20000 });
     await rest(500);
@@ -208,14 +232,14 @@ mkdirSync('report', { recursive: true });
 const shots = [];
 async function shoot(name, hash, options, settle = 1500) {
     const page = await open(hash, options);
-    await rest(settle);
+    if (typeof settle === 'number') await rest(settle); else await page.waitForFunction(settle, { timeout: 60000 });
     await page.screenshot({ path: `report/web-${name}.png` });
     shots.push(`report/web-${name}.png`);
     return page;
 }
 await run('on a desktop (1280 x 800)', async () => {
     await (await shoot('desktop', '')).close();
-    const page = await shoot('difference', 'scene=casters&b=ssao&view=difference', {}, 6000);
+    const page = await shoot('difference', 'b=ssao&view=difference', {}, 'page.rays() >= 6');
     await page.click('#read');
     await rest(300);
     const text = await page.$eval('#text pre', pre => pre.textContent);

@@ -3,6 +3,7 @@ import { load } from './ssgi.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
+import { exr } from './exr.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
 const methods = {
@@ -146,6 +147,13 @@ function listen() {
         await copied($('link'), location.href);
     };
     $('read').onclick = readText;
+    $('save').onclick = () => {
+        const link = document.createElement('a');
+        link.href = URL.createObjectURL(new Blob([frameFile()], { type: 'image/x-exr' }));
+        link.download = 'frame.exr';
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    };
     $('text-which').onchange = showText;
     $('text-close').onclick = () => $('text').close();
     $('text').onclick = e => { if (e.target === $('text')) $('text').close(); };
@@ -259,13 +267,19 @@ function chainOf(name, preset) {
              history: +set.history, direct: +(bounce && set.sun) };
 }
 
+/* Until its programs are linked what was shown stays: true. */
+const coming = [null, null];
 function side(i, name, preset) {
-    if (!methods[name]?.desc) { sides[i]?.run.free(); sides[i] = null; return; }
-    const chain = chainOf(name, preset), key = JSON.stringify(chain);
-    if (sides[i]?.key === key) return;
+    const chain = methods[name]?.desc ? chainOf(name, preset) : null, key = JSON.stringify(chain);
+    if (coming[i] && coming[i].key !== key) { coming[i].run.free(); coming[i] = null; }
+    if (!chain) { sides[i]?.run.free(); sides[i] = null; return false; }
+    if (sides[i]?.key === key) return false;
+    coming[i] ??= { run: drawer.run(chain), key, name, frames: 0, ms: null };
+    if (!coming[i].run.linked) return true;
     sides[i]?.run.free();
-    sides[i] = { run: drawer.run(chain), key, name, frames: 0, ms: null };
+    [sides[i], coming[i]] = [coming[i], null];
     dirty.gather = true;
+    return false;
 }
 
 function view() {
@@ -326,8 +340,7 @@ function frame() {
     pending = 0;
     if (!stage.info) return;
     try {
-        draw();
-        first();
+        if (draw()) first();
     } catch (e) {
         notice(e.message);
         console.error(e);
@@ -336,8 +349,10 @@ function frame() {
 
 function draw() {
     fit();
-    side(0, set.a, set.p);
-    side(1, set.b, set.q);
+    if (side(0, set.a, set.p) | side(1, set.b, set.q)) {
+        request();
+        return false;
+    }
     const now = view(), gather = dirty.gather;
     if (dirty.scene || (set.behind === 'BACK' && !buffers.BACK)) {
         buffers = stage.draw(set.behind === 'BACK');
@@ -364,6 +379,7 @@ function draw() {
     if (gather) { clearTimeout(rested); rested = setTimeout(rest, software ? 350 : 200); }
     else if (wantsTruth() && !traced && !rested) rest();
     else if (again) score();
+    return true;
 }
 
 function present(now) {
@@ -478,6 +494,13 @@ function score() {
     writeStatus();
 }
 
+/* What the passes read, for build/render --gbuffer frame.exr --fovy .. --radius ... */
+function frameFile() {
+    const p = stage.camera.projectionMatrix.elements, { width, height } = size;
+    /* 1 / view depth is linear in window depth, whatever the planes */
+    return exr(width, height, show.frame(width, height, buffers, [(p[10] - 1) / p[14], 2 / p[14]]));
+}
+
 /* ---- what is written */
 
 const sum = ms => ms.reduce((all, one) => all + one, 0);
@@ -543,7 +566,8 @@ function first() {
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
-                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null };
+                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null,
+                                 frame: () => [frameFile(), stage.camera.fov, radius()] };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
 page.go = async hash => {
@@ -587,7 +611,8 @@ async function start() {
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     listen();
     fit();
-    if (methods[set.a].desc) drawer.run(chainOf(set.a, set.p)).free();       /* linked while the scene comes */
+    side(0, set.a, set.p);                          /* linked while the scene comes */
+    side(1, set.b, set.q);
     await openScene();
 }
 

@@ -1,4 +1,4 @@
-/* show.mjs - the last draw, onto the canvas: light times albedo, and the views that compare. */
+/* show.mjs - the last draws, onto the canvas: light times albedo, the views that compare, edges smoothed. */
 
 const vertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
@@ -65,48 +65,122 @@ void main() {
     }
 }`;
 
+/* Blends along edges of luminance [after Lottes 2009, FXAA]. */
+const smooth = `#version 300 es
+precision highp float;
+uniform sampler2D t_picture;
+uniform vec2 u_texel;
+out vec4 o_colour;
+vec3 at(vec2 p) { return textureLod(t_picture, p, 0.0).rgb; }
+float luma(vec3 c) { return dot(c, vec3(0.299, 0.587, 0.114)); }
+void main() {
+    vec2 p = gl_FragCoord.xy * u_texel;
+    vec3 here = at(p);
+    vec4 l = vec4(luma(at(p + u_texel * vec2(-1.0, 1.0))), luma(at(p + u_texel)), luma(at(p - u_texel)),
+                  luma(at(p + u_texel * vec2(1.0, -1.0)))); // nw ne sw se
+    float m = luma(here), least = min(m, min(min(l.x, l.y), min(l.z, l.w)));
+    float most = max(m, max(max(l.x, l.y), max(l.z, l.w)));
+    o_colour = vec4(here, 1.0);
+    if (most - least < max(0.04, 0.1 * most)) return;
+    vec2 way = vec2(l.z + l.w - l.x - l.y, l.x + l.z - l.y - l.w);
+    float weak = max((l.x + l.y + l.z + l.w) * 0.03, 0.008);
+    way = clamp(way / (min(abs(way.x), abs(way.y)) + weak), -8.0, 8.0) * u_texel;
+    vec3 near = 0.5 * (at(p - way / 6.0) + at(p + way / 6.0));
+    vec3 far = 0.5 * near + 0.25 * (at(p - 0.5 * way) + at(p + 0.5 * way));
+    float found = luma(far);
+    o_colour.rgb = found < least || found > most ? near : far;
+}`;
+
+/* View space normal and depth, for a file. */
+const held = `#version 300 es
+precision highp float;
+uniform sampler2D t_depth, t_normal;
+uniform vec2 u_decode;       // 1 / view depth = x + y * window depth
+out vec4 o_frame;
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    float d = texelFetch(t_depth, p, 0).x;
+    o_frame = d < 1.0 ? vec4(texelFetch(t_normal, p, 0).xyz, 1.0 / (u_decode.x + u_decode.y * d)) : vec4(0.0);
+}`;
+
 const textures = ['t_depth', 't_normal', 't_albedo', 't_direct', 't_truth', 't_left', 't_right', 't_left_bounce',
                   't_right_bounce'];
 
 export class Show {
-    #gl; #program; #place = {}; #nothing; #array;
+    #gl; #drawer; #picture; #smooth; #held; #nothing; #between = null;
 
     constructor(gl, drawer) {
         this.#gl = gl;
-        this.#array = drawer.array;
-        const program = this.#program = gl.createProgram();
-        for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+        this.#drawer = drawer;
+        this.#picture = this.#program(fragment);
+        this.#smooth = this.#program(smooth);
+        this.#nothing = drawer.texture(1, 1, { internal: gl.RGBA8 });
+    }
+
+    #program(text) {
+        const gl = this.#gl, program = gl.createProgram();
+        for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, text]]) {
             const shader = gl.createShader(kind);
-            gl.shaderSource(shader, text);
+            gl.shaderSource(shader, source);
             gl.compileShader(shader);
             gl.attachShader(program, shader);
         }
         gl.linkProgram(program);
-        this.#nothing = drawer.texture(1, 1, { internal: gl.RGBA8 });
+        return { program, place: null };
     }
-
-    #begin() {
-        const gl = this.#gl, program = this.#program;
-        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    /* Places of its uniforms, looked up when it is first drawn: by then it is linked. */
+    #use(of) {
+        const gl = this.#gl, { program } = of;
+        if (!of.place && !gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
         gl.useProgram(program);
-        for (const name of ['u_sky', 'u_world', 'u_ray', 'u_kind', 'u_view', 'u_light', 'u_traced', 'u_split', 'u_sun', 'u_range'])
-            this.#place[name] = gl.getUniformLocation(program, name);
-        textures.forEach((name, unit) => gl.uniform1i(gl.getUniformLocation(program, name), unit));
+        if (of.place) return of.place;
+        of.place = {};
+        for (let i = 0, unit = 0, n = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); i < n; ++i) {
+            const { name, type } = gl.getActiveUniform(program, i), at = gl.getUniformLocation(program, name);
+            of.place[name.replace('[0]', '')] = at;
+            if (type === gl.SAMPLER_2D) gl.uniform1i(at, of === this.#picture ? textures.indexOf(name) : unit++);
+        }
+        return of.place;
     }
-
-    draw(width, height, bound, { sky, world, ray, kinds, view, light, split, sun, range }) {
-        const gl = this.#gl, at = this.#place;
-        if (!at.u_sky) this.#begin();
-        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    #triangle(framebuffer, width, height) {
+        const gl = this.#gl;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.viewport(0, 0, width, height);
         for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST]) gl.disable(state);
         gl.colorMask(true, true, true, true);
-        gl.bindVertexArray(this.#array);
-        gl.useProgram(this.#program);
-        textures.forEach((name, unit) => {
+        gl.bindVertexArray(this.#drawer.array);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.activeTexture(gl.TEXTURE0);
+    }
+    #bind(list) {
+        const gl = this.#gl;
+        list.forEach((texture, unit) => {
             gl.activeTexture(gl.TEXTURE0 + unit);
-            gl.bindTexture(gl.TEXTURE_2D, bound[name] ?? this.#nothing);
+            gl.bindTexture(gl.TEXTURE_2D, texture ?? this.#nothing);
         });
+    }
+    #target(width, height, internal) {
+        const gl = this.#gl, texture = this.#drawer.texture(width, height, { internal });
+        const framebuffer = gl.createFramebuffer();
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+        return { width, height, texture, framebuffer };
+    }
+    #free({ texture, framebuffer }) {
+        this.#gl.deleteTexture(texture);
+        this.#gl.deleteFramebuffer(framebuffer);
+    }
+
+    draw(width, height, bound, { sky, world, ray, kinds, view, light, split, sun, range }) {
+        const gl = this.#gl;
+        if (this.#between?.width !== width || this.#between.height !== height) {
+            if (this.#between) this.#free(this.#between);
+            this.#between = this.#target(width, height, gl.RGBA8);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+        }
+        let at = this.#use(this.#picture);
+        this.#bind(textures.map(name => bound[name]));
         gl.uniform3fv(at.u_sky, sky);
         gl.uniformMatrix3fv(at.u_world, false, world);
         gl.uniform4fv(at.u_ray, ray);
@@ -117,7 +191,24 @@ export class Show {
         gl.uniform1f(at.u_split, split);
         gl.uniform1f(at.u_sun, sun);
         gl.uniform1f(at.u_range, range);
-        gl.drawArrays(gl.TRIANGLES, 0, 3);
-        gl.activeTexture(gl.TEXTURE0);
+        this.#triangle(view === 2 ? null : this.#between.framebuffer, width, height);
+        if (view === 2) return;                         /* a difference is shown as it is */
+        at = this.#use(this.#smooth);
+        this.#bind([this.#between.texture]);
+        gl.uniform2f(at.u_texel, 1 / width, 1 / height);
+        this.#triangle(null, width, height);
+    }
+
+    /* The G-buffer as numbers: N.X N.Y N.Z Z, bottom row first. */
+    frame(width, height, { DEPTH, NORMAL }, decode) {
+        const gl = this.#gl, target = this.#target(width, height, gl.RGBA32F), all = new Float32Array(4 * width * height);
+        const at = this.#use(this.#held ??= this.#program(held));
+        this.#bind(Object.keys(at).filter(name => name.startsWith('t_')).map(name => (name === 't_depth' ? DEPTH : NORMAL)));
+        gl.uniform2fv(at.u_decode, decode);
+        this.#triangle(target.framebuffer, width, height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, all);
+        this.#free(target);
+        return Object.fromEntries(['N.X', 'N.Y', 'N.Z', 'Z'].map((name, c) => [name,
+            Float32Array.from({ length: width * height }, (_, i) => all[4 * i + c])]));
     }
 }

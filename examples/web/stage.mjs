@@ -3,17 +3,13 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
-/* Outputs 1 and 2 of a material of three's. Its normal is turned to the side that is seen, whichever way its triangle
-   is wound. */
+/* Outputs 1 and 2 of a material of three's, which turns its normal to the side that is seen. */
 function seen(material) {
     material.onBeforeCompile = shader => {
         shader.fragmentShader = shader.fragmentShader
             .replace('void main() {', `layout(location = 1) out highp vec4 g_normal;
                 layout(location = 2) out highp vec4 g_albedo;
                 void main() {`)
-            .replace('#include <normal_fragment_maps>', `#include <normal_fragment_maps>
-                vec3 toward = cross(dFdx(vViewPosition), dFdy(vViewPosition));
-                normal = dot(normal, toward) < 0.0 ? -normal : normal;`)
             .replace('#include <opaque_fragment>', `#include <opaque_fragment>
                 g_normal = vec4(normal, 0.0);
                 g_albedo = vec4(diffuseColor.rgb, 1.0);`);
