@@ -214,6 +214,17 @@ await run('the address carries the settings', async () => {
         check(hash.includes(part), `${hash} lacks ${part}`);
 });
 
+await run('history settles, and lowers the error', async () => {
+    await go('size=320x180&a=hsao&p=FAST&b=truth');
+    await page.waitForFunction('page.rays() >= 8', { timeout: 60000 });
+    const alone = await page.evaluate('page.error(0)');
+    await go('size=320x180&a=hsao&p=FAST&b=truth&history=1');
+    await page.waitForFunction('page.settled() && page.rays() >= 8', { timeout: 60000 });
+    const averaged = await page.evaluate('page.error(0)');
+    note(`RMSE ${alone.toFixed(4)} alone, ${averaged.toFixed(4)} over 32 frames`);
+    check(averaged < alone, 'it does not');
+});
+
 await run('a model of one\'s own is drawn', async () => {
     const wedge = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
     writeFileSync(`${out}/wedge.obj`, wedge);
@@ -257,6 +268,11 @@ await run('on a phone (390 x 844, and 320 wide) nothing runs out of the page', a
         check(wide <= width, `${wide} pixels on ${width}`);
     }
     await page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true });
+    await page.touchscreen.touchStart(120, 200);
+    for (const x of [140, 170, 200]) await page.touchscreen.touchMove(x, 210);
+    await page.touchscreen.touchEnd();
+    await rest(800);
+    check((await page.evaluate('location.hash')).includes('cam='), 'a finger does not orbit');
     await page.evaluate(() => scrollTo(0, 520));
     await rest(1500);
     await page.screenshot({ path: 'report/web-phone-controls.png' });

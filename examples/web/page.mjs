@@ -25,7 +25,7 @@ const most = 4096;                                  /* rays a pixel, after which
 
 let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
-let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0;
+let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let dirty = { scene: true, gather: true }, traced = null, clockless = false, environments = new Map(), errors = {};
 
 /* ---- settings: in the address, in the panel */
@@ -178,6 +178,7 @@ function changed(name) {
     if (name === 'sun') dirty.gather ||= set.bounce;
     still = 0;
     toPanel();
+    writeStatus();
     writeAddress();
     request();
 }
@@ -374,6 +375,7 @@ function draw() {
     dirty.gather = false;
     last = now;
     present(now);
+    ++frames;
     ++still;
     if (set.history && still < 32) request();
     if (gather) { clearTimeout(rested); rested = setTimeout(rest, software ? 350 : 200); }
@@ -510,6 +512,7 @@ function writeStatus() {
     $('clock').textContent = times.length ? software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU' : '';
     const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
     $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
+    $('legend').hidden = set.view !== 'difference';
     $('rays').textContent = traced ? truth.rays ? `${truth.rays} rays a pixel` : 'tracing …' : '';
 }
 function writePasses() {
@@ -566,7 +569,7 @@ function first() {
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
-                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null,
+                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null, settled: () => still >= 32,
                                  frame: () => [frameFile(), stage.camera.fov, radius()] };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
@@ -575,7 +578,8 @@ page.go = async hash => {
     fromAddress();
     await openScene();
     changed();
-    await new Promise(resolve => { const wait = () => (pending ? requestAnimationFrame(wait) : resolve()); wait(); });
+    const was = frames;
+    await new Promise(resolve => { const wait = () => (frames === was ? requestAnimationFrame(wait) : resolve()); wait(); });
 };
 
 function lacks() {

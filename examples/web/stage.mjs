@@ -38,6 +38,7 @@ export class Stage {
         this.controls = new OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
         this.controls.zoomToCursor = true;
+        this.controls.listenToKeyEvents(canvas);            /* arrows move, with shift they turn */
         this.sun = new THREE.DirectionalLight(0xffffff, 3.2);
         this.sun.color.setRGB(1, 0.89, 0.74);
         this.sun.castShadow = true;
