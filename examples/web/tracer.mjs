@@ -21,7 +21,8 @@ function place(eye, way, origin, n) {
     const at = 9 * hit.triangle, w = 1 - hit.u - hit.v;
     const { corner } = job;
     let facing = 0, length = 0;
-    const e = [0, 1, 2].map(i => corner[at + 3 + i] - corner[at + i]), f = [0, 1, 2].map(i => corner[at + 6 + i] - corner[at + i]);
+    const e = [0, 1, 2].map(i => corner[at + 3 + i] - corner[at + i]);
+    const f = [0, 1, 2].map(i => corner[at + 6 + i] - corner[at + i]);
     const face = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     const side = face[0] * way[0] + face[1] * way[1] + face[2] * way[2] > 0 ? -1 : 1, size = side / Math.hypot(...face);
     for (let i = 0; i < 3; ++i) {
@@ -30,8 +31,9 @@ function place(eye, way, origin, n) {
         facing += n[i] * face[i] * side;
     }
     length = (facing < 0 ? -1 : 1) / (Math.sqrt(length) || 1);
-    let far = 0;
-    for (let i = 0; i < 3; ++i) far = Math.max(far, Math.abs(eye[i] + way[i] * hit.t));
+    let far = 0;                                    /* what the hit is rounded by grows with all of these */
+    for (let i = 0; i < 3; ++i)
+        far = Math.max(far, Math.abs(eye[i]), Math.abs(way[i] * hit.t), Math.abs(eye[i] + way[i] * hit.t));
     for (let i = 0; i < 3; ++i) {
         n[i] *= length;
         origin[i] = eye[i] + way[i] * hit.t + face[i] * size * 4e-6 * far;
@@ -48,7 +50,8 @@ function begin() {
     job.sums = [new Float32Array(4 * width * rows), new Float32Array(4 * width * rows)];
     for (let r = 0; r < rows; ++r)
         for (let x = 0; x < width; ++x) {
-            const sx = camera.ray[0] * (x + 0.5) + camera.ray[2], sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
+            const sx = camera.ray[0] * (x + 0.5) + camera.ray[2];
+            const sy = camera.ray[1] * (first + r * every + 0.5) + camera.ray[3];
             for (let i = 0; i < 3; ++i) way[i] = camera.world[i] * sx + camera.world[3 + i] * sy - camera.world[6 + i];
             if (!place(camera.eye, way, origin, n)) continue;
             job.origin.set(origin, 3 * (r * width + x));
