@@ -43,6 +43,7 @@ const place *ssgi_wasm_place_at(int i)
 #define OUTPUT(member) AT(ssgi_gl_output, member)
     static const place places[] = {
         { "major", SSGI_VERSION_MAJOR }, { "minor", SSGI_VERSION_MINOR },
+        { "meanings", SSGI_GL_YOURS },
         SIZE(ssgi_view), SIZE(ssgi_gl_desc), SIZE(ssgi_gl_frame), SIZE(ssgi_gl_io), SIZE(ssgi_gl_chain),
         SIZE(ssgi_gl_step), SIZE(ssgi_gl_input), SIZE(ssgi_gl_output), SIZE(ssgi_trace), SIZE(ssgi_hit),
         AT(ssgi_gl_desc, version), AT(ssgi_gl_desc, fetch),
@@ -131,11 +132,4 @@ size_t strcspn(const char *s, const char *stop)
     size_t n = 0;
     while (s[n] && !strchr(stop, s[n])) ++n;
     return n;
-}
-
-char *strstr(const char *s, const char *part)
-{
-    const size_t n = strlen(part);
-    for (; strncmp(s, part, n); ++s) if (!*s) return NULL;
-    return (char *)(uintptr_t)s;
 }

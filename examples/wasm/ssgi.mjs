@@ -43,6 +43,7 @@ export class Ssgi {
             this.#at[name] = this.#int(at + 4);
             if (member) (this.#of[of] ??= {})[member] = this.#at[name];
         }
+        if (this.#at.meanings !== meanings.length) throw new Error('ssgi.mjs and ssgi.wasm are of different versions');
         const { ssgi_gl_choice: choice } = this.#of;
         this.#strings = { version: this.#at['ssgi_gl_desc.version'], fetch: this.#at['ssgi_gl_desc.fetch'] };
         this.version = `${this.#at.major}.${this.#at.minor}`;

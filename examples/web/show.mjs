@@ -176,8 +176,8 @@ export class Show {
         if (this.#between?.width !== width || this.#between.height !== height) {
             if (this.#between) this.#free(this.#between);
             this.#between = this.#target(width, height, gl.RGBA8);
-            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-            gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+            for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
+            for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
         }
         let at = this.#use(this.#picture);
         this.#bind(textures.map(name => bound[name]));

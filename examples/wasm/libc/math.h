@@ -19,6 +19,7 @@ SSGI_WASM_MATH(tanh) double tanh(double x);
 static inline double sqrt(double x) { return __builtin_sqrt(x); }
 static inline double fabs(double x) { return __builtin_fabs(x); }
 static inline double floor(double x) { return __builtin_floor(x); }
+static inline double fmin(double x, double y) { return x < y ? x : y; }
 static inline double ceil(double x) { return __builtin_ceil(x); }
 static inline float  sqrtf(float x) { return __builtin_sqrtf(x); }
 static inline float  fabsf(float x) { return __builtin_fabsf(x); }
