@@ -188,6 +188,16 @@ await run('the truth traced in the page is build/render\'s: the same error of hs
     note(`RMSE ${is.toFixed(4)} by ${rays} rays a pixel, ${wanted.toFixed(4)} by build/render's 64`);
     check(Math.abs(is - wanted) < 0.003, `${is} against ${wanted}`);
 });
+await run('and of light: the same error of ssdo under the sky', async () => {
+    const words = ['casters', '--method', 'ssdo', '--env', 'sky', '--set', 'bounce=none', '--size', '240x136'];
+    render(...words, '--truth', '64', '--out', `${out}/truth.exr`);
+    const wanted = +/irradiance: RMSE ([\d.]+)/.exec(render(...words, '--score', `${out}/truth.exr`))[1];
+    await go('scene=casters&a=ssdo&b=truth&size=240x136');
+    await page.waitForFunction('page.rays() >= 16', { timeout: 60000 });
+    const is = await page.evaluate('page.error(0)');
+    note(`RMSE ${is.toFixed(4)}, ${wanted.toFixed(4)} by build/render, noise of its 64 rays and all`);
+    check(Math.abs(is - wanted) < 0.004, `${is} against ${wanted}`);
+});
 
 await run('every method, side, view and choice is drawn', async () => {
     const drawn = [];
@@ -291,6 +301,12 @@ await run('what a device lacks is said', async () => {
     const poor = await told(`const all = WebGL2RenderingContext.prototype.getExtension;
         WebGL2RenderingContext.prototype.getExtension = function (name) { return /color_buffer/.test(name) ? null : all.call(this, name); };`);
     check(poor.includes('EXT_color_buffer_float'), poor || 'nothing is said without EXT_color_buffer_float');
+    const clockless = await open('size=320x180&a=ssdo&bounce=1&b=ssao', { before: `const all = WebGL2RenderingContext.prototype.getExtension;
+        WebGL2RenderingContext.prototype.getExtension = function (name) { return /timer/.test(name) ? null : all.call(this, name); };` });
+    await clockless.waitForFunction('page.ms(0) && page.ms(1)', { timeout: 60000 });
+    const said = await clockless.$eval('#timer-note', p => p.textContent), ms = await clockless.evaluate('page.ms(0)');
+    await clockless.close();
+    check(said.includes('CPU') && ms.every(one => one > 0), `${said}: ${ms}`);
 });
 
 await run('the console is silent, the folder small', async () => {

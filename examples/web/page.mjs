@@ -273,13 +273,18 @@ const coming = [null, null];
 function side(i, name, preset) {
     const chain = methods[name]?.desc ? chainOf(name, preset) : null, key = JSON.stringify(chain);
     if (coming[i] && coming[i].key !== key) { coming[i].run.free(); coming[i] = null; }
-    if (!chain) { sides[i]?.run.free(); sides[i] = null; return false; }
+    if (!chain) {
+        sides[i]?.run.free();
+        sides[i] = null;
+        return false;
+    }
     if (sides[i]?.key === key) return false;
     coming[i] ??= { run: drawer.run(chain), key, name, frames: 0, ms: null };
     if (!coming[i].run.linked) return true;
     sides[i]?.run.free();
     [sides[i], coming[i]] = [coming[i], null];
     dirty.gather = true;
+    writePasses();
     return false;
 }
 
@@ -513,6 +518,7 @@ function writeStatus() {
     const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
     $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
     $('legend').hidden = set.view !== 'difference';
+    $('status').hidden = !times.length && !traced && $('legend').hidden;
     $('rays').textContent = traced ? truth.rays ? `${truth.rays} rays a pixel` : 'tracing …' : '';
 }
 function writePasses() {
@@ -529,7 +535,7 @@ function writePasses() {
     $('passes').hidden = !rows.length;
     $('timer-note').textContent = !rows.length ? '' : clockless
         ? 'No EXT_disjoint_timer_query_webgl2 here: the CPU’s clock around each pass and a wait for it (gl.finish and a pixel read back), median of 3.'
-        : 'Timed on the GPU by EXT_disjoint_timer_query_webgl2.';
+        : 'Timed by EXT_disjoint_timer_query_webgl2.';
     writeStatus();
 }
 

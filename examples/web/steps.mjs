@@ -134,7 +134,7 @@ class Run {
             gl.viewport(0, 0, step.width, step.height);
             gl.useProgram(program);
             if (clock && timer) gl.beginQuery(timer.TIME_ELAPSED_EXT, queries[number] = gl.createQuery());
-            const begun = clock === 2 ? (this.#wait(), performance.now()) : 0;
+            const begun = clock === 2 ? (this.#wait(step), performance.now()) : 0;
             if (step.clear) step.outputs.forEach((_, i) => gl.clearBufferfv(gl.COLOR, i, Array(4).fill(step.clear_to)));
             if (step.blend[0]) {
                 gl.enable(gl.BLEND);
@@ -144,18 +144,19 @@ class Run {
             gl.drawArraysInstanced(step.primitive, 0, step.vertices, step.instances);
             gl.disable(gl.BLEND);
             if (clock && timer) gl.endQuery(timer.TIME_ELAPSED_EXT);
-            if (clock === 2) { this.#wait(); this.ms[number] = performance.now() - begun; }
+            if (clock === 2) { this.#wait(step); this.ms[number] = performance.now() - begun; }
         });
         if (queries.length) this.#pending = queries;
         gl.activeTexture(gl.TEXTURE0);
     }
 
     /* A texel read back comes after what was drawn before: gl.finish() alone need not wait in a browser. */
-    #wait() {
+    #wait({ outputs: [{ format: { type, name } }] }) {
         const gl = this.#gl;
         gl.finish();
-        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
-        gl.getError();                              /* of a format that reads back as another type */
+        if (name.endsWith('UI')) gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, new Uint32Array(4));
+        else if (type === gl.UNSIGNED_BYTE) gl.readPixels(0, 0, 1, 1, gl.RGBA, type, new Uint8Array(4));
+        else gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
     }
 
     /* Timer queries come frames later; true: ms is new. */
