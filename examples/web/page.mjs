@@ -620,6 +620,7 @@ async function start() {
     options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
     listen();
+    panel.inert = false;
     fit();
     side(0, set.a, set.p);                          /* linked while the scene comes */
     side(1, set.b, set.q);
