@@ -247,10 +247,11 @@ web-deps:
 	@test -d build/web-deps/node_modules/puppeteer-core || { mkdir -p build/web-deps && $(NPM_WEB); } || true
 
 web-test: web-deps
-	@if test -d build/web-deps/node_modules/three; then $(MAKE) --no-print-directory web build/render build/glsl-text; fi
-	@mkdir -p build/web-test && echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html
-	@if ! command -v node >/dev/null || ! test -e build/web/index.html; then \
-	  echo 'skipped: everything: no node, npm or clang'; echo '0 passed, 0 failed'; \
-	else build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs; fi
+	@lacks=; for p in node clang wasm-ld; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
+	test -d build/web-deps/node_modules/three || lacks="$$lacks three.js (npm)"; \
+	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
+	$(MAKE) --no-print-directory web build/render build/glsl-text && mkdir -p build/web-test && \
+	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
+	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs
 
 .PHONY: web web-deps web-test
