@@ -12,7 +12,10 @@ function note(text) { notes.push(text); }
 async function run(sentence, test) {
     const begun = performance.now();
     try { await test(); ++passed; console.log(`ok      ${sentence}`); }
-    catch (e) { ++failed; console.log(`FAILED  ${sentence}\n        ${String(e.message).split('\n').slice(0, 12).join('\n        ')}`); }
+    catch (e) {
+        ++failed;
+        console.log([`FAILED  ${sentence}`, ...String(e.message).split('\n').slice(0, 12)].join('\n        '));
+    }
     const took = (performance.now() - begun) / 1000;
     if (took >= 1) notes.push(`${took.toFixed(1)} s`);
     for (const text of notes.splice(0)) console.log(`        ${text}`);
@@ -40,7 +43,8 @@ const server = createServer((request, answer) => {
     const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
     try {
         const file = readFileSync(join('build', path.endsWith('/') ? `${path}index.html` : path));
-        answer.writeHead(200, { 'content-type': types[extname(path)] ?? (path.endsWith('/') ? 'text/html' : 'application/octet-stream') });
+        const type = path.endsWith('/') ? 'text/html' : types[extname(path)] ?? 'application/octet-stream';
+        answer.writeHead(200, { 'content-type': type });
         answer.end(file);
     } catch { answer.writeHead(404).end(); }
 });
@@ -55,7 +59,9 @@ const browser = await puppeteer.launch({
 const said = [];                                    /* what consoles said that is wrong */
 async function open(hash, { width = 1280, height = 800, scale = 1, before = null } = {}) {
     const page = await browser.newPage();
-    page.on('console', m => { if (['error', 'warn', 'warning'].includes(m.type())) said.push(`${hash}: ${m.type()}: ${m.text()}`); });
+    page.on('console', m => {
+        if (['error', 'warn', 'warning'].includes(m.type())) said.push(`${hash}: ${m.type()}: ${m.text()}`);
+    });
     page.on('pageerror', e => said.push(`${hash}: ${e.message}`));
     page.on('requestfailed', r => said.push(`${hash}: ${r.url()}: ${r.failure()?.errorText}`));
     await page.setViewport({ width, height, deviceScaleFactor: scale, isMobile: width < 600, hasTouch: width < 600 });
@@ -109,8 +115,10 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
             if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) || gl.getShaderInfoLog(shader).trim())
                 wrong.push(`${file}: ${gl.getShaderInfoLog(shader)}`);
         for (const { program, vert, frag } of programs)
-            if (!gl.getProgramParameter(program, gl.LINK_STATUS)) wrong.push(`${vert} ${frag}: ${gl.getProgramInfoLog(program)}`);
-        return { texts: shaders.size, programs: programs.length, wrong, renderer: gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER) };
+            if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+                wrong.push(`${vert} ${frag}: ${gl.getProgramInfoLog(program)}`);
+        return { texts: shaders.size, programs: programs.length, wrong,
+                 renderer: gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER) };
     });
     await page.close();
     note(`${texts} texts compiled, ${programs} programs linked, ${wrong.length} with a complaint; ${renderer}`);
@@ -201,11 +209,12 @@ await run('and of light: the same error of ssdo under the sky', async () => {
 
 await run('every method, side, view and choice is drawn', async () => {
     const drawn = [];
-    for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
+    for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 
+                        'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
                         'a=ssao&b=hsao&behind=SOLID&history=1', 'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
                         'scene=cornell&view=difference&b=ssao&sky=white', 'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
         await go(`size=320x180&${hash}`);
-        const notice = await page.evaluate(() => document.getElementById('notice').hidden ? '' : document.getElementById('notice').textContent);
+        const notice = await page.$eval('#notice', p => (p.hidden ? '' : p.textContent));
         check(!notice, `${hash}: ${notice}`);
         drawn.push(hash);
     }
@@ -298,11 +307,11 @@ await run('what a device lacks is said', async () => {
     };
     const none = await told('HTMLCanvasElement.prototype.getContext = () => null;');
     check(none.includes('no WebGL 2'), none || 'nothing is said without WebGL 2');
-    const poor = await told(`const all = WebGL2RenderingContext.prototype.getExtension;
-        WebGL2RenderingContext.prototype.getExtension = function (name) { return /color_buffer/.test(name) ? null : all.call(this, name); };`);
+    const without = names => `const { prototype } = WebGL2RenderingContext, all = prototype.getExtension;
+        prototype.getExtension = function (name) { return ${names}.test(name) ? null : all.call(this, name); };`;
+    const poor = await told(without('/color_buffer/'));
     check(poor.includes('EXT_color_buffer_float'), poor || 'nothing is said without EXT_color_buffer_float');
-    const clockless = await open('size=320x180&a=ssdo&bounce=1&b=ssao', { before: `const all = WebGL2RenderingContext.prototype.getExtension;
-        WebGL2RenderingContext.prototype.getExtension = function (name) { return /timer/.test(name) ? null : all.call(this, name); };` });
+    const clockless = await open('size=320x180&a=ssdo&bounce=1&b=ssao', { before: without('/timer/') });
     await clockless.waitForFunction('page.ms(0) && page.ms(1)', { timeout: 60000 });
     const said = await clockless.$eval('#timer-note', p => p.textContent), ms = await clockless.evaluate('page.ms(0)');
     await clockless.close();
@@ -310,9 +319,8 @@ await run('what a device lacks is said', async () => {
 });
 
 await run('the console is silent, the folder small', async () => {
-    const size = folder => readdirSync(folder, { withFileTypes: true }).reduce((sum, entry) => sum
-        + (entry.name === 'scenes' ? 0 : entry.isDirectory() ? size(join(folder, entry.name)) : statSync(join(folder, entry.name)).size), 0);
-    const bytes = size('build/web');
+    const bytes = readdirSync('build/web', { recursive: true }).filter(name => !name.startsWith('scenes'))
+        .reduce((sum, name) => sum + (statSync(join('build/web', name)).isFile() && statSync(join('build/web', name)).size), 0);
     note(`build/web without its scenes: ${(bytes / 1e6).toFixed(2)} MB`);
     check(bytes <= 3e6, `${bytes} bytes`);
     check(!said.length, said.join('\n'));

@@ -13,7 +13,10 @@ export function exr(width, height, channels) {
     bytes.push(0);
     attribute('compression', 'compression', 1);
     bytes.push(0);
-    for (const window of ['dataWindow', 'displayWindow']) { attribute(window, 'box2i', 16); word(0, 0, width - 1, height - 1); }
+    for (const window of ['dataWindow', 'displayWindow']) {
+        attribute(window, 'box2i', 16);
+        word(0, 0, width - 1, height - 1);
+    }
     attribute('lineOrder', 'lineOrder', 1);
     bytes.push(0);
     attribute('pixelAspectRatio', 'float', 4);
@@ -24,8 +27,8 @@ export function exr(width, height, channels) {
     attribute('screenWindowWidth', 'float', 4);
     float(1);
     bytes.push(0);
-    const head = bytes.length + 8 * height, row = 4 * width * names.length, file = new Uint8Array(head + (row + 8) * height);
-    const view = new DataView(file.buffer);
+    const head = bytes.length + 8 * height, row = 4 * width * names.length;
+    const file = new Uint8Array(head + (row + 8) * height), view = new DataView(file.buffer);
     file.set(bytes);
     for (let y = 0; y < height; ++y) {
         const at = head + y * (row + 8);

@@ -12,13 +12,15 @@ const methods = {
     hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness: 0.6 },
     march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness: 0.5 },
     ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness: 0.4, light: true },
-    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1, light: true },
-    s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1, restore: 'RATIO' },
-            thickness: 0.4, light: true }
+    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1,
+              light: true },
+    s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
+                                   restore: 'RATIO' }, thickness: 0.4, light: true }
 };
 const presets = { FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
-const defaults = { scene: 'room', sky: 'sky', sun: true, view: 'lit', a: 'hsao', p: 'BALANCED', b: 'none', q: 'BALANCED',
-                   radius: 0, behind: 'CONSTANT', thickness: -1, normals: 'SIGNED', history: false, bounce: false,
+const defaults = { scene: 'room', sky: 'sky', sun: true, view: 'lit', a: 'hsao', p: 'BALANCED', b: 'none',
+                   q: 'BALANCED', radius: 0, behind: 'CONSTANT', thickness: -1,
+                   normals: 'SIGNED', history: false, bounce: false,
                    size: 'auto', truth: false, split: 0.5, cam: '' };
 const set = { ...defaults };
 const most = 4096;                                  /* rays a pixel, after which the truth is left alone */
@@ -52,9 +54,9 @@ function fromAddress() {
     set.split = Math.min(1, Math.max(0, set.split));
 }
 function address() {
-    const given = Object.entries(set).filter(([name, value]) => value !== defaults[name])
-        .map(([name, value]) => `${name}=${typeof value === 'boolean' ? +value : typeof value === 'number' ? +value.toFixed(3) : value}`);
-    return given.join('&');
+    const short = value => (typeof value === 'string' ? value : +Number(value).toFixed(3));
+    return Object.entries(set).filter(([name, value]) => value !== defaults[name])
+        .map(([name, value]) => `${name}=${short(value)}`).join('&');
 }
 let addressed = 0;
 function writeAddress() {
@@ -78,7 +80,8 @@ function toPanel() {
     const output = name => panel.elements[name].parentElement.querySelector('output');
     if (stage.info) output('radius').textContent = +radius().toPrecision(2);
     output('thickness').textContent = `${thickness(set.a).toFixed(2)} R`;
-    const method = name => !!methods[name]?.desc, on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
+    const method = name => !!methods[name]?.desc;
+    const on = (of, yes) => panel.querySelectorAll(of).forEach(e => { e.hidden = !yes; });
     on('.of-a', method(set.a));
     on('.of-b', method(set.b));
     on('.of-thickness', set.behind !== 'SOLID');
@@ -124,7 +127,11 @@ function listen() {
         writeAddress();
         request();
     };
-    split.addEventListener('pointerdown', e => { split.setPointerCapture(e.pointerId); e.preventDefault(); split.focus({ preventScroll: true }); });
+    split.addEventListener('pointerdown', e => {
+        split.setPointerCapture(e.pointerId);
+        split.focus({ preventScroll: true });
+        e.preventDefault();
+    });
     split.addEventListener('pointermove', e => { if (split.hasPointerCapture(e.pointerId)) move(e.clientX); });
     split.addEventListener('keydown', e => {
         const way = { ArrowLeft: -1, ArrowRight: 1 }[e.key], box = shownBox();
@@ -158,7 +165,10 @@ function listen() {
     $('text-close').onclick = () => $('text').close();
     $('text').onclick = e => { if (e.target === $('text')) $('text').close(); };
     $('text-copy').onclick = () => copied($('text-copy'), $('text').querySelector('pre').textContent);
-    canvas.addEventListener('webglcontextlost', e => { e.preventDefault(); notice('The device lost its WebGL context. Reload the page.'); });
+    canvas.addEventListener('webglcontextlost', e => {
+        e.preventDefault();
+        notice('The device lost its WebGL context. Reload the page.');
+    });
 }
 
 async function copied(button, text) {
@@ -187,7 +197,8 @@ function changed(name) {
 
 let opening = 0;
 async function openScene() {
-    const info = scenes.find(s => s.name === set.scene) ?? scenes.find(s => s.name === defaults.scene) ?? scenes[0], mine = ++opening;
+    const named = name => scenes.find(s => s.name === name), mine = ++opening;
+    const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0];
     const looked = set.cam.split(',').map(Number);
     if (stage.info !== info) {
         set.scene = info.name;
@@ -244,13 +255,15 @@ function plainUploads() {                           /* three leaves its own sett
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
 }
-const coefficients = bands => cached(`${set.sky} harmonics ${bands}`, () => ssgi.projectEquirect(bands, skyImage(set.sky), 256, 128));
+const coefficients = bands => cached(`${set.sky} harmonics ${bands}`,
+    () => ssgi.projectEquirect(bands, skyImage(set.sky), 256, 128));
 
 function lightOf(desc) {
     const sky = skyImage(set.sky), given = {};
     if (desc.environment === 'MAP') {
         const angle = desc.samples ? 2 * Math.PI / desc.samples : 0.75 * Math.PI / (desc.directions || 1);
-        given.ENVIRONMENT = cached(`${set.sky} map ${angle}`, () => upload(ssgi.environmentMap(64, sky, 256, 128, angle), 64, 0));
+        given.ENVIRONMENT = cached(`${set.sky} map ${angle}`,
+            () => upload(ssgi.environmentMap(64, sky, 256, 128, angle), 64, 0));
         given.IRRADIANCE = cached(`${set.sky} open`, () => upload(ssgi.environmentCone(32, sky, 256, 128, 0), 32, 1));
     }
     if (desc.pass === 'S3HO')
@@ -398,8 +411,9 @@ function present(now) {
         t_depth: buffers.DEPTH, t_normal: buffers.NORMAL, t_albedo: buffers.ALBEDO, t_direct: buffers.DIRECT,
         t_truth: truthTexture(), t_left: a?.run.light, t_right: right?.run.light, t_left_bounce: a?.run.bounce,
         t_right_bounce: right?.run.bounce
-    }, { sky: coefficients(3), world: now.world, ray: now.ray, kinds, light: +light, sun: +set.sun, range: light ? 0.5 : 0.4,
-         view: ['lit', 'ambient', 'difference'].indexOf(set.view), split: set.b === 'off' ? 1e6 : set.split * size.width });
+    }, { sky: coefficients(3), world: now.world, ray: now.ray, kinds, light: +light, sun: +set.sun,
+         range: light ? 0.5 : 0.4, view: ['lit', 'ambient', 'difference'].indexOf(set.view),
+         split: set.b === 'off' ? 1e6 : set.split * size.width });
     if (set.b !== 'off') placeSplit();
 }
 
@@ -514,7 +528,8 @@ const sum = ms => ms.reduce((all, one) => all + one, 0);
 function writeStatus() {
     const times = sides.filter(s => s?.ms).map(s => `${digits(sum(s.ms))} ms`);
     $('cost').textContent = times.join(' | ');
-    $('clock').textContent = times.length ? software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU' : '';
+    const clock = software ? 'in software' : clockless ? 'by the CPU’s clock' : 'on the GPU';
+    $('clock').textContent = times.length ? clock : '';
     const found = [0, 1].filter(i => errors[i] != null).map(i => errors[i].toFixed(4));
     $('error').textContent = found.length ? `RMSE ${found.join(' | ')}` : '';
     $('legend').hidden = set.view !== 'difference';
@@ -534,7 +549,8 @@ function writePasses() {
     $('passes').tBodies[0].replaceChildren(...rows);
     $('passes').hidden = !rows.length;
     $('timer-note').textContent = !rows.length ? '' : clockless
-        ? 'No EXT_disjoint_timer_query_webgl2 here: the CPU’s clock around each pass and a wait for it (gl.finish and a pixel read back), median of 3.'
+        ? 'No EXT_disjoint_timer_query_webgl2 here: the CPU’s clock around each pass and a wait for it '
+            + '(gl.finish and a pixel read back), median of 3.'
         : 'Timed by EXT_disjoint_timer_query_webgl2.';
     writeStatus();
 }
@@ -568,14 +584,15 @@ let told = false;
 function first() {
     if (told) return;
     told = true;
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));        /* it is there, not just asked for */
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));   /* it is there, not just asked for */
     page.first = performance.now();
     page.ready();
 }
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
-                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null, settled: () => still >= 32,
+                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null,
+                                 settled: () => still >= 32,
                                  frame: () => [frameFile(), stage.camera.fov, radius()] };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
@@ -585,7 +602,7 @@ page.go = async hash => {
     await openScene();
     changed();
     const was = frames;
-    await new Promise(resolve => { const wait = () => (frames === was ? requestAnimationFrame(wait) : resolve()); wait(); });
+    while (frames === was) await new Promise(requestAnimationFrame);
 };
 
 function lacks() {
@@ -597,7 +614,7 @@ function lacks() {
     const info = probe.getExtension('WEBGL_debug_renderer_info');
     const name = probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER);
     software = /swiftshader|llvmpipe|software|basic render/i.test(name);
-    $('device').textContent = `${name}${software ? ': a software renderer, so the picture is kept at 960×540 pixels' : ''}`;
+    $('device').textContent = name + (software ? ': a software renderer; the picture has 960×540 pixels at most' : '');
     probe.getExtension('WEBGL_lose_context')?.loseContext();
     return missing;
 }

@@ -20,8 +20,9 @@ out vec4 o_colour;
 vec3 harmonics(vec3 n, vec3 band) {
     vec3 l = u_sky[0] * 0.282095 * band.x;
     l += (u_sky[1] * n.y + u_sky[2] * n.z + u_sky[3] * n.x) * 0.488603 * band.y;
-    l += (u_sky[4] * 1.092548 * n.x * n.y + u_sky[5] * 1.092548 * n.y * n.z + u_sky[6] * (0.946175 * n.z * n.z - 0.315392)
-          + u_sky[7] * 1.092548 * n.x * n.z + u_sky[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
+    l += (u_sky[4] * 1.092548 * n.x * n.y + u_sky[5] * 1.092548 * n.y * n.z
+          + u_sky[6] * (0.946175 * n.z * n.z - 0.315392) + u_sky[7] * 1.092548 * n.x * n.z
+          + u_sky[8] * 0.546274 * (n.x * n.x - n.y * n.y)) * band.z;
     return max(l, 0.0);
 }
 vec3 coded(vec3 c) {
@@ -131,7 +132,8 @@ export class Show {
     /* Places of its uniforms, looked up when it is first drawn: by then it is linked. */
     #use(of) {
         const gl = this.#gl, { program } = of;
-        if (!of.place && !gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+        if (!of.place && !gl.getProgramParameter(program, gl.LINK_STATUS))
+            throw new Error(gl.getProgramInfoLog(program));
         gl.useProgram(program);
         if (of.place) return of.place;
         of.place = {};
@@ -146,7 +148,8 @@ export class Show {
         const gl = this.#gl;
         gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
         gl.viewport(0, 0, width, height);
-        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST]) gl.disable(state);
+        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST])
+            gl.disable(state);
         gl.colorMask(true, true, true, true);
         gl.bindVertexArray(this.#drawer.array);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -176,8 +179,10 @@ export class Show {
         if (this.#between?.width !== width || this.#between.height !== height) {
             if (this.#between) this.#free(this.#between);
             this.#between = this.#target(width, height, gl.RGBA8);
-            for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
-            for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+            for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+                gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
+            for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+                gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
         }
         let at = this.#use(this.#picture);
         this.#bind(textures.map(name => bound[name]));
@@ -201,9 +206,11 @@ export class Show {
 
     /* The G-buffer as numbers: N.X N.Y N.Z Z, bottom row first. */
     frame(width, height, { DEPTH, NORMAL }, decode) {
-        const gl = this.#gl, target = this.#target(width, height, gl.RGBA32F), all = new Float32Array(4 * width * height);
+        const gl = this.#gl, target = this.#target(width, height, gl.RGBA32F);
+        const all = new Float32Array(4 * width * height);
         const at = this.#use(this.#held ??= this.#program(held));
-        this.#bind(Object.keys(at).filter(name => name.startsWith('t_')).map(name => (name === 't_depth' ? DEPTH : NORMAL)));
+        this.#bind(Object.keys(at).filter(name => name.startsWith('t_'))
+            .map(name => (name === 't_depth' ? DEPTH : NORMAL)));
         gl.uniform2fv(at.u_decode, decode);
         this.#triangle(target.framebuffer, width, height);
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, all);

@@ -1,4 +1,4 @@
-/* sky.mjs - what light comes from each direction of the world, as build/render --env has it; page and tracer share it. */
+/* sky.mjs - what light comes from each direction of the world, as build/render --env has it. */
 
 const degree = Math.PI / 180;
 

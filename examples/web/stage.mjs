@@ -1,5 +1,5 @@
 /* stage.mjs - the host: three.js keeps scene, camera and sun, and draws once what ssgi reads: depth, normals in view
-   space, albedo, and beside them what the sun lights. Its materials stay its own; a patch of their text adds outputs. */
+   space, albedo, and beside them what the sun lights. Its materials stay its own, two outputs added. */
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
@@ -113,7 +113,10 @@ export class Stage {
     show(model, info) {
         if (this.#model) {
             this.scene.remove(this.#model);
-            this.#model.traverse(part => { part.geometry?.dispose(); [part.material ?? []].flat().forEach(m => m.dispose()); });
+            this.#model.traverse(part => {
+                part.geometry?.dispose();
+                [part.material ?? []].flat().forEach(m => m.dispose());
+            });
         }
         model.traverse(part => { part.castShadow = part.receiveShadow = true; });
         this.scene.add(this.#model = model);

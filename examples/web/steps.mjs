@@ -116,7 +116,8 @@ class Run {
         const gl = this.#gl, timer = clock === 1 ? this.#drawer.timer : null, queries = [];
         if (this.#pending.length) clock = 0;
         gl.bindVertexArray(this.#drawer.array);
-        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST]) gl.disable(state);
+        for (const state of [gl.DEPTH_TEST, gl.BLEND, gl.SCISSOR_TEST, gl.CULL_FACE, gl.STENCIL_TEST])
+            gl.disable(state);
         gl.colorMask(true, true, true, true);
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.#block);
         gl.bufferData(gl.UNIFORM_BUFFER, frame.buffer, gl.DYNAMIC_DRAW);
@@ -162,7 +163,7 @@ class Run {
     /* Timer queries come frames later; true: ms is new. */
     poll() {
         const gl = this.#gl, { timer } = this.#drawer, queries = this.#pending;
-        if (!queries.length || !gl.getQueryParameter(queries[queries.length - 1], gl.QUERY_RESULT_AVAILABLE)) return false;
+        if (!queries.length || !gl.getQueryParameter(queries.at(-1), gl.QUERY_RESULT_AVAILABLE)) return false;
         const torn = gl.getParameter(timer.GPU_DISJOINT_EXT);
         if (!torn) this.ms = queries.map(q => gl.getQueryParameter(q, gl.QUERY_RESULT) / 1e6);
         queries.forEach(q => gl.deleteQuery(q));

@@ -69,7 +69,8 @@ function round(k) {
         if (nx !== nx) continue;
         const pixel = (first + Math.floor(i / width) * every) * width + i % width;
         const a = hash(2 * pixel + half), b = hash(a ^ 0x9e3779b9);
-        const u = (a / 4294967296 + index * 0.7548776662466927) % 1, v = (b / 4294967296 + index * 0.5698402909980532) % 1;
+        const u = (a / 4294967296 + index * 0.7548776662466927) % 1;
+        const v = (b / 4294967296 + index * 0.5698402909980532) % 1;
         const ring = Math.sqrt(u), turn = 2 * Math.PI * v, x = ring * Math.cos(turn), y = ring * Math.sin(turn);
         const z = Math.sqrt(1 - u), sign = nz < 0 ? -1 : 1, c = -1 / (sign + nz), m = nx * ny * c;
         d[0] = x * (1 + sign * nx * nx * c) + y * m + z * nx;
@@ -98,7 +99,8 @@ function work() {
     if (even && (now - told > 400 || mine.round >= mine.most)) {
         told = now;
         const sums = mine.sums.map(s => s.slice());
-        postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums }, sums.map(s => s.buffer));
+        postMessage({ id: mine.id, first: mine.first, every: mine.every, rays: mine.round, sums },
+                    sums.map(s => s.buffer));
     }
     if (mine.round >= mine.most) job = null;
     setTimeout(work);                               /* after what was heard meanwhile: another job, or none */

@@ -61,7 +61,8 @@ export class Truth {
     texels() {
         const { width, height, sums: [a, b], count } = this, out = new Float32Array(4 * width * height);
         for (let y = 0, i = 0; y < height; ++y)
-            for (let x = 0; x < 4 * width; ++x, ++i) out[i] = count[y] ? (a[i] + b[i]) / count[y] : x % 4 === 3 ? -1 : 0;
+            for (let x = 0; x < 4 * width; ++x, ++i)
+                out[i] = count[y] ? (a[i] + b[i]) / count[y] : x % 4 === 3 ? -1 : 0;
         return out;
     }
 
