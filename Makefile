@@ -209,6 +209,7 @@ build/bench: examples/bench.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 .PHONY: viewer engine viewer-test bench
+
 # The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a browser without a
 # window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.
 WEB      = $(wildcard examples/web/*.html examples/web/*.css examples/web/*.mjs)
