@@ -243,7 +243,7 @@ void kit_draw_surfels(kit_run *run, const kit_pass *p)
             glDrawArraysInstanced(GL_PATCHES, 3 * first, 3 * count, first < p->patches[0] ? 1 : p->splits * p->splits);
         }
     } else if (capture) glDrawArrays(GL_POINTS, 0, (GLsizei)run->surfels);
-    else glDrawArraysInstanced(p->step.primitive, 0, p->step.vertices, (GLsizei)run->surfels);
+    else glDrawArraysInstanced(p->step->primitive, 0, p->step->vertices, (GLsizei)run->surfels);
     if (capture) {
         glEndTransformFeedback();
         if (counted) {

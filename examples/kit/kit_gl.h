@@ -235,7 +235,7 @@ enum { KIT_MAX_TARGETS = 6, KIT_HISTORIES = 2, KIT_MAX_PASSES = 128, KIT_MAX_TEX
 typedef struct kit_pass {
     ssgi_gl_desc       desc;
     const kit_gbuffer *gbuffer;
-    ssgi_gl_step       step;               /* desc is its, until a test gives the pass another */
+    ssgi_gl_step      *step;               /* desc is its, until a test gives the pass another */
     /* target: 0 when it draws into one of slices, an array */
     GLuint             program, framebuffer, target[KIT_MAX_TARGETS], slices;
     GLuint             input[16];          /* of the step's inputs those that steps wrote; 0: others */

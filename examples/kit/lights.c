@@ -491,8 +491,8 @@ static int add_harmonic_light(kit_making *m, int indirect)
     if (joint) {
         const kit_pass *last = &run->pass[run->passes - 1];
         run->joint = run->light;
-        for (int k = 0; k < last->step.inputs && last->desc.pass == SSGI_GL_LIGHTS; ++k)
-            if (!strcmp(last->step.input[k].name, "t_ssgi_light")) run->joint = last->input[k];
+        for (int k = 0; k < last->step->inputs && last->desc.pass == SSGI_GL_LIGHTS; ++k)
+            if (!strcmp(last->step->input[k].name, "t_ssgi_light")) run->joint = last->input[k];
     }
     return 0;
 }
@@ -510,7 +510,7 @@ static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int
     if (m->rows[0]) chain.lights = m->lights;
     if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
     for (int i = 0; i < run->passes; ++i)
-        if (run->pass[i].step.frame == KIT_FRAME_VPLS)
+        if (run->pass[i].step->frame == KIT_FRAME_VPLS)
             run->pass[i].lights = kit_keep(run, kit_light_rows(placed, direct, count, picture));
     run->vpls = count - direct;
     return 0;

@@ -89,7 +89,9 @@ static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textur
         return NULL;
     }
     memset(p, 0, sizeof *p);
-    p->step = *step;
+    p->step = malloc(sizeof *p->step);
+    if (!p->step) { kit_fail(m->err, "out of memory"); return NULL; }
+    *p->step = *step;
     p->desc = step->desc;
     p->gbuffer = g;
     p->aside = aside;
@@ -97,7 +99,7 @@ static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textur
     p->width = camera < 0 ? step->width : g->viewport[2];
     p->height = camera < 0 ? step->height : g->viewport[3];
     for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
-    if (kit_pass_make(p, m->err)) return NULL;
+    if (kit_pass_make(p, m->err)) { free(p->step); return NULL; }
     p->key = key;
     ++run->passes;
     if (!step->outputs) return p;
@@ -202,8 +204,8 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
                   { "objects", p->gbuffer->object },
                   { "motion", p->gbuffer->motion },
                   { "shadow", run->atlas } };
-    for (int k = 0; k < p->step.inputs; ++k)
-        if (p->input[k] && !strcmp(name, p->step.input[k].name)) return p->input[k];
+    for (int k = 0; k < p->step->inputs; ++k)
+        if (p->input[k] && !strcmp(name, p->step->input[k].name)) return p->input[k];
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i)
         if (!strcmp(name + strlen("t_ssgi_"), table[i].name)) return table[i].texture;
     return 0;
@@ -354,7 +356,7 @@ static void limit_passes(kit_run *run)
             const int wanted = reach < ALL ? reach : ALL;
             for (int i = 0; i < run->passes && rim[j] >= 0; ++i) {
                 int read = 0;
-                for (int k = 0; k < p->step.inputs; ++k) read |= draws(&run->pass[i], p->input[k]);
+                for (int k = 0; k < p->step->inputs; ++k) read |= draws(&run->pass[i], p->input[k]);
                 if (!read || rim[i] >= wanted) continue;
                 rim[i] = wanted;
                 changed = 1;
@@ -364,7 +366,7 @@ static void limit_passes(kit_run *run)
     run->fetches = 0;
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const int half = p->step.size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
+        const int half = p->step->size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
         for (int k = 0; k < 2 && rim[i] >= 0 && from > 0; ++k) {
             const int to = run->frame.size[k] - from;
             p->box[k] = half ? from / 2 : from;
@@ -481,7 +483,7 @@ void kit_run_draw(kit_run *run, int timed)
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, run->block[KIT_FRAME_VIEWS]);
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
-        const ssgi_gl_step *step = &p->step;
+        const ssgi_gl_step *step = p->step;
         const ssgi_gl_frame *f =
             step->frame && step->frame < KIT_FRAME_VPLS ? &run->extra[step->frame - 1] : &run->frame;
         const int half = step->size == SSGI_GL_SIZE_HALF, levels = step->size == SSGI_GL_SIZE_LEVELS;
@@ -532,7 +534,7 @@ static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
         for (int i = 0; i < run->textures && a != b; ++i)
             run->texture[i] = run->texture[i] == x ? y : run->texture[i] == y ? x : run->texture[i];
         for (int i = 0; i < run->passes; ++i)
-            for (int k = 0; k < run->pass[i].step.inputs; ++k) {
+            for (int k = 0; k < run->pass[i].step->inputs; ++k) {
                 GLuint *in = &run->pass[i].input[k];
                 *in = *in == x ? y : *in == y ? x : *in;
             }
@@ -572,9 +574,9 @@ GLuint kit_run_input(kit_run *run, const char *name, GLuint instead)
 {
     GLuint was = 0;
     for (int i = 0; i < run->passes; ++i)
-        for (int k = 0; k < run->pass[i].step.inputs; ++k) {
+        for (int k = 0; k < run->pass[i].step->inputs; ++k) {
             GLuint *in = &run->pass[i].input[k];
-            if (!*in || strcmp(run->pass[i].step.input[k].name, name)) continue;
+            if (!*in || strcmp(run->pass[i].step->input[k].name, name)) continue;
             if (!was) was = *in;
             if (instead) *in = instead;
         }
@@ -659,6 +661,7 @@ void kit_run_close(kit_run *run)
         if (!shared) glDeleteProgram(run->pass[i].program);
         glDeleteFramebuffers(1, &run->pass[i].framebuffer);
         free(run->pass[i].io);
+        free(run->pass[i].step);
     }
     for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
     kit_gbuffer_free(&run->wide);
