@@ -6,6 +6,7 @@
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/PASSES.md, the table of them
+#   make web, web-test   a page in build/web/, and it in a browser without a window
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
