@@ -500,7 +500,7 @@ static int gbuffer_open(gbuffer *g, const kit_mesh *mesh, kit_error *err)
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(mesh->triangles * 36 * sizeof *v), v, GL_STATIC_DRAW);
     free(v);
     for (GLuint i = 0; i < 4; ++i) {
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 48, (const char *)0 + 12 * i);
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 48, (const void *)(size_t)(12 * i));
         glEnableVertexAttribArray(i);
     }
     g->draw = program_of(scene_vs, scene_fs, err);
@@ -1135,7 +1135,7 @@ static void print(viewer *v, float x, float y, float scale, const char *text)
     glUniform4fv(glGetUniformLocation(v->text, "colour"), 1, ground);
     glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, NULL);
     glUniform4fv(glGetUniformLocation(v->text, "colour"), 1, ink);
-    glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, (const char *)0 + 6 * sizeof(GLuint));
+    glDrawElements(GL_TRIANGLES, 6 * count, GL_UNSIGNED_INT, (const void *)(6 * sizeof(GLuint)));
     glDisable(GL_BLEND);
 }
 
