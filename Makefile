@@ -149,7 +149,7 @@ WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Os -fno-builtin -fno-math-err
              -nostdlib -nostdlibinc -isystem examples/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
 wasm: build/wasm/ssgi.wasm
 build/wasm/ssgi.wasm: examples/wasm/ssgi.c examples/wasm/ssgi.mjs $(wildcard examples/wasm/libc/*.h) ssgi.h ssgi_gl.h
-	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || \
+	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || sh examples/kit/install.sh clang lld || \
 	  { echo 'wasm: clang or wasm-ld is missing (apt-get install clang lld)' >&2; exit 2; }
 	@mkdir -p $(@D)
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
@@ -181,8 +181,9 @@ clean:
 VIEWER_O = $(addprefix build/kit/,util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o)
 viewer: build/viewer
 build/viewer: examples/viewer.c $(VIEWER_O)
-	@pkg-config --exists glfw3 || { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(VIEWER_O) $(KIT_LIBS) $(shell pkg-config --libs glfw3) -lGL -o $@
+	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
+	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(VIEWER_O) $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL -o $@
 
 # OpenSceneGraph with ambient occlusion by the same steps.
 engine: build/engine
@@ -225,7 +226,8 @@ build/web/index.html: $(WEB) build/wasm/ssgi.wasm build/web/three/three.module.j
 	@echo 'build/web: cd build/web && python3 -m http.server, then http://localhost:8000'
 
 build/web-deps/node_modules/three/package.json:
-	@command -v npm >/dev/null || { echo 'web: npm is missing (apt-get install npm)' >&2; exit 2; }
+	@command -v npm >/dev/null || sh examples/kit/install.sh npm || \
+	  { echo 'web: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/web-deps
 	$(NPM_WEB)
 
