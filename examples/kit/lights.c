@@ -508,6 +508,7 @@ static int add_occluded_light(kit_making *m, const kit_placed_light *placed, int
     chain.vpls = kit_method_value(m->method, "vpls") > 0;
     chain.direct = run->gbuffer->direct != 0;
     if (m->rows[0]) chain.lights = m->lights;
+    if (!chain.desc.environment && !m->rows[0] && !chain.direct) return 0;     /* nothing lights anything */
     if (kit_add_steps(m, &chain, 0, &run->light, &run->bounce)) return -1;
     for (int i = 0; i < run->passes; ++i)
         if (run->pass[i].step->frame == KIT_FRAME_VPLS)
