@@ -3480,71 +3480,62 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 
 /* ==== >>steps (implementation) ==================================================================================== */
 
-enum { SSGI_GL__R8, SSGI_GL__R16F, SSGI_GL__R32F, SSGI_GL__RG16F, SSGI_GL__RG32F, SSGI_GL__RGBA16F, SSGI_GL__RGBA32F,
-       SSGI_GL__R32UI, SSGI_GL__RG32UI, SSGI_GL__RGBA32UI };
-static const ssgi_gl_format ssgi_gl__formats[] = {
-    { "R8", 0x8229, 0x1903, 0x1401, 1 }, { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
-    { "RG16F", 0x822f, 0x8227, 0x140b, 4 }, { "RG32F", 0x8230, 0x8227, 0x1406, 8 },
+static const ssgi_gl_format ssgi_gl__formats[] = {      /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
+    { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
+    { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
+    { "RG32F", 0x8230, 0x8227, 0x1406, 8 }, { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
     { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 }, { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
-    { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
-    { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 }
-};
+    { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 }, { "R8", 0x8229, 0x1903, 0x1401, 1 } };
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
-    "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
-};
+    "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient" };
 
-/* Steps as they are added. written: which texture was last written under a name, less its o_ssgi_ or t_ssgi_. */
+/* Steps as they are added. written: which texture was last written under a name, less its o_ssgi_ or t_ssgi_; light,
+   bounce: of the picture, -1: none. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare;
-    int capacity, count, textures, names;
+    int capacity, count, textures, names, light, bounce;
     struct { const char *name; int texture; } written[32];
     const char *why;
 } ssgi_gl__build;
 
 static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
 {
-    int i;
-    for (i = 0; i < b->names; ++i) if (!strcmp(b->written[i].name, name)) return &b->written[i].texture;
-    b->written[i].name = name;
-    b->written[i].texture = -1;
-    b->names += b->names < 31;
+    int i = 0;
+    while (i < b->names && strcmp(b->written[i].name, name)) ++i;
+    if (i == b->names) {
+        b->written[i].name = name;
+        b->written[i].texture = -1;
+        b->names += b->names < 31;
+    }
     return &b->written[i].texture;
 }
 
-static int ssgi_gl__format_of(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
 {
+    const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
     const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
-    const int last = out->name[strlen(out->name) - 1] - '0';
-    if (!strcmp(out->type, "uvec2")) return SSGI_GL__RG32UI;
-    if (!strcmp(out->type, "uvec4") && d->pass != SSGI_GL_SHUFFLE)
-        return d->bands == (last ? 3 : 1) ? SSGI_GL__R32UI : d->bands == 2 ? SSGI_GL__RG32UI : SSGI_GL__RGBA32UI;
-    if (!strcmp(out->type, "uvec4")) return SSGI_GL__RGBA32UI;
-    if (!strcmp(out->type, "vec2")) return wide ? SSGI_GL__RG32F : SSGI_GL__RG16F;
-    if (!strcmp(out->type, "float") && !wide) return d->pass == SSGI_GL_SPLAT ? SSGI_GL__R16F : SSGI_GL__R8;
-    if (!strcmp(out->type, "float") || (sh && (d->bands == 1 || (d->bands == 3 && last == 2))))
-        return wide ? SSGI_GL__R32F : SSGI_GL__R16F;
-    return wide ? SSGI_GL__RGBA32F : SSGI_GL__RGBA16F;
-}
-
-static unsigned ssgi_gl__target(const char *type)       /* GL_TEXTURE_2D, _2D_ARRAY, _2D_MULTISAMPLE */
-{
-    const char end = type[strlen(type) - 1];
-    return end == 'y' ? 0x8c1au : end == 'S' ? 0x9100u : 0x0de1u;
+    const int whole = *out->type == 'u', halves = whole && size == '4';
+    int lanes = *out->type == 'f' ? 0 : size == '2' ? 1 : 2;
+    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[8];
+    if ((sh || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2')))) lanes = 0;
+    if (halves && d->bands == 2) lanes = 1;
+    if (*out->type == 'f' && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__formats[9];
+    return &ssgi_gl__formats[3 * lanes + (whole ? 2 : wide)];
 }
 
 /* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
 static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
 {
-    const ssgi_gl_chain *chain = b->chain;
+    /* multiply, add, subtract */
+    static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
+    const int field = pass == SSGI_GL_FIELD, splat = pass == SSGI_GL_SPLAT, surfels = pass == SSGI_GL_SURFELS;
     ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    /* multiply, add, subtract */
-    static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
-    int i, m, rows, level[2] = { 0, 0 };
+    int rows, patches, half, level[2];
     d.pass = pass;
     ++b->count;
     memset(s, 0, sizeof *s);
@@ -3553,63 +3544,56 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     s->desc = d;
     s->frame = frame;
     d = ssgi_gl_resolve(&d);
-    s->size = pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH ? SSGI_GL_SIZE_LEVELS
-            : d.half && pass != SSGI_GL_BLUR ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
-    if (s->size == SSGI_GL_SIZE_LEVELS) ssgi_splat_size(level, chain->width, chain->height, d.levels, NULL);
-    m = s->size == SSGI_GL_SIZE_HALF;
-    s->width = s->size == SSGI_GL_SIZE_LEVELS ? level[0] : (chain->width + m) >> m;
-    s->height = s->size == SSGI_GL_SIZE_LEVELS ? level[1] * d.levels : (chain->height + m) >> m;
-    s->primitive = 4;
-    s->vertices = pass == SSGI_GL_FIELD ? 6 : pass == SSGI_GL_SPLAT ? 6 * d.levels : pass == SSGI_GL_SURFELS ? 0 : 3;
-    s->instances = pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT;
-    if (pass == SSGI_GL_SURFELS) s->primitive = 0;
-    if (d.tessellate && (pass == SSGI_GL_SURFELS || pass == SSGI_GL_SPLAT)) {
-        s->primitive = 0xe;
-        s->vertices = s->instances = 0;
+    half = d.half && pass != SSGI_GL_BLUR;
+    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
+    s->width = (b->chain->width + half) >> half;
+    s->height = (b->chain->height + half) >> half;
+    if (pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH) {
+        s->size = SSGI_GL_SIZE_LEVELS;
+        ssgi_splat_size(level, b->chain->width, b->chain->height, d.levels, NULL);
+        s->width = level[0];
+        s->height = level[1] * d.levels;
     }
-    if (pass == SSGI_GL_FIELD || pass == SSGI_GL_SPLAT) {
-        memcpy(s->blend, blend[pass == SSGI_GL_SPLAT], sizeof s->blend);
-        s->clear = 1;
-        s->clear_to = pass == SSGI_GL_FIELD ? 1.0f : 0.0f;
-    }
-    for (i = 0; i < rows; ++i) {
+    patches = d.tessellate && (surfels || splat);
+    s->primitive = patches ? 0xe : surfels ? 0 : 4;
+    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d.levels : 3;
+    s->instances = !(field || splat || patches);
+    s->clear = field || splat;
+    s->clear_to = (float)field;
+    if (s->clear || d.onto)
+        memcpy(s->blend, blend[splat || (d.onto && d.colour) ? 1 : d.onto == SSGI_GL_ONTO_AMBIENT ? 2 : 0],
+               sizeof s->blend);
+    for (int i = 0; i < rows; ++i) {                    /* textures come before the outputs of their names */
         ssgi_gl_input *in = &s->input[s->inputs];
-        const char *name = row[i].name + 7;
-        if (row[i].kind != SSGI_GL_TEXTURE || s->inputs == 16) continue;
-        ++s->inputs;
-        in->name = row[i].name;
-        in->type = row[i].type;
-        in->unit = row[i].slot;
-        in->target = ssgi_gl__target(row[i].type);
-        in->meaning = in->texture = -1;
-        for (m = 0; m < SSGI_GL_YOURS; ++m) if (!strcmp(ssgi_gl__yours[m], name)) { in->meaning = m; break; }
-        if (d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO)) in->meaning += 2;
-        if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
-            in->width = chain->width;
-            in->height = chain->height;
-        }
-        if (m == SSGI_GL_YOURS) in->texture = *ssgi_gl__texture(b, name);   /* -1: what is written later */
-    }
-    for (i = 0; i < rows; ++i) {
         ssgi_gl_output *out = &s->output[s->outputs];
-        if (row[i].kind != SSGI_GL_OUTPUT || s->outputs == 6) continue;
-        ++s->outputs;
-        out->name = row[i].name;
-        out->format = d.onto ? NULL : &ssgi_gl__formats[ssgi_gl__format_of(chain, &d, &row[i])];
-        out->kept = pass == SSGI_GL_HISTORY;
-        if (pass == SSGI_GL_SENDERS) continue;          /* a slice of what all of them write */
-        out->texture = d.onto ? -1 : b->textures++;
-        if (d.onto) memcpy(s->blend, blend[d.colour ? 1 : d.onto == SSGI_GL_ONTO_AMBIENT ? 2 : 0], sizeof s->blend);
-        *ssgi_gl__texture(b, row[i].name + 7) = out->texture;
-    }
-    for (i = 0; i < s->inputs && pass == SSGI_GL_HISTORY; ++i)       /* its own, of the last frame */
-        for (m = 0; m < s->outputs; ++m) {
-            const char *name = s->input[i].name + 7, *wrote = s->output[m].name + 7;
-            if (strcmp(name, "history") ? strcmp(name, wrote) : m) continue;
-            if (*name != 'h' && *name != 'm') continue;
-            s->input[i].texture = s->output[m].texture;
-            s->input[i].last = 1;
+        const char *const name = row[i].name + 7, end = row[i].type[strlen(row[i].type) - 1];
+        if (row[i].kind == SSGI_GL_TEXTURE) {
+            int m = 0;
+            ++s->inputs;
+            in->name = row[i].name;
+            in->type = row[i].type;
+            in->unit = row[i].slot;                     /* GL_TEXTURE_2D_ARRAY, _2D_MULTISAMPLE, _2D */
+            in->target = end == 'y' ? 0x8c1a : end == 'S' ? 0x9100 : 0x0de1;
+            while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
+            if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
+                in->width = b->chain->width;
+                in->height = b->chain->height;
+            }
+            in->last = pass == SSGI_GL_HISTORY && m == SSGI_GL_YOURS && (*name == 'h' || *name == 'm');
+            in->texture = in->last ? b->textures + (*name == 'm')           /* its own, which are numbered next */
+                        : m == SSGI_GL_YOURS ? *ssgi_gl__texture(b, name) : -1;     /* -1: what is written later */
+            in->meaning = m == SSGI_GL_YOURS ? -1
+                        : d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO) ? m + 2 : m;
+        } else if (row[i].kind == SSGI_GL_OUTPUT) {
+            ++s->outputs;
+            out->name = row[i].name;
+            out->format = d.onto ? NULL : ssgi_gl__format(b->chain, &d, &row[i]);
+            out->kept = pass == SSGI_GL_HISTORY;
+            if (pass == SSGI_GL_SENDERS) continue;      /* a slice of what all of them write */
+            out->texture = d.onto ? -1 : b->textures++;
+            *ssgi_gl__texture(b, name) = out->texture;
         }
+    }
     return s;
 }
 
@@ -3617,13 +3601,14 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
 static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
 {
     const int grey = !strcmp(name, "ao");
+    int *const held = ssgi_gl__texture(b, grey ? "ao" : "light");
     ssgi_gl_desc d = *of;
     d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
     d.filter_normals |= !strcmp(name, "bounce");        /* it differs across creases, and nothing restores it */
-    if (!grey) *ssgi_gl__texture(b, "light") = *ssgi_gl__texture(b, name);
+    *held = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
     if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
-    return grey && b->chain->blur && d.onto ? -1 : *ssgi_gl__texture(b, grey ? "ao" : "light");
+    return grey && b->chain->blur && d.onto ? -1 : *held;
 }
 
 /* Your lights over what `light` holds, -1: nothing. */
@@ -3645,25 +3630,25 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     d.normal = SSGI_GL_NORMAL_SIGNED;                   /* depth gives those of what is seen alone */
     if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0;       /* nothing filters it */
     if (camera < 0) return d;
-    d.views = d.orthographic = 0;
+    d.views = d.orthographic = d.depth = 0;             /* hardware depth */
     d.layers = b->chain->desc.view_layers;
-    d.depth = SSGI_GL_DEPTH_WINDOW;
     return d;
 }
 
 static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
 {
-    const int layers = camera < 0 ? b->chain->desc.layers : b->chain->desc.view_layers, slices = layers ? layers : 1;
-    ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
-    ssgi_gl_step *s;
+    const ssgi_gl_desc *const of = &b->chain->desc;
+    const int layers = camera < 0 ? of->layers : of->view_layers, slices = layers ? layers : 1;
+    ssgi_gl_desc d = ssgi_gl__seen_by(b, of, camera, layer);
     int *held = ssgi_gl__texture(b, camera < 0 ? "senders" : "view_senders");
+    ssgi_gl_output *out;
     d.radiance = radiance;
     d.world_normals |= camera >= 0;                     /* that camera's view space to yours */
-    s = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera);
+    out = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
-    s->output[0].texture = *held;
-    s->output[0].slices = camera < 0 ? slices : b->chain->desc.views * slices;
-    s->output[0].slice = camera < 0 ? layer : camera * slices + layer;
+    out->texture = *held;
+    out->slices = camera < 0 ? slices : of->views * slices;
+    out->slice = camera < 0 ? layer : camera * slices + layer;
 }
 
 /* What lights a layer of a camera at once, -1: nothing does. */
@@ -3685,33 +3670,31 @@ static void ssgi_gl__hidden(ssgi_gl__build *b)
     const ssgi_gl_desc *d = &b->chain->desc;
     const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
     const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
-    int k;
-    for (k = 0; k < last; ++k) {
+    for (int k = 0; k < last; ++k) {
         const int camera = k < first ? k / view_layers : -1, layer = k < first ? k % view_layers : last - k;
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
     }
 }
 
-static void ssgi_gl__ssdo(ssgi_gl__build *b, int *light, int *bounce)
+static void ssgi_gl__ssdo(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
-    const int reuse = chain->reuse && chain->desc.environment && chain->desc.bounce;
     const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
     ssgi_gl_desc d = chain->desc;
     d.environment = SSGI_GL_ENVIRONMENT_NONE;
     if (d.bounce) ssgi_gl__hidden(b);
-    if (reuse) {
+    if (chain->reuse && chain->desc.environment && d.bounce) {
         *ssgi_gl__texture(b, "light") = -1;
         ssgi_gl__send(b, -1, 0, both);
         ssgi_gl__add(b, &chain->desc, SSGI_GL_SSDO, 0);
-        *light = ssgi_gl__filter(b, &chain->desc, "light");
-        *bounce = ssgi_gl__filter(b, &d, "bounce");
-        *light = ssgi_gl__light(b, &chain->lights, *light, 0);
+        b->light = ssgi_gl__filter(b, &chain->desc, "light");
+        b->bounce = ssgi_gl__filter(b, &d, "bounce");
+        b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
         return;
     }
-    *light = ssgi_gl__direct(b, -1, 0);
-    if (d.bounce && (*light >= 0 || chain->direct)) {
+    b->light = ssgi_gl__direct(b, -1, 0);
+    if (d.bounce && (b->light >= 0 || chain->direct)) {
         if (chain->vpls) {                              /* just the falloff that they lack, of single points */
             d.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.fade = d.range = 0;
@@ -3721,18 +3704,17 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b, int *light, int *bounce)
                 d.steps = 1;
             }
         }
-        ssgi_gl__send(b, -1, 0, *light < 0 ? SSGI_GL_RADIANCE_DIRECT : both);
+        ssgi_gl__send(b, -1, 0, b->light < 0 ? SSGI_GL_RADIANCE_DIRECT : both);
         ssgi_gl__add(b, &d, SSGI_GL_SSDO, 0);
-        *bounce = ssgi_gl__filter(b, &d, "bounce");
+        b->bounce = ssgi_gl__filter(b, &d, "bounce");
     }
-    if (chain->vpls) *bounce = ssgi_gl__light(b, &chain->lights, *bounce, 9);
+    if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
 }
 
-static int ssgi_gl__s3ho(ssgi_gl__build *b)
+static void ssgi_gl__s3ho(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
-    int light;
     d.environment = SSGI_GL_ENVIRONMENT_SH;
     if (chain->vectors) d.shaded = d.restore = 0;
     if (d.transfer) {
@@ -3746,8 +3728,8 @@ static int ssgi_gl__s3ho(ssgi_gl__build *b)
         d.half = 0;
     }
     if (!d.shaded) ssgi_gl__add(b, &d, SSGI_GL_SHADE, 0);
-    light = chain->vectors ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
-    return ssgi_gl__light(b, &chain->lights, light, 0);
+    b->light = chain->vectors ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
+    b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
 /* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
@@ -3784,27 +3766,24 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
 }
 
-static void ssgi_gl__deep(ssgi_gl__build *b, int *light, int *bounce)
+static void ssgi_gl__deep(ssgi_gl__build *b)
 {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
-    if (chain->surfels) {
-        ssgi_gl__add(b, &d, SSGI_GL_SURFELS, 0);
-        d.tessellate = 0;
-    }
+    if (chain->surfels) ssgi_gl__add(b, &d, SSGI_GL_SURFELS, 0);
+    if (chain->surfels) d.tessellate = 0;
     ssgi_gl__add(b, &d, SSGI_GL_SHUFFLE, 0);
-    if (d.effect != SSGI_GL_EFFECT_LIGHT || chain->desc.environment) *light = ssgi_gl__splat(b, &d, d.effect, -1);
+    if (d.effect != SSGI_GL_EFFECT_LIGHT || chain->desc.environment) b->light = ssgi_gl__splat(b, &d, d.effect, -1);
     if (d.effect != SSGI_GL_EFFECT_LIGHT) return;
-    *light = ssgi_gl__light(b, &chain->lights, *light, 0);
-    if (chain->desc.bounce) *bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, *light);
+    b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
+    if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
 {
-    ssgi_gl__build b;
-    int i, k, m, light, bounce, turn;
     const int pass = chain ? chain->desc.pass : 0;
+    ssgi_gl__build b;
     if (!chain) return ssgi_gl__bad(why, "chain: must not be NULL"), 0;
     if (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT)
         return ssgi_gl__bad(why, "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT"), 0;
@@ -3812,43 +3791,39 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         return ssgi_gl__bad(why, "chain.width, height: must be 1..16384"), 0;
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return ssgi_gl__bad(why, "chain.history: averages light, not coefficients: needs vectors = 0"), 0;
-    for (turn = 0; turn < 2; ++turn) {                  /* checks all, then writes */
+    for (int turn = 0; turn < 2; ++turn) {              /* checks all, then writes */
+        ssgi_gl_desc d = chain->desc;
         memset(&b, 0, sizeof b);
         b.chain = chain;
         b.steps = steps;
         b.capacity = turn && steps ? capacity : 0;
-        light = bounce = -1;
-        if (pass == SSGI_GL_SSDO) ssgi_gl__ssdo(&b, &light, &bounce);
-        else if (pass == SSGI_GL_S3HO) light = ssgi_gl__s3ho(&b);
-        else if (pass == SSGI_GL_SPLAT) ssgi_gl__deep(&b, &light, &bounce);
-        else light = ssgi_gl__add(&b, &chain->desc, pass, 0)->output[0].texture;
-        if (pass < SSGI_GL_SSDO) light = ssgi_gl__filter(&b, &chain->desc, "ao");
-        if (chain->desc.onto && (pass > SSGI_GL_HSAO || !chain->blur)) {
-            ssgi_gl_desc d = chain->desc;
-            d.colour = pass == SSGI_GL_FIELD || (pass == SSGI_GL_SPLAT && !d.effect) || pass < SSGI_GL_SSDO
+        b.light = b.bounce = -1;
+        if (pass == SSGI_GL_SSDO) ssgi_gl__ssdo(&b);
+        else if (pass == SSGI_GL_S3HO) ssgi_gl__s3ho(&b);
+        else if (pass == SSGI_GL_SPLAT) ssgi_gl__deep(&b);
+        else b.light = ssgi_gl__add(&b, &d, pass, 0)->output[0].texture;
+        if (pass < SSGI_GL_SSDO) b.light = ssgi_gl__filter(&b, &d, "ao");
+        if (d.onto && (pass > SSGI_GL_HSAO || !chain->blur)) {
+            d.colour = pass < SSGI_GL_SSDO || pass == SSGI_GL_FIELD || (pass == SSGI_GL_SPLAT && !d.effect)
                      ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-            d.bounce = light >= 0 && bounce >= 0;
-            *ssgi_gl__texture(&b, "light") = light < 0 ? bounce : light;
-            *ssgi_gl__texture(&b, "bounce") = bounce;
+            d.bounce = b.light >= 0 && b.bounce >= 0;
+            *ssgi_gl__texture(&b, "light") = b.light < 0 ? b.bounce : b.light;
+            *ssgi_gl__texture(&b, "bounce") = b.bounce;
             ssgi_gl__add(&b, &d, SSGI_GL_COMPOSE, 0);
         }
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
-    for (i = 0; i < b.count && i < b.capacity; ++i) {
-        ssgi_gl_step *s = &steps[i];
-        for (k = 0; k < s->outputs; ++k)
-            s->output[k].result = s->output[k].texture == light ? SSGI_GL_RESULT_LIGHT
-                                : s->output[k].texture == bounce && bounce >= 0 ? SSGI_GL_RESULT_BOUNCE : 0;
-        for (k = 0; k < s->inputs; ++k) {
-            ssgi_gl_input *in = &s->input[k];
-            if (in->meaning >= 0) continue;
-            if (in->texture < 0) { in->texture = light; in->last = 1; }
-            for (m = 0; m < b.count && m < b.capacity; ++m) for (turn = 0; turn < steps[m].outputs; ++turn)
-                if (steps[m].output[turn].texture == in->texture) {
-                    in->format = steps[m].output[turn].format;
-                    in->width = steps[m].width;
-                    in->height = steps[m].height;
-                }
+    for (int i = 0; i < b.count && i < b.capacity; ++i) for (int k = 0; k < steps[i].outputs; ++k) {
+        ssgi_gl_output *const out = &steps[i].output[k];
+        out->result = out->texture == b.light ? SSGI_GL_RESULT_LIGHT
+                    : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_NONE;
+        for (int m = 0; m < b.count && m < b.capacity; ++m) for (int n = 0; n < steps[m].inputs; ++n) {
+            ssgi_gl_input *const in = &steps[m].input[n];       /* of yours nothing is known */
+            if (in->meaning < 0 && in->texture < 0) { in->texture = b.light; in->last = 1; }
+            if (in->meaning >= 0 || in->texture != out->texture) continue;
+            in->format = out->format;
+            in->width = steps[i].width;
+            in->height = steps[i].height;
         }
     }
     return b.count;
@@ -3868,33 +3843,28 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
-    if (in && in->target == 0x9100u) return NULL;           /* samples are not filtered */
-    if (in && is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
-    if (in && is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
-    return in && is->compare ? "must have GL_NONE as its compare mode" : NULL;
+    if (!in || in->target == 0x9100) return NULL;           /* samples are not filtered */
+    if (is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+    if (is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
+    return is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets)
 {
-    ssgi_gl__text t;
-    int i;
-    memset(&t, 0, sizeof t);
-    t.out = out;
-    t.capacity = capacity;
-    for (i = 0; step && i < step->inputs + step->outputs && !t.length; ++i) {
-        const ssgi_gl_input *in = i < step->inputs ? &step->input[i] : NULL;
-        const ssgi_gl_output *o = in ? NULL : &step->output[i - step->inputs];
-        const char *wrong = in ? units ? ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height) : NULL
-                          : targets ? ssgi_gl__wrong(&targets[i - step->inputs], NULL, o->format, step->width,
-                                                     step->height) : NULL;
-        if (!wrong) continue;
-        ssgi_gl__print(&t, "%s: %s", ssgi_gl_pass_name(step->desc.pass), in ? in->name : o->name);
-        if (in) ssgi_gl__print(&t, ", unit %d", in->unit);
-        ssgi_gl__print(&t, ": %s", wrong);
+    ssgi_gl__text t = { out, capacity, 0, 0 };
+    for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
+        const ssgi_gl_input *in = &step->input[i];
+        const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height);
+        if (wrong) ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit,
+                                  wrong);
     }
-    if (capacity) out[t.length < capacity ? t.length : capacity - 1] = 0;
-    return t.length;
+    for (int i = 0; step && targets && i < step->outputs && !t.length; ++i) {
+        const ssgi_gl_output *o = &step->output[i];
+        const char *wrong = ssgi_gl__wrong(&targets[i], NULL, o->format, step->width, step->height);
+        if (wrong) ssgi_gl__print(&t, "%s: %s: %s", ssgi_gl_pass_name(step->desc.pass), o->name, wrong);
+    }
+    return ssgi_gl__end(&t);
 }
 
 #ifdef __cplusplus
