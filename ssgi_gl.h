@@ -42,20 +42,17 @@
                 shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
                 field    ambient occlusion by rigid occluders whose fields were baked, blended over each other [AOF05]
                 surfels  surfels from triangles, or lights those that are there; into a buffer [DSS14]
-                shuffle  interleaves positions and normals into the sub-buffers of every level
-                splat    each surfel's effect on the pixels around it, added up
+                shuffle, splat           interleaves pixels into every level's sub-buffers; adds up surfels' effects
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
-                blur     edge-preserving filter of what the others wrote
-                history  averages what they wrote over frames; before blur
+                blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
                 statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
-   WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps); examples/minimal.c is a loop over it.
-   What that leaves to you:
+   WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
       lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
       s3ho         keeps coefficients for light that changes more often than geometry: draw the steps from shade on anew
-      field        one ssgi_gl_occluder each, as rows of t_ssgi_occluders, drawn at once: no noise, no filter. In your
-                   own forward shader: ssgi_gl_field, the same functions as text
+      field        an ssgi_gl_occluder each, as rows of t_ssgi_occluders: no noise, no filter. In your own forward
+                   shader: ssgi_gl_field, the same functions as text
       history      frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history but after a cut or a change of size
       splat        surfels by ssgi_surfels on the CPU, or by pass surfels: rasteriser discarded, transform feedback of
                    its CAPTURE rows, interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of
@@ -63,11 +60,9 @@
                    the buffer's three vec4 a surfel with divisor 1; with tessellate from patches, and nothing is kept
 
    ROOMS        search for ">>"
-      >>desc       what you choose               >>emit    text out
-      >>io         what a pass reads and writes  >>frame   what changes per frame
-      >>library    the GLSL, a function an entry, by room: >>fetch >>visibility >>harmonics >>light >>gather >>field
-                   >>splat >>filter
-      >>rows       the table of inputs and outputs         >>passes   the main function of each stage
+      >>desc  what you choose      >>emit  text out          >>io  what a pass reads and writes      >>steps  the draws
+      >>frame  what changes per frame    >>rows  the table of inputs and outputs    >>passes  main of each stage
+      >>library  GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
                 outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
                 An input: a row. What a text reads is what its functions name; nothing else says it again.
@@ -102,11 +97,10 @@ enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, 
 enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
        SSGI_GL_STAGES };                                                                   /* stage of ssgi_gl_emit */
 
-/* desc.depth: what the depth texture holds */
-enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes */
+/* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface */
+enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
        SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
-       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer), view depth;
-                                      layer 0 is the visible surface. It may call our float ssgi_decode(float) */
+       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call that */
 /* desc.normal: source and packing of normals */
 enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
        SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
@@ -116,27 +110,23 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
 /* desc.noise: the pattern that decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
        SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
-/* desc.search */
-enum { SSGI_GL_SLICES = 0,         /* planes through the view direction, walked in screen space, both sides at once */
+enum { SSGI_GL_SLICES = 0,         /* desc.search: planes through the view direction, walked both ways on the screen */
        SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
        SSGI_GL_MARCH };            /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 /* desc.behind: thickness of visible surfaces, away from the viewer */
 enum { SSGI_GL_BEHIND_CONSTANT = 0,/* frame.thickness */
        SSGI_GL_BEHIND_SOLID,       /* unlimited */
-       SSGI_GL_BEHIND_BACK,        /* to the nearest back face (t_ssgi_back: one depth-only pass, front faces culled);
-                                      frame.thickness for sheets and where there is none */
-       SSGI_GL_BEHIND_SLABS };     /* likewise; and from the next front face behind that to the next back face (two more
-                                      passes, each peeled by the one before) */
-/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions */
-enum { SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius: lengths uniform, the paper's */
-       SSGI_GL_FALLOFF_SQUARE };   /* 1 - (t/radius)^2; what a bounce needs that restores clamped virtual point lights
-                                      (ssgi_gl_light.min_distance = radius) */
+       SSGI_GL_BEHIND_BACK,        /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); for
+                                      sheets, and where there is none, frame.thickness */
+       SSGI_GL_BEHIND_SLABS };     /* and from the next front face behind that to its back face: two more, peeled */
+/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions.
+   SQUARE is what a bounce needs that restores clamped virtual point lights (ssgi_gl_light.min_distance = radius) */
+enum { SSGI_GL_FALLOFF_LINEAR = 0 /* 1 - t/radius, the paper's */, SSGI_GL_FALLOFF_SQUARE /* 1 - (t/radius)^2 */ };
 /* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows */
 enum { SSGI_GL_FADE_NONE = 0,
        SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
        SSGI_GL_FADE_LAMBDA };      /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
-/* desc.environment */
-enum { SSGI_GL_ENVIRONMENT_NONE = 0,
+enum { SSGI_GL_ENVIRONMENT_NONE = 0, /* desc.environment */
        SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
        SSGI_GL_ENVIRONMENT_MAP };  /* world space, a look-up a direction: ssgi_environment_map */
 /* desc.bounce: estimator of what an occluded direction receives */
@@ -162,8 +152,8 @@ enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12
        SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
        SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
        SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
-/* desc.objects: which object a pixel shows, so that no occluder shades itself */
-enum { SSGI_GL_OBJECTS_NONE = 0,   /* occluders darken every pixel in reach */
+/* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened */
+enum { SSGI_GL_OBJECTS_NONE = 0,
        SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
        SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 /* desc.effect: what surfels do to pixels */
@@ -189,8 +179,7 @@ enum { SSGI_GL_ONTO_NONE = 0,
 enum { SSGI_GL_RESTORE_NONE = 0,
        SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [Heitz et al. 2018] */
        SSGI_GL_RESTORE_DIFFERENCE }; /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
-/* desc.filter */
-enum { SSGI_GL_BILATERAL = 0,      /* box over a tile, weighted by distance to the centre's tangent plane */
+enum { SSGI_GL_BILATERAL = 0,      /* desc.filter: box over a tile, weighted by distance to the tangent plane */
        SSGI_GL_GAUSSIAN };         /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
@@ -204,11 +193,10 @@ typedef struct ssgi_gl_desc {
     int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, history, blur   1: all but blur draw one pixel of every 2x2, into targets of
-                            half size, rounded up; blur brings it to full size */
+    int half;            /* gathers, shade, history, blur   1: one pixel of every 2x2, into targets of half size,
+                            rounded up; blur brings it to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
-    int left_handed;     /* 1: view-space normals have +z away from the viewer; for world-space ones and all else see
-                            ssgi_view_from_projection */
+    int left_handed;     /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
     int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
     int multisampled;    /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
                             read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
@@ -226,24 +214,20 @@ typedef struct ssgi_gl_desc {
     int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
     int fade;            /* points   SSGI_GL_FADE_NONE .. */
     int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd
-                            one to the next; an odd last one as behind says */
-    int views;           /* all but slices   [limit: 0..4]  extra cameras: visible if any camera sees the point
-                            in front of its depth; occluded if none does and one finds it inside a solid */
+    int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
+                            the next; an odd last one as behind says */
+    int views;           /* all but slices   [limit: 0..4]  extra cameras: a point is visible if one sees it in front of
+                            its depth; occluded if none does and one finds it inside a solid */
     int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
     int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
-
-    /* hsao */
-    int normal_rays;     /* march only   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
+    int normal_rays;     /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;            /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
 
     /* ssdo, and lights */
     int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: one of the two must not be NONE; both share the visibility,
-                            two targets */
-    int restore;         /* and s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..: o_ssgi_light is not
-                            light before blur with this desc and colour = 1. Blur restores nothing of a bounce without
-                            an environment */
+    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
+    int restore;         /* and s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..: before blur with this desc
+                            and colour = 1 o_ssgi_light is not light. Not of a bounce without an environment */
     int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
                             the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
@@ -251,23 +235,19 @@ typedef struct ssgi_gl_desc {
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
 
     /* s3ho, shade, blur of coefficients */
-    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  1, 4, 9, 16 coefficients; bent
-                            normals read 2 */
+    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: coefficients; bent read 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed */
     int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
-    int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds the
-                            residual of unoccluded irradiance (t_ssgi_irradiance: ssgi_sh_residual) times ambient
-                            visibility */
+    int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
+                            visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
     int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;          /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone;
-                            a POINT is a sphere of radius min_distance */
+    int lights;          /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a
+                            POINT is a sphere of radius min_distance */
     int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
-    /* field */
-    int objects;         /* SSGI_GL_OBJECTS_NONE .. */
-
-    /* surfels, shuffle, splat, unshuffle, smooth, sum */
+    /* field; surfels, shuffle, splat, unshuffle, smooth, sum */
+    int objects;         /* field   SSGI_GL_OBJECTS_NONE .. */
     int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
     int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
     int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
@@ -292,14 +272,12 @@ typedef struct ssgi_gl_desc {
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
-   for accuracy (and the filter's, so that the same desc serves blur; with restore for ssdo's environment, so
-   that it must), leaves the others alone.
+   for accuracy (and the filter's, so that the same desc serves blur; with restore for ssdo's environment: it must).
      slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
-     hsao march    4x6, 6x9 + 1 normal ray, 8x18 + 2
-     ssao          8, 16, 32 points
+     march, ssao   4x6, 6x9 + 1 normal ray, 8x18 + 2; 8, 16, 32 points
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points), range, fade
-   desc.behind stays as it is: BACK or SLABS where the scene is of closed solids and the passes that draw them are
-   affordable. Bad input leaves desc as it is. */
+   All else stays, desc.behind, too: BACK or SLABS where the scene is of closed solids and the passes that draw them
+   are affordable. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
@@ -356,17 +334,16 @@ typedef struct ssgi_gl_io {
     const char *name;    /* exactly as in the text: "t_ssgi_depth" */
     int         kind;
     const char *type;    /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (binding in dialects that have
-                            it; VULKAN: binding - 2). OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved
-                            buffer. CONSTANT: its value. PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
+                            OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
+                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
     size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
     const char *format;  /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, in the order of the text, at most capacity; returns how many there
-   are, 0 for a bad desc. */
+/* Writes the rows of a pass in this variant, as the text has them, at most capacity; returns how many, 0: a bad desc */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
 /* Row i of kind PARAM, whatever the pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
@@ -405,13 +382,11 @@ enum { SSGI_GL_YOUR_DEPTH = 0, SSGI_GL_YOUR_LAYERS, SSGI_GL_YOUR_BACK, SSGI_GL_Y
 typedef struct ssgi_gl_format { const char *name; unsigned internal, format, type; int bytes; } ssgi_gl_format;
 
 typedef struct ssgi_gl_input {
-    const char *name;    /* as in the text: "t_ssgi_depth" */
-    const char *type;    /* GLSL: "sampler2D" */
+    const char *name, *type; /* as in the text: "t_ssgi_depth", "sampler2D" */
     int unit;            /* of the sampler: ssgi_gl_io.slot */
     unsigned target;     /* GL_TEXTURE_2D .. */
     int meaning;         /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
-    int texture;         /* its number; -1: yours */
-    int last;            /* 1: as the last frame left it */
+    int texture, last;   /* its number, -1: yours; 1: as the last frame left it */
     const ssgi_gl_format *format;  /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
     int width, height;   /* of the steps' textures; of yours the least */
 } ssgi_gl_input;
@@ -471,8 +446,8 @@ typedef struct ssgi_gl_frame {
                             passes wrote; half of it in those of half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  thickness of visible surfaces,
-                            where desc.behind has no other; 1 radius suits ssao, 0.5 march, 0.4 light */
+    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.behind has
+                            no other; 1 radius suits ssao, 0.5 march, 0.4 light */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade; the radius: nowhere */
     float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
@@ -510,8 +485,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 /* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
    kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-                                           const float main_world_to_view[16], const float last_world_to_view[16],
-                                           const char **why);
+    const float main_world_to_view[16], const float last_world_to_view[16], const char **why);
 
 /* frame.phase of frame number k, so that the noise of any few frames in a row is spread evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
@@ -529,9 +503,8 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their depths are hardware depths in the
-   slices of one array texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use
-   a part of it. */
+/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Hardware depths in slices of one array
+   texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
 typedef struct ssgi_gl_views {
     float   to[4][16];   /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
     float   from[4][16]; /* back */
@@ -542,8 +515,7 @@ typedef struct ssgi_gl_views {
 
 /* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-                                       const float main_world_to_view[16], const float extra_world_to_view[16],
-                                       const char **why);
+    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why);
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
    members is a light without a shadow map. A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of
@@ -565,25 +537,22 @@ typedef struct ssgi_gl_light {
 /* Gives a light its shadow map: drawn by a camera (rigid world to view, projection decoded as `view`) into texels x, y
    .. of the atlas. */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-                                       const float main_world_to_view[16], const float light_world_to_view[16],
-                                       const char **why);
+    const float main_world_to_view[16], const float light_world_to_view[16], const char **why);
 
 /* Sets frame->sent for surfels under lights (their rows; SPOT within its map; unshadowed) and sky, the mean radiance of
    the environment: half of all radiance sent comes from surfels that send as much or more, in their largest component.
    Unchanged where nothing is sent. surfels: colour as yet unshaded.
      sky    [limit: >= 0, finite]; NULL = black */
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
-                                      const char **why);
+    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why);
 
 /* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
     float at[3], radius; /* the sphere that it darkens, view space */
     float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
     float ramp, reach, inside, power;     /* ssgi_field_limits */
-    float low[8], span[8];
-    float resolution, slice, baked_reach, object;   /* slice: of t_ssgi_fields. baked_reach: ssgi_field.reach. object: a
-                                                  whole number, compared by desc.objects; 0 = none */
+    float low[8], span[8], resolution;
+    float slice, baked_reach, object;     /* of t_ssgi_fields; ssgi_field.reach; number for desc.objects, 0 = none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder where it stands now.
@@ -593,8 +562,7 @@ typedef struct ssgi_gl_occluder {
      object        [limit: 0..16777215]
    Outputs are untouched when something is wrong. */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-                                        const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
-                                        int object, const char **why);
+    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
 
 #ifdef __cplusplus
 }
@@ -622,9 +590,7 @@ extern "C" {
 typedef struct ssgi_gl__code { const char *name; int line; const char *text; } ssgi_gl__code;
 
 static const ssgi_gl__code ssgi_gl__library[] = {
-
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
-
 { "SSGI_FAR", __LINE__, "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
 { "ssgi_inside", __LINE__, "bool ssgi_inside(ivec2 p) {\n"
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n}\n" },
@@ -635,23 +601,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_unskew", __LINE__, "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n}\n" },
-{ "ssgi_depth", __LINE__, "// view depth at a pixel\n"
-    "float ssgi_depth(ivec2 p) {\n"
+{ "ssgi_depth", __LINE__, "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
-{ "ssgi_layer", __LINE__, "// view depth of a hidden layer, 1 .., at a pixel\n"
-    "float ssgi_layer(ivec2 p, int j) {\n"
+{ "ssgi_layer", __LINE__, "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW && !oblique\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
     "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
 { "ssgi_slabs", __LINE__ + 1,
-    "// view depths: of the nearest back face at or behind what is seen, of the next front face behind that, of where\n"
-    "// that ends\n"
+    "// view depths: the nearest back face at or behind what is seen, the next front face behind it, and its end\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if behind == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
@@ -662,20 +625,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
     "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n}\n" },
-{ "ssgi_project", __LINE__, "// the pixel position of a view-space point in front of the eye\n"
-    "vec2 ssgi_project(vec3 P) {\n"
+{ "ssgi_project", __LINE__, "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point before the eye\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
     "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n}\n" },
-{ "ssgi_footprint", __LINE__, "// width of a pixel at a view depth\n"
-    "float ssgi_footprint(float z) {\n"
+{ "ssgi_footprint", __LINE__, "float ssgi_footprint(float z) { // width of a pixel at a view depth\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n}\n" },
 { "ssgi_screen", __LINE__, "// pixels that a small step along t from P covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
     "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n}\n" },
-{ "ssgi_toward", __LINE__, "// unit vector to the eye\n"
-    "vec3 ssgi_toward(vec3 P) {\n"
+{ "ssgi_toward", __LINE__, "vec3 ssgi_toward(vec3 P) { // unit vector to the eye\n"
     "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
     "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n}\n" },
 { "ssgi_sphere", __LINE__, "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
@@ -690,8 +650,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
     "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0));\n"
-    "    vec2 a = z * t + x * r, b = z * t - x * r;\n"
-    "    vec2 from = (x - chord) / near, to = (x + chord) / near;\n"
+    "    vec2 a = z * t + x * r, b = z * t - x * r, from = (x - chord) / near, to = (x + chord) / near;\n"
     "    if (off.x > 0.0 && a.x * t.x > near * cc.x) from.x = (x.x * t.x - z * r) / a.x;\n"
     "    if (off.y > 0.0 && a.y * t.y > near * cc.y) from.y = (x.y * t.y - z * r) / a.y;\n"
     "    if (off.x > 0.0 && b.x * t.x > near * cc.x) to.x = (x.x * t.x + z * r) / b.x;\n"
@@ -699,17 +658,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 p = vec4(from, to) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#endif\n"
     "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n}\n" },
-{ "ssgi_octahedral", __LINE__, "// a direction on the octahedral map's square, [-1,1]\n"
-    "vec2 ssgi_octahedral(vec3 d) {\n"
+{ "ssgi_octahedral", __LINE__, "vec2 ssgi_octahedral(vec3 d) { // a direction on the octahedral map's square, [-1,1]\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
     "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n}\n" },
-{ "ssgi_octahedral_decode", __LINE__, "// and back; not unit\n"
-    "vec3 ssgi_octahedral_decode(vec2 e) {\n"
+{ "ssgi_octahedral_decode", __LINE__, "vec3 ssgi_octahedral_decode(vec2 e) { // and back; not unit\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
     "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n}\n" },
-{ "ssgi_unit", __LINE__, "// a unit normal from whatever the texture held\n"
-    "vec3 ssgi_unit(vec3 n) {\n"
+{ "ssgi_unit", __LINE__, "vec3 ssgi_unit(vec3 n) { // a unit normal from whatever the texture held\n"
     "    float l = dot(n, n);\n"
     "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n}\n" },
 { "ssgi_normal_texel", __LINE__, "vec4 ssgi_normal_texel(ivec2 p) {\n"
@@ -739,8 +695,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0)); // #if left_handed && !world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p)); // #if !left_handed && !world_normals\n}\n#endif\n" },
-{ "ssgi_noise", __LINE__, "// in [0,1): x turns the directions, y offsets the steps\n"
-    "vec2 ssgi_noise(ivec2 p) {\n"
+{ "ssgi_noise", __LINE__, "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
     "#if noise == GRADIENT\n"
     "    // interleaved gradient noise, evenly spread over every 3x3 block; the R2 sequence over the image\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
@@ -750,14 +705,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
     "#endif\n"
     "    return fract(xi + u_ssgi_phase);\n}\n" },
-{ "ssgi_basis", __LINE__, "// any rotation that takes +z to the unit vector n [Duff et al. 2017]\n"
-    "mat3 ssgi_basis(vec3 n) {\n"
+{ "ssgi_basis", __LINE__, "mat3 ssgi_basis(vec3 n) { // any rotation that takes +z to unit n [Duff et al. 2017]\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
     "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n}\n" },
-{ "ssgi_environment", __LINE__, "// radiance of the environment about a world-space direction\n"
-    "vec3 ssgi_environment(vec3 d) {\n"
-    "    ivec2 size = textureSize(t_ssgi_environment, 0);\n"
-    "    ivec2 p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
+{ "ssgi_environment", __LINE__, "vec3 ssgi_environment(vec3 d) { // its radiance about a direction in the world\n"
+    "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n}\n" },
 { "ssgi_irradiance_texel", __LINE__, "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // beyond an edge the octahedral square continues mirrored\n"
@@ -765,18 +717,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
     "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n}\n" },
 { "ssgi_irradiance_map", __LINE__ + 1,
-    "// unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it, bilinear\n"
-    "// over four texels\n"
+    "// bilinear: unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it\n"
     "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
     "    ivec2 last = textureSize(t_ssgi_irradiance, 0).xy - 1;\n"
     "    vec2 t = (ssgi_octahedral(n) * 0.5 + 0.5) * vec2(last + 1) - 0.5;\n"
-    "    ivec2 p = ivec2(floor(t));\n"
-    "    t -= vec2(p);\n"
+    "    ivec2 p = ivec2(floor(t)); t -= vec2(p);\n"
     "    vec3 a = ssgi_irradiance_texel(p, last, slice), b = ssgi_irradiance_texel(p + ivec2(1, 0), last, slice);\n"
     "    vec3 c = ssgi_irradiance_texel(p + ivec2(0, 1), last, slice), d = ssgi_irradiance_texel(p + 1, last, slice);\n"
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n}\n" },
 /* ---- what senders write, one fetch a sample */
-
 { "ssgi_unpack_radiance", __LINE__, "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
     "vec3 ssgi_unpack_radiance(uint u) {\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
@@ -799,7 +748,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
     "    return (depth << 12u) | (e.y << 6u) | e.x;\n}\n" },
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
-
 { "ssgi_lift", __LINE__, "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
     "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n}\n" },
@@ -814,7 +762,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
     "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n}\n" },
 /* ---- the occluder: what it sends, its distance */
-
 { "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
 { "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
 { "ssgi_point", __LINE__, "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
@@ -852,8 +799,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float w = decode.x + decode.y * d;\n"
     "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
     "    return decode.w > 0.0 ? w : 1.0 / w;\n}\n" },
-{ "ssgi_surface", __LINE__, "// view depth of layer j at a pixel of camera v\n"
-    "float ssgi_surface(int v, ivec2 p, int j) {\n"
+{ "ssgi_surface", __LINE__, "float ssgi_surface(int v, ivec2 p, int j) { // view depth of camera v's layer j at p\n"
     "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j); // #if views\n"
     "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x); // #if views\n"
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
@@ -934,7 +880,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
-
 { "ssgi_sh", __LINE__, "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
     "    vec4 b, c; // #if bands > 2\n"
@@ -962,19 +907,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return y;\n}\n" },
 { "SSGI_COSINE", __LINE__, "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
-{ "ssgi_sh_zonal", __LINE__, "// a lobe about n from its zonal harmonics, a lane a band\n"
-    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) {\n"
+{ "ssgi_sh_zonal", __LINE__, "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n: zonal has a lane a band\n"
     "    ssgi_sh y = ssgi_sh_basis(n);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
     "    y.a *= zonal.xyyy;\n"
-    "    y.b *= zonal.z; // #if bands > 2\n"
-    "    y.c *= zonal.zwww; // #if bands > 2\n"
+    "    y.b *= zonal.z, y.c *= zonal.zwww; // #if bands > 2\n"
     "    y.d *= zonal.w; // #if bands > 3\n"
     "    return y;\n}\n" },
 { "ssgi_sh_add", __LINE__, "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
     "    s.a += y.a * w;\n"
-    "    s.b += y.b * w; // #if bands > 2\n"
-    "    s.c += y.c * w; // #if bands > 2\n"
+    "    s.b += y.b * w, s.c += y.c * w; // #if bands > 2\n"
     "    s.d += y.d * w; // #if bands > 3\n}\n" },
 { "ssgi_sh_dot", __LINE__, "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product\n"
     "    float s = dot(x.a, y.a);\n"
@@ -985,11 +927,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n" },
 { "ssgi_sh_about_z", __LINE__, "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
-    "    vec2 uu = ssgi_sh_complex(u, u);\n"
+    "    vec2 uu = ssgi_sh_complex(u, u), t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
-    "    vec2 t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
-    "    s.c.x = t.x;\n"
-    "    s.b.x = t.y;\n"
+    "    s.c.x = t.x, s.b.x = t.y;\n"
     "#if bands > 3\n"
     "    vec2 one = ssgi_sh_complex(vec2(s.d.y, s.c.w), u), two = ssgi_sh_complex(vec2(s.d.z, s.c.z), uu);\n"
     "    vec2 three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
@@ -1080,19 +1020,16 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u;\n}\n" },
 { "ssgi_store", __LINE__, "void ssgi_store(ssgi_coefficients v) {\n"
     "#if transfer\n"
-    "    o_ssgi_red0 = ssgi_pack_first(v.c[0]);\n"
-    "    o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
+    "    o_ssgi_red0 = ssgi_pack_first(v.c[0]), o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
     "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n"
-    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]); // #if bands > 2\n"
-    "    o_ssgi_green1 = ssgi_pack_more(v.c[1]); // #if bands > 2\n"
+    "    o_ssgi_red1 = ssgi_pack_more(v.c[0]), o_ssgi_green1 = ssgi_pack_more(v.c[1]); // #if bands > 2\n"
     "    o_ssgi_blue1 = ssgi_pack_more(v.c[2]); // #if bands > 2\n"
     "#elif packed\n"
     "    o_ssgi_sh0 = ssgi_pack_first(v.c[0]);\n"
     "    o_ssgi_sh1 = ssgi_pack_more(v.c[0]); // #if bands > 2\n"
     "#else\n"
     "    o_ssgi_sh0 = v.c[0].a;\n"
-    "    o_ssgi_sh1 = v.c[0].b; // #if bands > 2\n"
-    "    o_ssgi_sh2 = v.c[0].c; // #if bands > 2\n"
+    "    o_ssgi_sh1 = v.c[0].b, o_ssgi_sh2 = v.c[0].c; // #if bands > 2\n"
     "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
     "#endif\n}\n" },
 { "ssgi_coefficients_none", __LINE__, "ssgi_coefficients ssgi_coefficients_none() {\n"
@@ -1102,8 +1039,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_ambient", __LINE__, "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
     "    return clamp(a * 1.12837917, 0.0, 1.0);\n}\n" },
-{ "ssgi_incoming", __LINE__, "// one channel of irradiance from coefficients [S3HO12 eq. 3]\n"
-    "float ssgi_incoming(int c, ssgi_sh s) {\n"
+{ "ssgi_incoming", __LINE__, "float ssgi_incoming(int c, ssgi_sh s) { // a channel of irradiance [S3HO12 eq. 3]\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
@@ -1115,18 +1051,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
     "    return e;\n}\n" },
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
-
 { "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
     "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
 { "ssgi_light_at", __LINE__, "ssgi_light ssgi_light_at(int i, vec3 P) { // row i of t_ssgi_lights, as it shines on P\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
-    "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0);\n"
-    "    s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
+    "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
     "    s.l = s.at.w > 0.5 ? s.at.xyz - P : s.at.xyz;\n"
     "    float dd = max(dot(s.l, s.l), 1e-30);\n"
-    "    s.d = sqrt(dd);\n"
-    "    s.l /= s.d;\n"
+    "    s.d = sqrt(dd), s.l /= s.d;\n"
     "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
     "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
     "    return s;\n}\n" },
@@ -1149,9 +1082,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    contact = -1.0;\n"
     "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
     "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
-    "    float size = flat_ ? patch_ : patch_ * q.z;\n"
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
-    "    float b = size * 0.70710678 * slope;\n"
+    "    float size = flat_ ? patch_ : patch_ * q.z, b = size * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
     "    // plus the rounding of the map's depth and of P\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
@@ -1206,9 +1138,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
     "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n}\n" },
-{ "ssgi_bent", __LINE__, "// Bent normal, the mean unoccluded direction (band 1), and the cosine of the half-angle of\n"
-    "// a cone about it with the same spread: cosine-weighted directions in a cone of cosine c have a mean of length\n"
-    "// 2/3 (1 + c + c^2) / (1 + c) [SSBN11, for cosine weights].\n"
+{ "ssgi_bent", __LINE__, "// mean unoccluded direction (band 1), cosine c of the half-angle of a cone of its spread:\n"
+    "// cosine-weighted directions in it have a mean of length 2/3 (1 + c + c^2) / (1 + c) [SSBN11]\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
@@ -1247,8 +1178,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_coefficients v; // #if environment != MAP\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment != MAP\n"
     "    return ssgi_shaded(v, P, n); // #if environment != MAP\n}\n" },
-{ "ssgi_kept", __LINE__, "// what is written of a receiver's light: desc.restore\n"
-    "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) {\n"
+{ "ssgi_kept", __LINE__, "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
     "    return max(light, 0.0); // #if !restore\n"
     "    return clamp(light / max(ssgi_open(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
     "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n}\n" },
@@ -1268,33 +1198,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
     "#endif\n}\n" },
 /* ==== >>gather: sampling around a pixel ========================================================================== */
-
 { "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
 { "ssgi_length", __LINE__, "float ssgi_length(float xi) { // distance of a sample along its direction\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
     "    return xi; // #if falloff != SQUARE\n}\n" },
-/* Points along directions: one loop for ssao, ssdo and s3ho, which differ in what an occluded direction contributes. */
-
-{ "ssgi_reflected", __LINE__, "// adds the lobe of a sender with normal o found along w, unoccluded, times its albedo\n"
-    "// [S3HO12 eq. 5, ours of solid angle]\n"
-    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
+/* Points along cosine-weighted directions: one loop for ssao, ssdo and s3ho, whose occluded ones count differently. */
+{ "ssgi_reflected", __LINE__, "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5]\n"
+    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) { // ours of solid angle\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n}\n" },
-{ "ssgi_gather", __LINE__, "#if pass == SSAO\n"
-    "// occlusion from points along cosine-weighted directions; the distribution of lengths attenuates by falloff\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "    float sum = 0.0;\n"
-    "#elif pass == SSDO && search == POINTS\n"
-    "// the environment along unoccluded cosine-weighted directions, senders' light along occluded ones [SSDO09 3]\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "#elif pass == S3HO && search == POINTS\n"
-    "// the transfer from light in spherical harmonics to irradiance: the cosine lobe less its occluded part,\n"
-    "// by cosine-weighted directions [S3HO12 eq. 2]; exact where nothing is occluded\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) {\n"
-    "#endif\n"
-    "#if search == POINTS\n"
+{ "ssgi_gather", __LINE__, "#if search == POINTS\n"
+    "// occlusion; the distribution of lengths attenuates by falloff // #if pass == SSAO\n"
+    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSAO\n"
+    "    float sum = 0.0; // #if pass == SSAO\n"
+    "// the environment along open directions, senders' light along occluded ones [SSDO09 3] // #if pass == SSDO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
+    "// from harmonics to irradiance: the cosine lobe less what is occluded [S3HO12 eq. 2] // #if pass == S3HO\n"
+    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) { // #if pass == S3HO\n"
     "    ssgi_P = P; // #if fade || range || bounce && (!two_sided || bounce == PATCH || layers > 1 || views)\n"
     "    ssgi_n = n; // #if range || bounce == PATCH\n"
     "    vec3 bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
@@ -1322,8 +1244,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        float less = blocked * (-3.14159265 / float(SSGI_SAMPLES)); // #if environment == SH\n"
     "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), less); // #if environment == SH\n"
     "        vec3 L = ssgi_environment(world * k.xyz); // #if environment == MAP\n"
-    "        all += L; // #if environment == MAP\n"
-    "        dark += L * blocked; // #if environment == MAP\n"
+    "        all += L, dark += L * blocked; // #if environment == MAP\n"
     "        bounce += ssgi_sender.xyz * blocked; // #if pass == SSDO && bounce == SOLID_ANGLE\n"
     "        // over the cosine pdf: pi r^2/N assumes uniform directions // #if pass == SSDO && bounce == PATCH\n"
     "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05)); // #if pass == SSDO && bounce == PATCH\n"
@@ -1350,8 +1271,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_span", __LINE__, "float ssgi_span; // how far slices see what surfels do not, view units\n" },
 { "ssgi_near", __LINE__, "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
     "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n}\n" },
-{ "ssgi_attenuation", __LINE__, "// weight of an occluder at a distance [HSAO08 3.5]\n"
-    "float ssgi_attenuation(float d) {\n"
+{ "ssgi_attenuation", __LINE__, "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
     "    d /= u_ssgi_radius; // #if !hard\n"
     "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
@@ -1363,9 +1283,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (ssgi_blocked(start + direction * d) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
     "    return 0.0;\n}\n" },
-{ "ssgi_horizon", __LINE__, "// Horizon of one tangent direction t by deflecting a ray toward the surface [HSAO08\n"
-    "// fig. 4]: x is H, the sine of its elevation, y the occlusion below it, the sum of the increments of H^2, each\n"
-    "// attenuated by the distance at which it was found.\n"
+{ "ssgi_horizon", __LINE__, "// The horizon along tangent t, by deflecting a ray toward the surface [HSAO08 fig. 4]:\n"
+    "// H, the sine of its elevation; occlusion below it: increments of H^2, attenuated by where each was found.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
     "    vec3 h = t;\n"
     "    vec2 r = vec2(0.0);\n"
@@ -1407,7 +1326,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    at their mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane
    within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the
    precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
-
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__, "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
 { "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 from, vec2 to) { // the sectors from one to another, a bit each\n"
@@ -1421,15 +1339,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
     "    return vec2((m * 0x01010101u) >> 24u);\n"
     "#endif\n}\n" },
-{ "ssgi_slice", __LINE__, "// A slice: t in the tangent plane, up perpendicular to it, both in the slice; n: the\n"
-    "// normal over the length of its projection; cosg, sing for ssgi_arc; sectors per measure, rounding noise, share\n"
-    "// of the hemisphere per sector; x, y: change of a point's x, y per depth along its ray (perspective: plus x, y\n"
-    "// over depth). x is along t for one side, along -t for the other.\n"
+{ "ssgi_slice", __LINE__, "// In a slice: t in the tangent plane, up perpendicular to it; n: the normal over its\n"
+    "// projection's length; cosg, sing for ssgi_arc; sectors per measure, rounding noise, the hemisphere's share per\n"
+    "// sector; x (along t, or -t), y: change of a point's per depth on its ray (perspective: plus x, y over depth)\n"
     "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
 { "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
     "    float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
-    "    a /= l;\n"
-    "    b /= l;\n"
+    "    a /= l, b /= l;\n"
     "    vec3 t = along * b - V * a, up = along * a + V * b, n = normal / l;\n"
     "    vec2 sing = vec2(0.5, -0.5) * a, whole = max(ssgi_arc(vec2(-a, a), 0.5 * b, sing), 1e-5);\n"
     "    vec2 share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
@@ -1441,11 +1357,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n}\n" },
 { "ssgi_behind", __LINE__, "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
-    "    x += by * s.x; // #if orthographic\n"
-    "    y += by * s.y; // #if orthographic\n"
-    "    by /= z; // #if !orthographic\n"
-    "    x += by * (x + s.x); // #if !orthographic\n"
-    "    y += by * (y + s.y); // #if !orthographic\n"
+    "    x += by * s.x, y += by * s.y; // #if orthographic\n"
+    "    by /= z, x += by * (x + s.x), y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n}\n" },
 { "ssgi_fresh", __LINE__, "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
@@ -1463,8 +1376,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
     "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n}\n" },
-{ "ssgi_got", __LINE__, "// sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
-    "struct ssgi_got {\n"
+{ "ssgi_got", __LINE__, "struct ssgi_got { // sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
     "    float all; // #if pass == HSAO\n"
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
     "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
@@ -1475,9 +1387,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
-    "    parts.w += w;\n"
-    "    parts.c += w * c * unit;\n"
-    "    parts.s += w * s * unit;\n}\n" },
+    "    parts.w += w, parts.c += w * c * unit, parts.s += w * s * unit;\n}\n" },
 { "ssgi_blocked_by", __LINE__, "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
     "    for (int k = 0; k < 2; ++k) {\n"
@@ -1486,9 +1396,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
     "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
     "    }\n}\n" },
-{ "ssgi_sends", __LINE__, "// Adds what the surface at pixel q, at an offset d, sends to the receiver. What unseen\n"
-    "// sides send is a guess that measurements support: a quarter of what the seen one sends, a second slab half.\n"
-    "// Edge-on, within the rounding of o, a sender counts as in the receiver's plane.\n"
+{ "ssgi_sends", __LINE__, "// Adds what the surface at pixel q, at an offset d, sends. Unseen sides send a guess that\n"
+    "// measurements support: a quarter of the seen one's, a second slab half; edge-on, within o's rounding, nothing.\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
@@ -1545,8 +1454,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        uvec2 arc = ssgi_between(mix(from, min(from, bottom), joined), mix(to, max(to, top), joined));\n"
     "        w = ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined))) * s.share;\n"
     "        was = mix(vec2(-SSGI_FAR), z, seen);\n"
-    "        bottom = from;\n"
-    "        top = to;\n"
+    "        bottom = from, top = to;\n"
     "#endif\n"
     "        last = min(far, u_ssgi_radius);\n"
     "        got.all += w.x + w.y; // #if pass == HSAO\n"
@@ -1555,8 +1463,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined); // #if behind != SOLID\n"
     "        lows = mix(max(by, 0.0) * r, lows, joined); // #if behind != SOLID\n"
     "        ssgi_part(parts, c + lowc, h + lows, w);\n"
-    "        lowc = c;\n"
-    "        lows = h;\n"
+    "        lowc = c, lows = h;\n"
     "#endif\n"
     "        ssgi_sends(got, q0, d0, w.x); // #if bounce && behind != SLABS\n"
     "        ssgi_sends(got, q1, d1, w.y); // #if bounce && behind != SLABS\n"
@@ -1645,7 +1552,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    ssgi_store(v); // #if pass == S3HO && !shaded\n}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
-
 { "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
     "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
     "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
@@ -1673,17 +1579,15 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
-    "    a *= 1.0 / 255.0;\n"
-    "    b *= 1.0 / 255.0;\n}\n" },
+    "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n}\n" },
 { "ssgi_cap", __LINE__, "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
     "// at most a hemisphere; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
     "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n}\n" },
-{ "ssgi_field_at", __LINE__, "// a point in the occluder's space: direction from the centre, distance; occluder:\n"
-    "// ssgi_gl_occluder from to_field on\n"
-    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) {\n"
+{ "ssgi_field_at", __LINE__, "// a point in the occluder's space: direction from the centre, distance\n"
+    "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder: ssgi_gl_occluder from to_field on\n"
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
@@ -1692,8 +1596,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
-    "    a = occluder[4] + occluder[6] * a;\n"
-    "    b = occluder[5] + occluder[7] * b;\n"
+    "    a = occluder[4] + occluder[6] * a, b = occluder[5] + occluder[7] * b;\n"
     "    float hull = a.w, r = max(at.w, hull), t = min((r - hull) / (occluder[8].z - hull), 1.0);\n"
     "    a.xyz = exp2(a.xyz);\n"
     "    a.y -= sqrt(a.x * a.z); // 1/(a quadratic in r) by its Bernstein form from the hull to the end\n"
@@ -1731,7 +1634,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion // #if objects\n"
     "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n}\n" },
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
-
 { "main_patch", __LINE__, "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
     "void main() {\n"
@@ -1833,17 +1735,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n}\n" },
 { "main_buffer", __LINE__, "void main() {\n"
-    "    v_ssgi_surfel0 = a_ssgi_surfel0;\n"
-    "    v_ssgi_surfel1 = a_ssgi_surfel1;\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
-    "}\n" },
+    "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n}\n" },
 { "main_nothing", __LINE__, "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
 { "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
     "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n}\n" },
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
-
 { "main_shuffle", __LINE__, "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
@@ -1971,9 +1870,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = vec4(glossy, form); // #if effect == SPECULAR\n"
     "#endif\n}\n" },
 /* ==== >>filter ================================================================================================== */
-
-{ "ssgi_plane", __LINE__, "// the tangent plane at P, for ssgi_off_plane\n"
-    "vec3 ssgi_plane(vec3 P, vec3 n) {\n"
+{ "ssgi_plane", __LINE__, "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_off_plane\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n}\n" },
 { "ssgi_off_plane", __LINE__, "// distance from the plane through P of the point at depth z, o pixels away\n"
@@ -2027,12 +1924,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
     "#endif\n}\n" },
-{ "ssgi_onto", __LINE__, "// what is blended onto a picture\n"
-    "vec4 ssgi_onto(ivec2 p, float ao) {\n"
-    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
-    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
+{ "ssgi_onto", __LINE__, "vec4 ssgi_onto(ivec2 p, float ao) { // what is blended onto a picture\n"
     "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
-    "}\n" },
+    "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
+    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n}\n" },
 { "main_compose", __LINE__, "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "#if colour == GREY\n"
@@ -2238,7 +2133,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
     "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n}\n" },
 /* ==== >>statistics: how depth is distributed around pixels ====================================================== */
-
 { "main_statistics", __LINE__ + 1,
     "// One pixel of every 8x8: the shares of points around it that lie behind the depth buffer by less than a\n"
     "// quarter of the radius, by less than the radius, by more; and that lie off screen.\n"
@@ -2259,8 +2153,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += seen ? vec4(passed - vec3(passed.yz, 0.0), 0.0) : vec4(0.0, 0.0, 0.0, 1.0);\n"
     "    }\n"
     "    o_ssgi_statistics = sum / float(SSGI_SAMPLES);\n}\n" },
-{ "main_triangle", __LINE__, "// one triangle that covers the viewport\n"
-    "void main() {\n"
+{ "main_triangle", __LINE__, "void main() { // one triangle that covers the viewport\n"
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n}\n" },
 };
 
@@ -2272,7 +2165,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
 typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
 
-#define SSGI_GL__C(name, field) { NULL, 0, { name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, field), "" } }
+#define SSGI_GL__C(name, of) { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
 #define SSGI_GL__IN(block, prefix, of, member, type, units) \
     { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
 #define SSGI_GL__P(member, type, units) SSGI_GL__IN(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
@@ -2292,11 +2185,11 @@ typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } s
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
-    SSGI_GL__C("SSGI_SAMPLES", samples), SSGI_GL__C("SSGI_DIRECTIONS", directions), SSGI_GL__C("SSGI_STEPS", steps),
-    SSGI_GL__C("SSGI_NORMAL_RAYS", normal_rays), SSGI_GL__C("SSGI_LAYERS", layers), SSGI_GL__C("SSGI_VIEWS", views),
-    SSGI_GL__C("SSGI_VIEW_LAYERS", view_layers), SSGI_GL__C("SSGI_RECEIVER", receiver),
-    SSGI_GL__C("SSGI_LEVELS", levels), SSGI_GL__C("SSGI_NEAR_SAMPLES", near_samples), SSGI_GL__C("SSGI_AXIS", axis),
-    SSGI_GL__C("SSGI_FILTER_RADIUS", filter_radius), SSGI_GL__C("SSGI_SPAN", span),
+    SSGI_GL__C(SAMPLES, samples), SSGI_GL__C(DIRECTIONS, directions), SSGI_GL__C(STEPS, steps),
+    SSGI_GL__C(NORMAL_RAYS, normal_rays), SSGI_GL__C(LAYERS, layers), SSGI_GL__C(VIEWS, views),
+    SSGI_GL__C(VIEW_LAYERS, view_layers), SSGI_GL__C(RECEIVER, receiver), SSGI_GL__C(LEVELS, levels),
+    SSGI_GL__C(NEAR_SAMPLES, near_samples), SSGI_GL__C(AXIS, axis), SSGI_GL__C(FILTER_RADIUS, filter_radius),
+    SSGI_GL__C(SPAN, span),
 
     SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
     SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
@@ -2385,13 +2278,10 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__FLOATS("sh3", 5, "coefficients 12..15"),
     SSGI_GL__HALVES("red0", 6, "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2"),
     SSGI_GL__HALVES("red1", 7, "coefficients 8..15 of red; R32UI suffices for 3 bands"),
-    SSGI_GL__HALVES("green0", 8, "the same of green"),
-    SSGI_GL__HALVES("green1", 11, "the same of green"),
-    SSGI_GL__HALVES("blue0", 14, "the same of blue"),
-    SSGI_GL__HALVES("blue1", 15, "the same of blue"),
+    SSGI_GL__HALVES("green0", 8, "the same of green"), SSGI_GL__HALVES("green1", 11, "the same of green"),
+    SSGI_GL__HALVES("blue0", 14, "the same of blue"), SSGI_GL__HALVES("blue1", 15, "the same of blue"),
 
-    SSGI_GL__A("position", "vec3", "mesh space"),
-    SSGI_GL__A("normal", "vec3", "mesh space, any length; 0 0 0: the triangle's own"),
+    SSGI_GL__A("position", "vec3", "mesh space"), SSGI_GL__A("normal", "vec3", "mesh space, any length; 0: the face's"),
     SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
     SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
     SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
@@ -2402,23 +2292,21 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 
 typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
 
-#define SSGI_GL__PLAIN(pass, name, main) \
-    { SSGI_GL_##pass, name, NULL, { "main_triangle", "main_" #main, NULL, NULL, NULL } }
+#define SSGI_GL__ALL(pass, name, main) { SSGI_GL_##pass, name, NULL, { "main_triangle", main, NULL, NULL, NULL } }
+#define SSGI_GL__PLAIN(pass, name) SSGI_GL__ALL(pass, name, "main_" name)
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    SSGI_GL__PLAIN(SSAO, "ssao", gather), SSGI_GL__PLAIN(HSAO, "hsao", gather), SSGI_GL__PLAIN(SSDO, "ssdo", gather),
-    SSGI_GL__PLAIN(S3HO, "s3ho", gather), SSGI_GL__PLAIN(LIGHTS, "lights", lights),
-    SSGI_GL__PLAIN(SENDERS, "senders", senders), SSGI_GL__PLAIN(SHADE, "shade", shade),
+    SSGI_GL__ALL(SSAO, "ssao", "main_gather"), SSGI_GL__ALL(HSAO, "hsao", "main_gather"),
+    SSGI_GL__ALL(SSDO, "ssdo", "main_gather"), SSGI_GL__ALL(S3HO, "s3ho", "main_gather"),
+    SSGI_GL__PLAIN(LIGHTS, "lights"), SSGI_GL__PLAIN(SENDERS, "senders"), SSGI_GL__PLAIN(SHADE, "shade"),
     { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
-    SSGI_GL__PLAIN(SHUFFLE, "shuffle", shuffle),
     { SSGI_GL_SPLAT, "splat", "!tessellate", { "main_quad", "main_splat", NULL, NULL, NULL } },
     { SSGI_GL_SPLAT, "splat", "tessellate",
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
-    SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle", unshuffle), SSGI_GL__PLAIN(SMOOTH, "smooth", smooth),
-    SSGI_GL__PLAIN(SUM, "sum", sum), SSGI_GL__PLAIN(BLUR, "blur", blur), SSGI_GL__PLAIN(HISTORY, "history", history),
-    SSGI_GL__PLAIN(COMPOSE, "compose", compose),
-    SSGI_GL__PLAIN(STATISTICS, "statistics", statistics)
+    SSGI_GL__PLAIN(SHUFFLE, "shuffle"), SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle"), SSGI_GL__PLAIN(SMOOTH, "smooth"),
+    SSGI_GL__PLAIN(SUM, "sum"), SSGI_GL__PLAIN(BLUR, "blur"), SSGI_GL__PLAIN(HISTORY, "history"),
+    SSGI_GL__PLAIN(COMPOSE, "compose"), SSGI_GL__PLAIN(STATISTICS, "statistics")
 };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
@@ -2432,47 +2320,47 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
     return SSGI_BAD_ARGUMENT;
 }
 
+/* Argument checks of functions with a parameter `why`. */
+#define SSGI_GL__CHECK(good, sentence) do { if (!(good)) return ssgi_gl__bad(why, sentence); } while (0)
+#define SSGI_GL__THERE(a)              SSGI_GL__CHECK(a, #a ": must not be NULL")
+#define SSGI_GL__VIEW(v) \
+    SSGI_GL__CHECK((v) && (v)->width > 0 && (v)->height > 0, "view: must come from ssgi_view_from_projection")
+#define SSGI_GL__TRY(call)             do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+
 /* Names and values are those of #if lines, too. */
-#define SSGI_GL__I(field, most, text) \
-    { #field, "", "desc." #field ": must be " text, offsetof(ssgi_gl_desc, field), most }
-#define SSGI_GL__B(field) SSGI_GL__I(field, 1, "0 or 1")
-#define SSGI_GL__E(field, most, prefix, values) \
-    { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), most }
+#define SSGI_GL__I(field, n) { #field, "", "desc." #field ": must be 0.." #n, offsetof(ssgi_gl_desc, field), n }
+#define SSGI_GL__B(field) { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
+#define SSGI_GL__N(field, last, prefix, values) \
+    { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), last }
+#define SSGI_GL__E(field, KIND, LAST, values) SSGI_GL__N(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, values)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__E(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
+    SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
                "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE STATISTICS"),
-    SSGI_GL__E(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
-    SSGI_GL__E(depth, SSGI_GL_DEPTH_CUSTOM, "SSGI_GL_DEPTH", "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__E(normal, SSGI_GL_NORMAL_CUSTOM, "SSGI_GL_NORMAL", "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
-    SSGI_GL__B(orthographic), SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines),
-    SSGI_GL__B(left_handed), SSGI_GL__B(oblique), SSGI_GL__B(multisampled), SSGI_GL__B(array),
-    SSGI_GL__E(noise, SSGI_GL_NOISE_TEXTURE, "SSGI_GL_NOISE", "GRADIENT TEXTURE"), SSGI_GL__I(samples, 64, "0..64"),
-    SSGI_GL__I(steps, 64, "0..64"),
-    SSGI_GL__E(behind, SSGI_GL_BEHIND_SLABS, "SSGI_GL_BEHIND", "CONSTANT SOLID BACK SLABS"),
-    SSGI_GL__E(falloff, SSGI_GL_FALLOFF_SQUARE, "SSGI_GL_FALLOFF", "LINEAR SQUARE"), SSGI_GL__B(kernel),
-    SSGI_GL__E(fade, SSGI_GL_FADE_LAMBDA, "SSGI_GL_FADE", "NONE SMOOTH LAMBDA"), SSGI_GL__B(range),
-    SSGI_GL__I(layers, 8, "0..8"), SSGI_GL__I(views, 4, "0..4"), SSGI_GL__I(view_layers, 8, "0..8"),
-    SSGI_GL__I(receiver, 7, "0..7"), SSGI_GL__E(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
-    SSGI_GL__I(directions, 32, "0..32"), SSGI_GL__I(normal_rays, 8, "0..8"), SSGI_GL__B(hard),
-    SSGI_GL__E(environment, SSGI_GL_ENVIRONMENT_MAP, "SSGI_GL_ENVIRONMENT", "NONE SH MAP"),
-    SSGI_GL__E(bounce, SSGI_GL_BOUNCE_PATCH, "SSGI_GL_BOUNCE", "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__E(restore, SSGI_GL_RESTORE_DIFFERENCE, "SSGI_GL_RESTORE", "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
-    SSGI_GL__E(radiance, SSGI_GL_RADIANCE_ALBEDO, "SSGI_GL_RADIANCE", "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__E(shadow, SSGI_GL_SHADOW_NONE, "SSGI_GL_SHADOW", "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate),
-    SSGI_GL__I(bands, 4, "0..4"), SSGI_GL__B(packed),
-    SSGI_GL__E(transfer, SSGI_GL_TRANSFER_REFLECTED, "SSGI_GL_TRANSFER", "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
-    SSGI_GL__B(residual),
-    SSGI_GL__E(shading, SSGI_GL_SHADING_BENT, "SSGI_GL_SHADING", "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__B(lights), SSGI_GL__B(albedo),
-    SSGI_GL__E(objects, SSGI_GL_OBJECTS_CUSTOM, "SSGI_GL_OBJECTS", "NONE TEXTURE CUSTOM"),
-    SSGI_GL__E(effect, SSGI_GL_EFFECT_SCATTER, "SSGI_GL_EFFECT", "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
-    SSGI_GL__I(levels, SSGI_SPLAT_LEVELS, "0..7"), SSGI_GL__B(tessellate),
-    SSGI_GL__E(sends, SSGI_GL_SENDS_CUSTOM, "SSGI_GL_SENDS", "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__I(span, 64, "0..64"), SSGI_GL__I(near_samples, 16, "0..16"), SSGI_GL__B(axis),
-    SSGI_GL__E(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
-    SSGI_GL__E(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4, "0..4"),
+    SSGI_GL__N(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
+    SSGI_GL__E(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
+    SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"), SSGI_GL__B(orthographic),
+    SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines), SSGI_GL__B(left_handed), SSGI_GL__B(oblique),
+    SSGI_GL__B(multisampled), SSGI_GL__B(array), SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
+    SSGI_GL__I(samples, 64), SSGI_GL__I(steps, 64), SSGI_GL__E(behind, BEHIND, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"), SSGI_GL__B(kernel),
+    SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"), SSGI_GL__B(range), SSGI_GL__I(layers, 8),
+    SSGI_GL__I(views, 4), SSGI_GL__I(view_layers, 8), SSGI_GL__I(receiver, 7),
+    SSGI_GL__N(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32),
+    SSGI_GL__I(normal_rays, 8), SSGI_GL__B(hard), SSGI_GL__E(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__E(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
+    SSGI_GL__E(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
+    SSGI_GL__E(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
+    SSGI_GL__E(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate), SSGI_GL__I(bands, 4),
+    SSGI_GL__B(packed), SSGI_GL__E(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
+    SSGI_GL__B(residual), SSGI_GL__E(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
+    SSGI_GL__B(lights), SSGI_GL__B(albedo), SSGI_GL__E(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+    SSGI_GL__E(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"), SSGI_GL__I(levels, 7),
+    SSGI_GL__B(tessellate), SSGI_GL__E(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"), SSGI_GL__I(span, 64),
+    SSGI_GL__I(near_samples, 16), SSGI_GL__B(axis),
+    SSGI_GL__N(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
+    SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4),
     SSGI_GL__B(filter_normals), SSGI_GL__B(motion),
-    SSGI_GL__E(onto, SSGI_GL_ONTO_AMBIENT, "SSGI_GL_ONTO", "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
+    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
 };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
@@ -2496,6 +2384,7 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
 }
 
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
 /* What does not go together, as in #if lines. */
 #define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
@@ -2536,21 +2425,17 @@ static const char *const ssgi_gl__rules[][2] = {
 
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
 {
-    int i;
-    if (!desc) return ssgi_gl__bad(why, "desc: must not be NULL");
-    for (i = 0; i < SSGI_GL__FIELDS; ++i) {
-        int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
-        if (value < 0 || value > ssgi_gl__fields[i].most) return ssgi_gl__bad(why, ssgi_gl__fields[i].sentence);
+    SSGI_GL__THERE(desc);
+    for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
+        const int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
+        SSGI_GL__CHECK(value >= 0 && value <= ssgi_gl__fields[i].most, ssgi_gl__fields[i].sentence);
     }
-    for (i = 0; i < (int)(sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules); ++i) {
-        const char *when = ssgi_gl__rules[i][0];
-        if (ssgi_gl__any(&when, desc)) return ssgi_gl__bad(why, ssgi_gl__rules[i][1]);
-    }
-    if (desc->receiver && desc->receiver >= desc->layers)
-        return ssgi_gl__bad(why, "desc.receiver: must be below desc.layers");
-    if (!desc->fetch && (desc->depth == SSGI_GL_DEPTH_CUSTOM || desc->normal == SSGI_GL_NORMAL_CUSTOM
-                         || desc->objects == SSGI_GL_OBJECTS_CUSTOM || desc->sends == SSGI_GL_SENDS_CUSTOM))
-        return ssgi_gl__bad(why, "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
+    for (size_t i = 0; i < sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules; ++i)
+        SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__rules[i][0], desc), ssgi_gl__rules[i][1]);
+    SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
+    SSGI_GL__CHECK(desc->fetch || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
+                                                  "sends == CUSTOM", desc),
+                   "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
     return SSGI_OK;
 }
 
@@ -2569,17 +2454,13 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
         { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
         { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
         { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } } };
-    const struct counts *c;
-    int row;
-    ssgi_result r = ssgi_gl_check(desc, why);
-    if (r != SSGI_OK) return r;
-    if (preset < SSGI_GL_FAST || preset > SSGI_GL_BEST)
-        return ssgi_gl__bad(why, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
+    SSGI_GL__TRY(ssgi_gl_check(desc, why));
+    SSGI_GL__CHECK(preset >= SSGI_GL_FAST && preset <= SSGI_GL_BEST,
+                   "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
         return SSGI_OK;                 /* these have no quality settings in the shader */
-    row = desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
-        : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3;
-    c = &table[row][preset];
+    const struct counts *c = table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
+                                 : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3] + preset;
     desc->half = c->half;
     desc->steps = c->steps;
     if (c->samples) {
@@ -2601,18 +2482,15 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
 {
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT,
                                   SSGI_GL_FIELD };
-    ssgi_gl_desc d;
-    ssgi_result r = ssgi_gl_check(desc, why);
-    if (r != SSGI_OK) return r;
-    if (!plan || plan->method <= SSGI_PLAN_NOTHING || plan->method > SSGI_PLAN_FIELD)
-        return ssgi_gl__bad(why, "plan: must not be NULL, and of something");
-    d = *desc;
+    SSGI_GL__TRY(ssgi_gl_check(desc, why));
+    SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
+                   "plan: must not be NULL, and of something");
+    ssgi_gl_desc d = *desc;
     d.pass = passes[plan->method];
     d.search = plan->method == SSGI_PLAN_MARCH ? SSGI_GL_MARCH : plan->method == SSGI_PLAN_HSAO ? SSGI_GL_SLICES
              : SSGI_GL_POINTS;
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
-    r = ssgi_gl_preset(&d, SSGI_GL_BALANCED, why);
-    if (r != SSGI_OK) return r;
+    SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
     d.directions = plan->directions;
     d.samples = plan->samples;
@@ -2626,9 +2504,9 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
         d.shaded = d.residual = 1;
         d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
     }
-    r = ssgi_gl_check(&d, why);
-    if (r == SSGI_OK) *desc = d;
-    return r;
+    SSGI_GL__TRY(ssgi_gl_check(&d, why));
+    *desc = d;
+    return SSGI_OK;
 }
 
 /* So that #if lines need not ask for the pass: s3ho has the bounce that its transfer asks for, and gathers harmonics
@@ -2697,8 +2575,7 @@ static size_t ssgi_gl__word(const char **s)         /* after blanks; *s is at it
 
 static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
 {
-    int i;
-    for (i = 0; i < SSGI_GL__FIELDS; ++i)
+    for (int i = 0; i < SSGI_GL__FIELDS; ++i)
         if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
@@ -2716,28 +2593,24 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
 
 static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
 {
-    const ssgi_gl_choice *field;
     size_t n = ssgi_gl__word(s);
-    int value, other;
-    char sign;
     if (**s == '!') { ++*s; return !ssgi_gl__operand(s, d); }
     if (**s == '(') {
-        ++*s;
-        value = ssgi_gl__any(s, d);
+        const int inner = (++*s, ssgi_gl__any(s, d));
         ssgi_gl__word(s);
-        if (**s == ')') ++*s;
-        return value;
+        *s += **s == ')';
+        return inner;
     }
-    field = ssgi_gl__field_named(*s, n);
+    const ssgi_gl_choice *field = ssgi_gl__field_named(*s, n);
     *s += n;
     ssgi_gl__word(s);
-    sign = **s;
+    const char sign = **s;
     if (!field) return 0;
-    value = ssgi_gl__get(d, field->offset);
+    const int value = ssgi_gl__get(d, field->offset);
     if (sign != '=' && sign != '!' && sign != '<' && sign != '>') return value != 0;
     *s += (*s)[1] == '=' ? 2 : 1;
     n = ssgi_gl__word(s);
-    other = ssgi_gl__value(field, *s, n);
+    const int other = ssgi_gl__value(field, *s, n);
     *s += n;
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
@@ -2760,7 +2633,7 @@ typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line
 
 static ssgi_gl__reader ssgi_gl__read(const ssgi_gl__code *code, const ssgi_gl_desc *d)
 {
-    const ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0, 0, 0, 0, 0, 0, 0, 0 } };
+    const ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0 } };
     return r;
 }
 
@@ -2834,11 +2707,10 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
-    int i;
     memset(stage, 0, sizeof *stage);
     memset(&names, 0, sizeof names);
     for (; (n = ssgi_gl__word(&roots)) != 0; roots += n) ssgi_gl__named(&names, roots, n, 1);
-    for (i = SSGI_GL__CODES - 1; i >= 0; --i) {
+    for (int i = SSGI_GL__CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *code = &ssgi_gl__library[i];
         ssgi_gl__reader r;
         const char *line;
@@ -2847,11 +2719,9 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         for (r = ssgi_gl__read(code, d); (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1)
             ssgi_gl__scan(&names, line, line + n);
     }
-    for (i = SSGI_GL__ROWS - 1; i >= 0; --i) {
+    for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
-        const char *when = row->when;
-        stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0)
-                     && (!when || ssgi_gl__any(&when, d));
+        stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
         if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
     stage->fetch = (unsigned char)(names.custom << decodes);        /* 2: your text calls ssgi_decode */
@@ -2864,17 +2734,13 @@ typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssg
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
 {
-    int i;
+    memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
-    p->pass = NULL;
-    for (i = 0; i < SSGI_GL__VARIANTS; ++i) {
-        const ssgi_gl__pass *pass = &ssgi_gl__passes[i];
-        const char *when = pass->when;
-        if (pass->pass == p->d.pass && (!when || ssgi_gl__any(&when, &p->d))) p->pass = pass;
-    }
+    for (const ssgi_gl__pass *pass = ssgi_gl__passes; pass < ssgi_gl__passes + SSGI_GL__VARIANTS; ++pass)
+        if (pass->pass == p->d.pass && ssgi_gl__holds(pass->when, &p->d)) p->pass = pass;
     if (stage < SSGI_GL_STAGES && !p->pass->mains[stage]) return 0;
-    memset(p->stage, 0, sizeof p->stage);
-    for (i = 0; i < SSGI_GL_STAGES; ++i) if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
+    for (int i = 0; i < SSGI_GL_STAGES; ++i)
+        if (p->pass->mains[i]) ssgi_gl__link(&p->stage[i], &p->d, p->pass->mains[i]);
     return 1;
 }
 
@@ -2885,8 +2751,7 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
         { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
         { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" },
         { "sampler2DMS", "texture2DMS" } };
-    size_t i;
-    for (i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
+    for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
     return word;
 }
@@ -2894,13 +2759,13 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
 /* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
-    int n = 0, i, s, slots[SSGI_GL_CAPTURE + 1] = { 0, 0, 0, 0, 0, 0 }, block[2] = { 0, 0 };
-    for (i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
+    int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
+    for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
-    for (i = 0; i < SSGI_GL__ROWS; ++i) {
+    for (int i = 0; i < SSGI_GL__ROWS; ++i) {
         ssgi_gl_io io = ssgi_gl__rows[i].io;
         int used = 0;
-        for (s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
+        for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
         if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(&p->d, io.offset); io.offset = 0; }
         else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
@@ -2910,8 +2775,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
             continue;                           /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
-        if (n < capacity) out[n] = io;
-        ++n;
+        if (n++ < capacity) out[n - 1] = io;
     }
     return n;
 }
@@ -2933,25 +2797,24 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
     va_list args;
     va_start(args, format);
     for (; *format; ++format) {
-        const int real = *format == '%' && format[1] == 'f';
-        const char *s = format;
-        char digits[16];
-        int i = (int)sizeof digits, least;
         if (*format != '%') {
-            ssgi_gl__put(t, format, strcspn(format, "%"));
-            format += strcspn(format, "%") - 1;
-            continue;
-        }
-        if (*++format == 's') { s = va_arg(args, const char *); ssgi_gl__put(t, s, strlen(s)); continue; }
-        {
+            const size_t plain = strcspn(format, "%");
+            ssgi_gl__put(t, format, plain);
+            format += plain - 1;
+        } else if (*++format == 's') {
+            const char *s = va_arg(args, const char *);
+            ssgi_gl__put(t, s, strlen(s));
+        } else {
+            const int real = *format == 'f';
             const double x = real ? va_arg(args, double) * 1e7 : (double)va_arg(args, int);
             unsigned int v = (unsigned int)(x < 0.0 ? 0.5 - x : x + 0.5);
-            for (least = real ? 8 : 1; v || least > 0; --least, v /= 10) {
-                digits[--i] = (char)('0' + v % 10);
-                if (real && least == 2) digits[--i] = '.';
+            char digits[16], *s = digits + sizeof digits;
+            for (int least = real ? 8 : 1; v || least > 0; --least, v /= 10) {
+                *--s = (char)('0' + v % 10);
+                if (real && least == 2) *--s = '.';
             }
-            if (x < 0.0) digits[--i] = '-';
-            ssgi_gl__put(t, digits + i, sizeof digits - (size_t)i);
+            if (x < 0.0) *--s = '-';
+            ssgi_gl__put(t, s, (size_t)(digits + sizeof digits - s));
         }
     }
     va_end(args);
@@ -2961,8 +2824,8 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
 {
     size_t at = 0;
-    int gaps = 0, i, k;
-    for (i = 0; i < n; ++i) {
+    int gaps = 0, k;
+    for (int i = 0; i < n; ++i) {
         if (io[i].kind != SSGI_GL_PARAM || io[i].slot != block) continue;
         if (!at && !gaps) {
             ssgi_gl__print(t, set ? "layout(std140, %sbinding = %d) uniform " : "layout(std140) uniform ", set, block);
@@ -2985,10 +2848,9 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
 static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
 {
     float k[4 * 64];
-    int i;
     ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
-    for (i = 0; i < 4 * samples; i += 4)
+    for (int i = 0; i < 4 * samples; i += 4)
         ssgi_gl__print(t, "%s\n    vec4(%f, %f, %f, %f)", i ? "," : "", (double)k[i], (double)k[i + 1],
                        (double)k[i + 2], (double)k[i + 3]);
     ssgi_gl__print(t, ");\n");
@@ -3015,13 +2877,12 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
 /* The kept functions, in the order of the library. */
 static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
 {
-    int i, place[2] = { 0, 0 };
-    for (i = 0; i < SSGI_GL__CODES; ++i) {
+    int place[2] = { 0, 0 };
+    for (int i = 0; i < SSGI_GL__CODES; ++i) if (stage->code[i]) {
         ssgi_gl__reader r = ssgi_gl__read(&ssgi_gl__library[i], d);
         const char *line;
         size_t n;
         int last = -1;
-        if (!stage->code[i]) continue;
         ssgi_gl__print(t, "\n");
         while ((line = ssgi_gl__next(&r, &n)) != NULL) {
             const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
@@ -3051,16 +2912,15 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     const char *version = d->version ? d->version : dialect->version;
     ssgi_gl_io io[SSGI_GL_MAX_IO];
     const int n = ssgi_gl__collect(p, stage, io, SSGI_GL_MAX_IO);
-    int i;
+    int samples = 0;
     ssgi_gl__print(t, *version && version[strlen(version) - 1] != '\n' ? "%s\n" : "%s", version);
     ssgi_gl__print(t, dialect->head);
-    for (i = 0; i < n && strcmp(io[i].type, "sampler2DMS"); ++i) {}
-    if (*dialect->head == 'p' && i < n) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
-    for (i = 0; i < n; ++i)
+    for (int i = 0; i < n; ++i) samples |= !strcmp(io[i].type, "sampler2DMS");
+    if (*dialect->head == 'p' && samples) ssgi_gl__print(t, "precision highp sampler2DMS;\n");
+    for (int i = 0; i < n; ++i)
         if (io[i].kind == SSGI_GL_CONSTANT) ssgi_gl__print(t, "const int %s = %d;\n", io[i].name, io[i].slot);
-    ssgi_gl__print_block(t, io, n, 0, dialect->set);
-    ssgi_gl__print_block(t, io, n, 1, dialect->set);
-    for (i = 0; i < n; ++i) {
+    for (int block = 0; block < 2; ++block) ssgi_gl__print_block(t, io, n, block, dialect->set);
+    for (int i = 0; i < n; ++i) {
         const int kind = io[i].kind;
         if (kind == SSGI_GL_PARAM || kind == SSGI_GL_CONSTANT) continue;
         if (kind == SSGI_GL_OUTPUT || kind == SSGI_GL_ATTRIBUTE || (kind == SSGI_GL_CAPTURE && dialect->textures))
@@ -3095,9 +2955,8 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
-    int i;
     ssgi_gl__link(&stage, d, roots);
-    for (i = 0; i < SSGI_GL__ROWS; ++i) if (stage.row[i]) {
+    for (int i = 0; i < SSGI_GL__ROWS; ++i) if (stage.row[i]) {
         const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
         if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
         ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
@@ -3145,17 +3004,15 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
 {
     ssgi_gl__program p;
     ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u };         /* FNV-1a over the very texts */
-    int stage;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
-    for (stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
+    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass)
 {
-    int i;
-    for (i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
+    for (int i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
     return NULL;
 }
 
@@ -3165,13 +3022,6 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
-
-/* Argument checks of functions with a parameter `why`. */
-#define SSGI_GL__CHECK(good, sentence) do { if (!(good)) return ssgi_gl__bad(why, sentence); } while (0)
-#define SSGI_GL__THERE(a)              SSGI_GL__CHECK(a, #a ": must not be NULL")
-#define SSGI_GL__VIEW(v) \
-    SSGI_GL__CHECK((v) && (v)->width > 0 && (v)->height > 0, "view: must come from ssgi_view_from_projection")
-#define SSGI_GL__TRY(call)             do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
 
 static int ssgi_gl__finite(const float m[16])
 {
@@ -3194,19 +3044,18 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
     memcpy(f.oblique, view->oblique, sizeof f.oblique);
     f.size[0] = view->width;
     f.size[1] = view->height;
+    f.near_depth = ssgi_view_near(view);
     f.radius = radius;
     f.offset = 1.5f;
     f.thickness = 0.6f * radius;
     f.fade = 0.3f * radius;
     f.distance_clamp = 0.25f;
-    f.gain = 1.0f;
+    f.gain = f.sent = 1.0f;
     f.max_slope = 20.0f;
     f.lambda = 4.0f;
     ssgi_sh_window(f.window, 4, SSGI_SH_WINDOW_HANN);
-    f.rotation[0] = f.rotation[5] = f.rotation[10] = 1.0f;
-    f.mesh[0] = f.mesh[5] = f.mesh[10] = f.mesh[15] = 1.0f;
-    f.near_depth = ssgi_view_near(view);
-    f.sent = 1.0f;
+    for (int i = 0; i < 3; ++i) f.rotation[5 * i] = f.mesh[5 * i] = 1.0f;
+    f.mesh[15] = 1.0f;
     f.epsilon = 0.1f;
     f.exponent = 32.0f;
     *frame = f;
@@ -3230,8 +3079,7 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
 }
 
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
-                                      const char **why)
+    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why)
 {
     enum { BINS = 256 };                            /* of what is sent, below the most */
     const double octave = 8.0;
@@ -3370,8 +3218,7 @@ static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
                    "view: its near plane must not be oblique; only the picture's may be")
 
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-                                       const float main_world_to_view[16], const float extra_world_to_view[16],
-                                       const char **why)
+    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why)
 {
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
@@ -3385,8 +3232,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-                                           const float main_world_to_view[16], const float last_world_to_view[16],
-                                           const char **why)
+    const float main_world_to_view[16], const float last_world_to_view[16], const char **why)
 {
     float to[16], from[16];
     SSGI_GL__THERE(frame);
@@ -3406,8 +3252,7 @@ SSGI_DEF float ssgi_gl_phase(uint32_t k)
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-                                       const float main_world_to_view[16], const float light_world_to_view[16],
-                                       const char **why)
+    const float main_world_to_view[16], const float light_world_to_view[16], const char **why)
 {
     float to[16], from[16];
     SSGI_GL__THERE(light);
@@ -3424,8 +3269,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 }
 
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-                                        const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
-                                        int object, const char **why)
+    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why)
 {
     ssgi_field_limits l;
     ssgi_gl_occluder c;
