@@ -30,8 +30,7 @@
       variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
       layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
       glUniformBlockBinding). The projection is the one that depth was drawn with: some engines (OpenSceneGraph) move
-      near and far behind its getter; what left-handed ones do stands at ssgi_view_from_projection (ssgi.h). This header
-      calls no GL and includes no GL header.
+      near and far behind its getter; for left-handed ones see ssgi_view_from_projection (ssgi.h). No GL is called here.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: slices through the view direction, or the paper's march [HSAO08]
@@ -51,8 +50,7 @@
    WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
       lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
       s3ho         keeps coefficients for light that changes more often than geometry: draw the steps from shade on anew
-      field        an ssgi_gl_occluder each, as rows of t_ssgi_occluders: no noise, no filter. In your own forward
-                   shader: ssgi_gl_field, the same functions as text
+      field        an ssgi_gl_occluder each, rows of t_ssgi_occluders: no filter. In forward shaders: ssgi_gl_field
       history      frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history but after a cut or a change of size
       splat        surfels by ssgi_surfels on the CPU, or by pass surfels: rasteriser discarded, transform feedback of
                    its CAPTURE rows, interleaved, is ssgi_surfel[] (at most two of radius 0 for each one of
@@ -193,8 +191,7 @@ typedef struct ssgi_gl_desc {
     int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, history, blur   1: one pixel of every 2x2, into targets of half size,
-                            rounded up; blur brings it to full size */
+    int half;            /* gathers, shade, history   1: a pixel of every 2x2, rounded up; blur   1: to full size */
     int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
     int left_handed;     /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
     int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
@@ -227,7 +224,7 @@ typedef struct ssgi_gl_desc {
     int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
     int restore;         /* and s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..: before blur with this desc
-                            and colour = 1 o_ssgi_light is not light. Not of a bounce without an environment */
+                            and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
     int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
                             the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
@@ -235,7 +232,7 @@ typedef struct ssgi_gl_desc {
     int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
 
     /* s3ho, shade, blur of coefficients */
-    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: coefficients; bent read 2 */
+    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
     int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed */
     int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
@@ -294,8 +291,7 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 typedef struct ssgi_gl_choice { const char *name, *values, *sentence; size_t offset; int most; } ssgi_gl_choice;
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past the last */
 
-/* What a desc that is SSGI_OK means: the defaults of its pass in place, and 0 what that pass does not look at. The text
-   of both is the same. */
+/* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text. */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
@@ -362,8 +358,7 @@ typedef struct ssgi_gl_chain {
     int history;         /* 1: it is averaged over frames before */
     int vectors;         /* s3ho   1: coefficients are filtered, then shaded: for light that changes; 0: light is */
     int reuse;           /* ssdo   1: senders send the last frame's light, so that one gather does both */
-    int vpls;            /* ssdo   1: lights adds virtual point lights to the bounce, which falls off so that it
-                            restores what their clamp leaves out */
+    int vpls;            /* ssdo   1: lights adds virtual point lights to the bounce, which restores what they clamp */
     int direct;          /* 1: senders send your own radiance, too (t_ssgi_direct) */
     int surfels;         /* splat  1: from what pass surfels wrote this frame: surfels lit, or from patches */
     int hidden_sky;      /* splat  1: desc.environment lights surfels that the picture does not show, unoccluded */
@@ -433,8 +428,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 
 /* ==== >>frame ================================================================================================== */
 
-/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140; a pass declares
-   the members that it reads, each in its place). */
+/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140). */
 typedef struct ssgi_gl_frame {
     float   project[4];  /* from ssgi_view */
     float   unproject[4];
@@ -442,8 +436,7 @@ typedef struct ssgi_gl_frame {
     int32_t origin[2];   /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];     /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
                             (but senders, and what lights them) to the inner rectangle and what their filters read */
-    int32_t target[2];   /* [units: texels]  first texel of the image in the targets, and in textures that earlier
-                            passes wrote; half of it in those of half size */
+    int32_t target[2];   /* [units: texels]  first texel of the image in what passes write; half of it in half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
     float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.behind has
@@ -456,8 +449,7 @@ typedef struct ssgi_gl_frame {
     int32_t lights;      /* rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
     float   rotation[12]; /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
-    float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: the light's coefficients in view space:
-                              ssgi_gl_harmonics_set; black by default */
+    float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
     float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
     float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
     float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
@@ -469,8 +461,7 @@ typedef struct ssgi_gl_frame {
     float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
                             it sends over `sent` (times the lobe's peak) */
     float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float   history;     /* frames that history averages at most; 0: there is no last one, all starts anew [limit: >= 0]
-                            [default: 0; 16 from ssgi_gl_frame_history] */
+    float   history;     /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
     int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
     float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
     float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
@@ -528,14 +519,12 @@ typedef struct ssgi_gl_light {
                                (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective: 2 tan(angle/2) / texels */
-    float map[3][4];     /* view space to x, y (texels in the tile, times depth when perspective) and view depth of the
-                            light's camera: rows */
+    float map[3][4];     /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
     float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
     float tile[4];       /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
-/* Gives a light its shadow map: drawn by a camera (rigid world to view, projection decoded as `view`) into texels x, y
-   .. of the atlas. */
+/* Gives a light its shadow map: drawn by a camera (rigid matrix, projection as `view`) at texels x, y of the atlas */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
     const float main_world_to_view[16], const float light_world_to_view[16], const char **why);
 
@@ -559,8 +548,7 @@ typedef struct ssgi_gl_occluder {
      limits        NULL: ssgi_field_limits_of
      slice         [limit: 0..2047] of t_ssgi_fields; fields smaller than its slices stand in their lower corner
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
-     object        [limit: 0..16777215]
-   Outputs are untouched when something is wrong. */
+     object        [limit: 0..16777215] */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
     const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
 
@@ -2160,9 +2148,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>rows: inputs and outputs ================================================================================== */
 
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
-   Texture units are fixed, so that a texture has one unit in every variant of a pass: textures that meet in a pass
-   differ in theirs. Locations of outputs and attributes, and places of captures, count up in this order.
-   bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
+   Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
+   of captures, count up in this order. bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
 typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
 
 #define SSGI_GL__C(name, of) { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
@@ -2314,8 +2301,7 @@ enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library
 
 /* ==== >>desc (implementation) ===================================================================================== */
 
-static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
-{
+static ssgi_result ssgi_gl__bad(const char **why, const char *sentence) {
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
 }
@@ -2376,8 +2362,7 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
 };
 
-static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
-{
+static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset) {
     int value;
     memcpy(&value, (const char *)d + offset, sizeof value);
     return value;
@@ -2385,7 +2370,6 @@ static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
 
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
-
 /* What does not go together, as in #if lines. */
 #define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
@@ -2423,8 +2407,7 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
 };
 
-SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
-{
+SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
     SSGI_GL__THERE(desc);
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
         const int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
@@ -2439,24 +2422,20 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
     return SSGI_OK;
 }
 
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
-{
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i) {
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
-{
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why) {
     static const struct counts { unsigned char half, samples, directions, steps, rays, faded; } table[5][3] = {
-        /* FAST, BALANCED, BEST of ssao; slices; march; ssdo and s3ho, where points along a direction miss less than
-           single ones; lights */
+        /* of ssao; slices; march; ssdo and s3ho, whose points along a direction miss less than single ones; lights */
         { { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 }, { 0, 32, 0, 1, 0, 0 } },
         { { 1, 0, 1, 4, 0, 0 }, { 1, 0, 2, 8, 0, 0 }, { 0, 0, 2, 10, 0, 0 } },
         { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
         { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
         { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } } };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
-    SSGI_GL__CHECK(preset >= SSGI_GL_FAST && preset <= SSGI_GL_BEST,
-                   "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
+    SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
         return SSGI_OK;                 /* these have no quality settings in the shader */
     const struct counts *c = table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
@@ -2478,8 +2457,7 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
-{
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why) {
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT,
                                   SSGI_GL_FIELD };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
@@ -2492,13 +2470,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
-    d.directions = plan->directions;
-    d.samples = plan->samples;
-    d.steps = plan->steps;
-    d.bands = plan->bands;
-    d.layers = plan->layers;
-    d.views = plan->cameras;
-    d.levels = plan->levels;
+    d.directions = plan->directions, d.samples = plan->samples, d.steps = plan->steps;
+    d.bands = plan->bands, d.layers = plan->layers, d.views = plan->cameras, d.levels = plan->levels;
     d.filter_radius = plan->filter;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;
@@ -2509,10 +2482,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-/* So that #if lines need not ask for the pass: s3ho has the bounce that its transfer asks for, and gathers harmonics
-   where it keeps what is free. */
-SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
-{
+/* So that #if lines need not ask for the pass: s3ho has its transfer's bounce, harmonics where it keeps what is open */
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     ssgi_gl_desc d = *desc;
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
@@ -2560,29 +2531,25 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 /* ==== >>emit (implementation) ===================================================================================== */
 
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
-static int ssgi_gl__letter(char c)
-{
+static int ssgi_gl__letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-static size_t ssgi_gl__word(const char **s)         /* after blanks; *s is at its first letter */
-{
+static size_t ssgi_gl__word(const char **s) {           /* after blanks; *s is at its first letter */
     size_t n = 0;
     while (**s == ' ') ++*s;
     while (ssgi_gl__letter((*s)[n])) ++n;
     return n;
 }
 
-static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
-{
+static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length) {
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
         if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
 }
 
-static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)     /* -1: there is none */
-{
+static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length) {       /* -1: there is none */
     const char *s = field->values;
     size_t n;
     int value = 0;
@@ -2591,8 +2558,7 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
     return length ? -1 : value;
 }
 
-static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
-{
+static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
     size_t n = ssgi_gl__word(s);
     if (**s == '!') { ++*s; return !ssgi_gl__operand(s, d); }
     if (**s == '(') {
@@ -2615,8 +2581,7 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
 
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
-{
+static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
     int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
         const char sign = (char)(ssgi_gl__word(s), **s);
@@ -2630,16 +2595,8 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 /* ---- the lines of a function that a desc keeps; state: of each #if around: '+' kept, '-' not yet, '.' no more */
 typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
 } ssgi_gl__reader;
-
-static ssgi_gl__reader ssgi_gl__read(const ssgi_gl__code *code, const ssgi_gl_desc *d)
-{
-    const ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0 } };
-    return r;
-}
-
 /* The next line that is kept, without its newline and guard; NULL after the last. */
-static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
-{
+static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
     while (*r->at) {
         const char *line = r->at, *end = strchr(line, '\n'), *guard, *s;
         char *state = &r->state[r->depth ? r->depth - 1 : 0];
@@ -2671,9 +2628,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 
 /* ---- linking: what is named in what is kept */
 typedef struct ssgi_gl__names { const char *at[512]; unsigned char length[512], custom; } ssgi_gl__names;
-
-static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
-{
+static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add) {
     uint32_t h = 2166136261u;
     size_t i;
     for (i = 0; i < length; ++i) h = (h ^ (unsigned char)s[i]) * 16777619u;
@@ -2686,8 +2641,7 @@ static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, i
 }
 
 /* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
-static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
-{
+static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end) {
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
         const char *from = s;
         if (!ssgi_gl__letter(*s)) { ++s; continue; }
@@ -2702,8 +2656,7 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch; } ssgi_gl__stage;
 
 /* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
-static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
-{
+static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots) {
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
@@ -2712,12 +2665,11 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     for (; (n = ssgi_gl__word(&roots)) != 0; roots += n) ssgi_gl__named(&names, roots, n, 1);
     for (int i = SSGI_GL__CODES - 1; i >= 0; --i) {
         const ssgi_gl__code *code = &ssgi_gl__library[i];
-        ssgi_gl__reader r;
+        ssgi_gl__reader r = { code->text, d, code->line - 1, 0, { 0 } };
         const char *line;
         if (names.custom && decodes) ssgi_gl__named(&names, "ssgi_decode", 11, 1);
         if (!ssgi_gl__named(&names, code->name, strlen(code->name), 0)) continue;
-        for (r = ssgi_gl__read(code, d); (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1)
-            ssgi_gl__scan(&names, line, line + n);
+        for (; (line = ssgi_gl__next(&r, &n)) != NULL; stage->code[i] = 1) ssgi_gl__scan(&names, line, line + n);
     }
     for (int i = SSGI_GL__ROWS - 1; i >= 0; --i) {
         const ssgi_gl__row *row = &ssgi_gl__rows[i];
@@ -2732,8 +2684,7 @@ typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssg
 } ssgi_gl__program;
 
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
-static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
-{
+static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage) {
     memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
     for (const ssgi_gl__pass *pass = ssgi_gl__passes; pass < ssgi_gl__passes + SSGI_GL__VARIANTS; ++pass)
@@ -2745,8 +2696,7 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
 }
 
 /* What Vulkan calls otherwise: a word, or the word itself. */
-static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
-{
+static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length) {
     static const char *const words[][2] = {
         { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
         { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" },
@@ -2757,8 +2707,7 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
 }
 
 /* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
-static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
-{
+static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity) {
     int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
@@ -2782,9 +2731,7 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 
 /* ---- printing: a sink that writes, measures and hashes */
 typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
-
-static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
-{
+static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n) {
     for (; n; --n, ++s, ++t->length) {
         if (t->length + 1 < t->capacity) t->out[t->length] = *s;
         t->hash = (t->hash ^ (uint64_t)(unsigned char)*s) * 1099511628211u;
@@ -2792,8 +2739,7 @@ static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
 }
 
 /* printf with %s, %d, and %f of 7 decimals [limit: below 100]; by integers, for the C library's follow the locale. */
-static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
-{
+static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...) {
     va_list args;
     va_start(args, format);
     for (; *format; ++format) {
@@ -2821,8 +2767,7 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 }
 
 /* A uniform block: members in the order of its struct, which the rows have, gaps where this pass reads nothing. */
-static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
-{
+static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set) {
     size_t at = 0;
     int gaps = 0, k;
     for (int i = 0; i < n; ++i) {
@@ -2845,8 +2790,7 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
 }
 
 /* The points of SSAO, as ssgi_kernel makes them. */
-static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
-{
+static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples) {
     float k[4 * 64];
     ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
@@ -2857,8 +2801,7 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
 }
 
 /* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
-static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
-{
+static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2]) {
     const char *const line = s, *const end = s + length, *name = s, *word;
     int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
     while (between && strncmp(name, "v_ssgi_", 7)) between = ++name < end;
@@ -2875,11 +2818,10 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
 }
 
 /* The kept functions, in the order of the library. */
-static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
-{
+static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d) {
     int place[2] = { 0, 0 };
     for (int i = 0; i < SSGI_GL__CODES; ++i) if (stage->code[i]) {
-        ssgi_gl__reader r = ssgi_gl__read(&ssgi_gl__library[i], d);
+        ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
         const char *line;
         size_t n;
         int last = -1;
@@ -2904,8 +2846,7 @@ static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, 
     }
 }
 
-static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
-{
+static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage) {
     static const char *const words[] = { "uniform", "", "out", "", "in", "out" };          /* by kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
@@ -2934,14 +2875,12 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
-static size_t ssgi_gl__end(ssgi_gl__text *t)
-{
+static size_t ssgi_gl__end(ssgi_gl__text *t) {
     if (t->capacity) t->out[t->length < t->capacity ? t->length : t->capacity - 1] = 0;
     return t->length;
 }
 
-SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage)
-{
+SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage) {
     ssgi_gl__program p;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
@@ -2950,8 +2889,7 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 }
 
 /* Functions alone, and the samplers that they read. */
-static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
-{
+static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots) {
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
@@ -2966,8 +2904,7 @@ static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc 
     return ssgi_gl__end(&t);
 }
 
-SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
-{
+SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands) {
     ssgi_gl_desc d;
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
@@ -2975,8 +2912,7 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
     return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
-SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
-{
+SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc) {
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
@@ -2985,23 +2921,20 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
-SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
-{
+SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity) {
     ssgi_gl__program p;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
 
-SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
-{
+SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i) {
     int k = 0, n = 0;
     while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
     return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
 }
 
-SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
-{
+SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc) {
     ssgi_gl__program p;
     ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u };         /* FNV-1a over the very texts */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
@@ -3010,28 +2943,24 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
     return t.hash;
 }
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass)
-{
+SSGI_DEF const char *ssgi_gl_pass_name(int pass) {
     for (int i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
     return NULL;
 }
 
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
-{
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect) {
     return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
 
-static int ssgi_gl__finite(const float m[16])
-{
+static int ssgi_gl__finite(const float m[16]) {
     int i = 0;
     while (i < 16 && m[i] > -SSGI_FAR && m[i] < SSGI_FAR) ++i;
     return i == 16;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
-{
+SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why) {
     ssgi_gl_frame f;
     SSGI_GL__THERE(frame);
     SSGI_GL__VIEW(view);
@@ -3063,8 +2992,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why)
-{
+                                         int levels, const float *mesh_to_view, const char **why) {
     float scale[4];
     int size[2];
     SSGI_GL__THERE(frame);
@@ -3079,19 +3007,18 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
 }
 
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why)
-{
+    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why) {
     enum { BINS = 256 };                            /* of what is sent, below the most */
     const double octave = 8.0;
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
-    int pass, b, c;
+    int b, c;
     SSGI_GL__THERE(frame);
     SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
     SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     for (c = 0; sky && c < 3; ++c)
         SSGI_GL__CHECK(sky[c] >= 0.0f && sky[c] < SSGI_FAR, "sky: must be 0 or more and finite");
-    for (pass = 0; pass < 2; ++pass)
+    for (int pass = 0; pass < 2; ++pass)
         for (size_t i = 0; i < count; ++i) {
             const ssgi_surfel *s = &surfels[i];
             double light[3] = { 0 }, sent = 0.0;
@@ -3108,8 +3035,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                     for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
                 }
                 d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
-                if (l->kind < 0.5f && l->min_distance > 0.0f) continue;
-                if (!(d > 0.0) || !(g > 0.0)) continue;
+                if (!(d > 0.0) || !(g > 0.0) || (l->kind < 0.5f && l->min_distance > 0.0f)) continue;
                 if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
                 if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f
                     && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
@@ -3130,17 +3056,13 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
             sum[b < BINS ? b : BINS - 1] += sent;
             all += sent;
         }
-    for (b = 0; all > 0.0 && b < BINS; ++b) {
-        below += sum[b];
-        if (below < 0.5 * all) continue;
-        frame->sent = (float)(most * exp2(-(b + 1 - (below - 0.5 * all) / sum[b]) / octave));
-        break;
-    }
+    for (b = 0; b < BINS && below + sum[b] < 0.5 * all; ++b) below += sum[b];
+    if (all > 0.0 && b < BINS)
+        frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
-{
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why) {
     SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
     SSGI_GL__CHECK(unit > 0.0f && unit < SSGI_FAR, "unit: must be > 0 and finite");
     for (int c = 0; c < 3; ++c) {
@@ -3153,8 +3075,7 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 }
 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
-                                           const float *world_to_view, const char **why)
-{
+                                           const float *world_to_view, const char **why) {
     float turned[48] = { 0 };
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(coefficients);
@@ -3166,8 +3087,7 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
 }
 
 /* a * b of two rigid world-to-view matrices: a after the inverse of b */
-static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
-{
+static void ssgi_gl__relative(double out[16], const float a[16], const float b[16]) {
     memset(out, 0, 16 * sizeof *out);
     for (int c = 0; c < 3; ++c) for (int r = 0; r < 3; ++r) for (int k = 0; k < 3; ++k)
         out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
@@ -3180,8 +3100,7 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
    of another camera; and back. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char **why)
-{
+                                      const float *other, const char **why) {
     double m[16], b[16];
     SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
@@ -3206,8 +3125,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
     return SSGI_OK;
 }
 
-static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
-{
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view) {
     memcpy(decode, view->depth, sizeof view->depth);
     decode[2] = view->clear;
     decode[3] = (float)view->orthographic;
@@ -3216,10 +3134,8 @@ static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
 #define SSGI_GL__STRAIGHT(view) \
     SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
                    "view: its near plane must not be oblique; only the picture's may be")
-
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why)
-{
+    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why) {
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
     SSGI_GL__THERE(extra_world_to_view);
@@ -3232,8 +3148,7 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-    const float main_world_to_view[16], const float last_world_to_view[16], const char **why)
-{
+    const float main_world_to_view[16], const float last_world_to_view[16], const char **why) {
     float to[16], from[16];
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(last_world_to_view);
@@ -3246,14 +3161,12 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     return SSGI_OK;
 }
 
-SSGI_DEF float ssgi_gl_phase(uint32_t k)
-{
+SSGI_DEF float ssgi_gl_phase(uint32_t k) {
     return (float)((k * 2654435769u) >> 8) / 16777216.0f;       /* the golden ratio's multiples, less the whole */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-    const float main_world_to_view[16], const float light_world_to_view[16], const char **why)
-{
+    const float main_world_to_view[16], const float light_world_to_view[16], const char **why) {
     float to[16], from[16];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
@@ -3269,8 +3182,7 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 }
 
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why)
-{
+    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why) {
     ssgi_field_limits l;
     ssgi_gl_occluder c;
     double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
@@ -3308,10 +3220,7 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
         c.to_field[i][3] = (float)shift;
     }
     c.radius = l.reach * sqrtf((float)square[0]);
-    c.ramp = l.ramp;
-    c.reach = l.reach;
-    c.inside = l.inside;
-    c.power = l.power;
+    c.ramp = l.ramp, c.reach = l.reach, c.inside = l.inside, c.power = l.power;
     memcpy(c.low, field->low, sizeof c.low);
     memcpy(c.span, field->span, sizeof c.span);
     c.resolution = (float)field->resolution;
@@ -3334,8 +3243,7 @@ static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
     "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient" };
 
-/* Steps as they are added. written: which texture was last written under a name, less its o_ssgi_ or t_ssgi_; light,
-   bounce: of the picture, -1: none. */
+/* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare;
@@ -3344,8 +3252,7 @@ typedef struct ssgi_gl__build {
     const char *why;
 } ssgi_gl__build;
 
-static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
-{
+static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
     int i = 0;
     while (i < b->names && strcmp(b->written[i].name, name)) ++i;
     if (i == b->names) {
@@ -3356,8 +3263,7 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
-static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
-{
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out) {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
     const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
@@ -3371,8 +3277,7 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 }
 
 /* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
-static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
-{
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame) {
     /* multiply, add, subtract */
     static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
     const int field = pass == SSGI_GL_FIELD, splat = pass == SSGI_GL_SPLAT, surfels = pass == SSGI_GL_SURFELS;
@@ -3442,8 +3347,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
 }
 
 /* What was last written under that name is averaged over frames and filtered, if at all: the texture that holds it. */
-static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
-{
+static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name) {
     const int grey = !strcmp(name, "ao");
     int *const held = ssgi_gl__texture(b, grey ? "ao" : "light");
     ssgi_gl_desc d = *of;
@@ -3456,8 +3360,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
 }
 
 /* Your lights over what `light` holds, -1: nothing. */
-static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
-{
+static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame) {
     ssgi_gl_desc d = *lights;
     if (d.pass != SSGI_GL_LIGHTS) return light;
     d.accumulate = light >= 0;
@@ -3466,8 +3369,7 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
 }
 
 /* The desc for a layer of a camera, -1: the main one. */
-static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
-{
+static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer) {
     ssgi_gl_desc d = *desc;
     d.receiver = layer;
     if (camera < 0 && !layer) return d;
@@ -3479,8 +3381,7 @@ static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc
     return d;
 }
 
-static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
-{
+static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance) {
     const ssgi_gl_desc *const of = &b->chain->desc;
     const int layers = camera < 0 ? of->layers : of->view_layers, slices = layers ? layers : 1;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, of, camera, layer);
@@ -3496,8 +3397,7 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance
 }
 
 /* What lights a layer of a camera at once, -1: nothing does. */
-static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
-{
+static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer) {
     const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
     const int frame = camera < 0 ? 0 : 1 + 2 * camera;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
@@ -3509,8 +3409,7 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
 }
 
 /* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
-static void ssgi_gl__hidden(ssgi_gl__build *b)
-{
+static void ssgi_gl__hidden(ssgi_gl__build *b) {
     const ssgi_gl_desc *d = &b->chain->desc;
     const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
     const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
@@ -3521,8 +3420,7 @@ static void ssgi_gl__hidden(ssgi_gl__build *b)
     }
 }
 
-static void ssgi_gl__ssdo(ssgi_gl__build *b)
-{
+static void ssgi_gl__ssdo(ssgi_gl__build *b) {
     const ssgi_gl_chain *chain = b->chain;
     const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
     ssgi_gl_desc d = chain->desc;
@@ -3555,8 +3453,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
 }
 
-static void ssgi_gl__s3ho(ssgi_gl__build *b)
-{
+static void ssgi_gl__s3ho(ssgi_gl__build *b) {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     d.environment = SSGI_GL_ENVIRONMENT_SH;
@@ -3577,8 +3474,7 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
 }
 
 /* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
-static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
-{
+static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light) {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
     ssgi_gl_desc d = *of, near = d;
     d.effect = effect;
@@ -3610,8 +3506,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
 }
 
-static void ssgi_gl__deep(ssgi_gl__build *b)
-{
+static void ssgi_gl__deep(ssgi_gl__build *b) {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
@@ -3624,8 +3519,7 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
-{
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why) {
     const int pass = chain ? chain->desc.pass : 0;
     ssgi_gl__build b;
     if (!chain) return ssgi_gl__bad(why, "chain: must not be NULL"), 0;
@@ -3675,8 +3569,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 
 /* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
-                                  int width, int height)
-{
+                                  int width, int height) {
     const unsigned f = is->format;
     const int integer = (f >= 0x8231 && f <= 0x823c) || (f >= 0x8d70 && f <= 0x8d8f), m = in ? in->meaning : -1;
     const int depth = f == 0x1902 || (f >= 0x81a5 && f <= 0x81a7) || f == 0x88f0 || f == 0x8cac || f == 0x8cad;
@@ -3694,8 +3587,7 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
 }
 
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
-                                   const ssgi_gl_bound *targets)
-{
+                                   const ssgi_gl_bound *targets) {
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
