@@ -81,7 +81,6 @@ extern "C" {
 #endif
 
 /* ==== >>desc ====================================================================================================== */
-
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
        SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_STATISTICS, SSGI_GL_PASSES };             /* desc.pass */
@@ -295,7 +294,6 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
-
 /* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
    capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. 0 for a bad desc or
    stage, and nothing is written; for a stage that the pass has not, the 0. The same desc gives the same bytes. */
@@ -321,7 +319,6 @@ SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past t
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
-
 /* ssgi_gl_io.kind. CAPTURE: a varying for transform feedback */
 enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
 
@@ -346,7 +343,6 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
-
 /* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
     ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; passes around it have its choices, too. SSDO with
@@ -427,7 +423,6 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
-
 /* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140). */
 typedef struct ssgi_gl_frame {
     float   project[4];  /* from ssgi_view */
@@ -866,7 +861,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n}\n#endif\n" },
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
-
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
 { "ssgi_sh", __LINE__, "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
@@ -2146,7 +2140,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 };
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
-
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
    of captures, count up in this order. bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
@@ -2272,11 +2265,9 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
     SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
     SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
-    SSGI_GL__K("surfel2", "vec4", "colour")
-};
+    SSGI_GL__K("surfel2", "vec4", "colour") };
 
 /* ==== >>passes: the main function of each stage =================================================================== */
-
 typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
 
 #define SSGI_GL__ALL(pass, name, main) { SSGI_GL_##pass, name, NULL, { "main_triangle", main, NULL, NULL, NULL } }
@@ -2293,14 +2284,12 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
     SSGI_GL__PLAIN(SHUFFLE, "shuffle"), SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle"), SSGI_GL__PLAIN(SMOOTH, "smooth"),
     SSGI_GL__PLAIN(SUM, "sum"), SSGI_GL__PLAIN(BLUR, "blur"), SSGI_GL__PLAIN(HISTORY, "history"),
-    SSGI_GL__PLAIN(COMPOSE, "compose"), SSGI_GL__PLAIN(STATISTICS, "statistics")
-};
+    SSGI_GL__PLAIN(COMPOSE, "compose"), SSGI_GL__PLAIN(STATISTICS, "statistics") };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
        SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes) };
 
 /* ==== >>desc (implementation) ===================================================================================== */
-
 static ssgi_result ssgi_gl__bad(const char **why, const char *sentence) {
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
@@ -2346,8 +2335,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__N(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
     SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4),
     SSGI_GL__B(filter_normals), SSGI_GL__B(motion),
-    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
-};
+    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT") };
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
 /* head: after the version, be it ours or not. set: before bindings, NULL where there are none; textures: their first */
@@ -2359,17 +2347,15 @@ static const ssgi_gl__dialect ssgi_gl__dialects[] = {
     { "330", "#version 330 core\n", "", NULL, 0 }, { "410", "#version 410 core\n", "", NULL, 0 },
     { "450", "#version 450 core\n", "", "", 0 }, { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
     { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 }, { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
-    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
-};
-
+    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 } };
 static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset) {
     int value;
     memcpy(&value, (const char *)d + offset, sizeof value);
     return value;
 }
-
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
+
 /* What does not go together, as in #if lines. */
 #define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
@@ -2404,8 +2390,7 @@ static const char *const ssgi_gl__rules[][2] = {
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
     { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
-      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
-};
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" } };
 
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
     SSGI_GL__THERE(desc);
@@ -2529,26 +2514,22 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
 }
 
 /* ==== >>emit (implementation) ===================================================================================== */
-
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
 static int ssgi_gl__letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
-
 static size_t ssgi_gl__word(const char **s) {           /* after blanks; *s is at its first letter */
     size_t n = 0;
     while (**s == ' ') ++*s;
     while (ssgi_gl__letter((*s)[n])) ++n;
     return n;
 }
-
 static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length) {
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
         if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
 }
-
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length) {       /* -1: there is none */
     const char *s = field->values;
     size_t n;
@@ -2557,7 +2538,6 @@ static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t 
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
     return length ? -1 : value;
 }
-
 static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
     size_t n = ssgi_gl__word(s);
     if (**s == '!') { ++*s; return !ssgi_gl__operand(s, d); }
@@ -2580,7 +2560,6 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
     *s += n;
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
-
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
     int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
@@ -2654,7 +2633,6 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 }
 
 typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch; } ssgi_gl__stage;
-
 /* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots) {
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
@@ -2682,7 +2660,6 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
 /* A desc resolved and linked: its pass, what each stage keeps. */
 typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
-
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage) {
     memset(p, 0, sizeof *p);
@@ -2927,7 +2904,6 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
-
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i) {
     int k = 0, n = 0;
     while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
@@ -2947,13 +2923,11 @@ SSGI_DEF const char *ssgi_gl_pass_name(int pass) {
     for (int i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
     return NULL;
 }
-
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect) {
     return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
-
 static int ssgi_gl__finite(const float m[16]) {
     int i = 0;
     while (i < 16 && m[i] > -SSGI_FAR && m[i] < SSGI_FAR) ++i;
@@ -3130,7 +3104,6 @@ static void ssgi_gl__decode(float decode[4], const ssgi_view *view) {
     decode[2] = view->clear;
     decode[3] = (float)view->orthographic;
 }
-
 #define SSGI_GL__STRAIGHT(view) \
     SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
                    "view: its near plane must not be oblique; only the picture's may be")
@@ -3232,7 +3205,6 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
-
 static const ssgi_gl_format ssgi_gl__formats[] = {      /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
     { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
     { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
@@ -3251,7 +3223,6 @@ typedef struct ssgi_gl__build {
     struct { const char *name; int texture; } written[32];
     const char *why;
 } ssgi_gl__build;
-
 static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
     int i = 0;
     while (i < b->names && strcmp(b->written[i].name, name)) ++i;
