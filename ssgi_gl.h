@@ -3520,6 +3520,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
             *ssgi_gl__texture(&b, "bounce") = b.bounce;
             ssgi_gl__add(&b, &d, SSGI_GL_COMPOSE, 0);
         }
+        if (!b.count && !b.why) b.why = "chain: nothing lights it: desc.environment, lights, or direct";
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
     for (int i = 0; i < b.count && i < b.capacity; ++i) for (int k = 0; k < steps[i].outputs; ++k) {

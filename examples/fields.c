@@ -115,9 +115,7 @@ static const cost of_pixels[] = { { "one ball, size 2", "", 0, 2, 0 },
 static const cost of_occluders[] = { { "1 occluder", "", 1, 0, 1 },
                                      { "10 occluders", "", 10, 0, 1 },
                                      { "24 occluders", "", 24, 0, 1 },
-                                     { "24 occluders", "draw=each", 24, 0, 0 },
                                      { "100 occluders", "", 100, 0, 1 },
-                                     { "100 occluders", "draw=each", 100, 0, 1 },
                                      { "100 occluders", "reach=4", 100, 0, 0 } };
 static const struct { setup setup; const cost *costs; int count;
 } cost_sets[] = {

@@ -330,6 +330,7 @@ static void refusals(void)
         { "chain.desc.pass", { .desc = { .pass = SSGI_GL_BLUR }, .width = 8, .height = 8 } },
         { "chain.width, height", { .desc = { .pass = SSGI_GL_HSAO }, .width = 0, .height = 8 } },
         { "chain.history", { .desc = { .pass = SSGI_GL_S3HO }, .width = 8, .height = 8, .history = 1, .vectors = 1 } },
+        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SSDO, .bounce = 1 }, .width = 8, .height = 8 } },
         { "desc.steps", { .desc = { .pass = SSGI_GL_HSAO, .steps = 65 }, .width = 8, .height = 8 } },
         { "desc.packed", { .desc = { .pass = SSGI_GL_S3HO, .transfer = 1 }, .width = 8, .height = 8 } }
     };
