@@ -525,7 +525,10 @@ static void frames(const csv *c)
         { "kept-roll", "camera rolls, 0.1 to 1 degree" }, { "kept-slide", "a box slides, 0.1 to 4 pixels" },
         { "kept-appear", "a box appears" }, { "kept-jump", "a box is elsewhere at once" },
         { "kept-cut", "a cut that nobody tells of" }, { "kept-newly", "1 to 8 pixels: what is newly seen alone" },
-        { "kept-light", "a sun turns, 0 to 8 degrees" } };
+        { "kept-light", "a sun turns, 0 to 8 degrees" },
+        { "kept-trail-appear", "visibility left of what was: a box appears" },
+        { "kept-trail-jump", "the same: a box is elsewhere at once" },
+        { "kept-flicker", "deviation over the truth's, 0.1 to 1 pixel a frame" } };
     static const char *const methods[] = { "hsao-fast-history", "hsao-history", "hsao-2x8-history", "ssdo-history",
         "ssdo-fast-history" };
     enum { METHODS = sizeof methods / sizeof *methods };
@@ -535,7 +538,8 @@ static void frames(const csv *c)
         if ((i && same(c, i, i - 1, "cause")) || !over_frames(cause)) continue;
         if (!begun++) {
             heading("Over frames", "`history = 1`; the worst of each sweep: error over that of the frame alone, in "
-                "any of 16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays.",
+                "any of 16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays. Visibility and deviation "
+                "are absolute.",
                 stability_note);
             fputs("| cause |", page);
             for (int m = 0; m < METHODS; ++m) fprintf(page, " %s |", methods[m]);
@@ -547,7 +551,8 @@ static void frames(const csv *c)
         fprintf(page, "| %s |", title);
         for (int m = 0; m < METHODS; ++m) {
             const char *t = number_at(c, i, methods[m]);
-            number(t && strcmp(t, "nan") ? atof(t) : (double)NAN, 2, 0);
+            number(t && strcmp(t, "nan") ? atof(t) : (double)NAN, strstr(title, "visib") || strstr(title, "devia") ? 4 : 2,
+                   0);
         }
         fputc('\n', page);
     }
