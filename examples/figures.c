@@ -538,8 +538,8 @@ static void frames(const csv *c)
         if ((i && same(c, i, i - 1, "cause")) || !over_frames(cause)) continue;
         if (!begun++) {
             heading("Over frames", "`history = 1`; the worst of each sweep: error over that of the frame alone, in "
-                "any of 16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays. Visibility and deviation "
-                "are absolute.",
+                "any of 16\nframes (after a change: 1 to 8 frames later); 160x90. Below 1 history pays. Visibility "
+                "and deviation are absolute.",
                 stability_note);
             fputs("| cause |", page);
             for (int m = 0; m < METHODS; ++m) fprintf(page, " %s |", methods[m]);
@@ -548,11 +548,11 @@ static void frames(const csv *c)
         }
         for (size_t k = 0; k < sizeof named / sizeof *named; ++k)
             if (!strcmp(named[k].cause, cause)) title = named[k].title;
+        const int absolute = !strncmp(cause, "kept-trail", 10) || !strcmp(cause, "kept-flicker");
         fprintf(page, "| %s |", title);
         for (int m = 0; m < METHODS; ++m) {
             const char *t = number_at(c, i, methods[m]);
-            number(t && strcmp(t, "nan") ? atof(t) : (double)NAN, strstr(title, "visib") || strstr(title, "devia") ? 4 : 2,
-                   0);
+            number(t && strcmp(t, "nan") ? atof(t) : (double)NAN, absolute ? 4 : 2, 0);
         }
         fputc('\n', page);
     }
