@@ -3500,12 +3500,12 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         return ssgi_gl__bad(why, "chain.width, height: must be 1..16384"), 0;
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return ssgi_gl__bad(why, "chain.history: averages light, not coefficients: needs vectors = 0"), 0;
-    for (int turn = 0; turn < 2; ++turn) {              /* checks all, then writes */
+    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {        /* checks all, then writes */
         ssgi_gl_desc d = chain->desc;
         memset(&b, 0, sizeof b);
         b.chain = chain;
         b.steps = steps;
-        b.capacity = turn && steps ? capacity : 0;
+        b.capacity = turn ? capacity : 0;
         b.light = b.bounce = -1;
         if (pass == SSGI_GL_SSDO) ssgi_gl__ssdo(&b);
         else if (pass == SSGI_GL_S3HO) ssgi_gl__s3ho(&b);

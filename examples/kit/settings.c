@@ -9,10 +9,9 @@
 
 enum {
     GATHER = 1,
-    LIGHTS = 2,
-    BLUR = 4 /* fields of those passes' descs */,
-    FRAME = 8,
-    SCALED = 16 /* of the frame; times the radius */,
+    LIGHTS = 2 /* fields of those passes' descs */,
+    FRAME = 4,
+    SCALED = 8 /* of the frame; times the radius */,
     PLAN = 0 /* the method asks for it itself */
 };
 
