@@ -31,20 +31,6 @@ static const char *const more[][2] = {
 /* what a machine without a GPU has time for */
 static const char *const few[] = { "ssao", "hsao-fast", "hsao", "hsao-best", "ssdo", "s3ho" };
 
-static int by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(const double *v, int count)
-{
-    double sorted[ROUNDS > DRAWS ? ROUNDS : DRAWS];
-    memcpy(sorted, v, (size_t)count * sizeof *v);
-    qsort(sorted, (size_t)count, sizeof *sorted, by_value);
-    return count ? sorted[count / 2] : (double)NAN;
-}
-
 static int chosen(const char *name, const char *asked, int software)
 {
     int one_of = 0;
@@ -73,9 +59,7 @@ static int rows_new(row *rows, const char *asked, int software, kit_error *err)
 /* The next frame: where history is kept, of what the one before left. */
 static int frame(kit_run *run, int number, int timed, kit_error *err)
 {
-    int kept = 0;
-    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
-    if (kept && number && kit_run_follow(run, run, (unsigned)number, err)) return -1;
+    if (kit_run_keeps(run) && number && kit_run_follow(run, run, (unsigned)number, err)) return -1;
     kit_run_draw(run, timed);
     return 0;
 }
@@ -90,7 +74,7 @@ static void note_parts(row *r, const kit_run *run, double pass_ms[][DRAWS])
         while (k < r->parts && strcmp(r->part[k], name)) ++k;
         if (k == PARTS) continue;
         if (k == r->parts) { r->part[r->parts] = name; r->part_ms[r->parts++] = 0; }
-        r->part_ms[k] += median(pass_ms[i], DRAWS);
+        r->part_ms[k] += kit_median(pass_ms[i], DRAWS);
         ++r->draws;
     }
 }
@@ -114,14 +98,14 @@ static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world 
         }
     }
     if (!failed) {
-        r->ms[s][r->timed[s]++] = median(all, DRAWS);
+        r->ms[s][r->timed[s]++] = kit_median(all, DRAWS);
         if (!s) note_parts(r, &run, pass_ms);
     }
     kit_run_close(&run);
     return failed;
 }
 
-static void print(FILE *f, const row *rows, int count, int size[][2], int sizes, const char *scene, int software,
+static void print(FILE *f, row *rows, int count, int size[][2], int sizes, const char *scene, int software,
                   size_t triangles, const char *command)
 {
     fprintf(f, "`%s` on %s: `%s`, %zu triangles, medians of %d frames, milliseconds by %s.\n", command, kit_gl_name(),
@@ -134,10 +118,10 @@ static void print(FILE *f, const row *rows, int count, int size[][2], int sizes,
     for (int s = 0; s < sizes; ++s) fputs("--:|", f);
     fputs("---|\n", f);
     for (int i = 0; i < count; ++i) {
-        const row *r = &rows[i];
+        row *r = &rows[i];
         fprintf(f, "| `%s`%s%s%s |", r->method.name, *r->set ? " `" : "", r->set, *r->set ? "`" : "");
         for (int s = 0; s < sizes; ++s) {
-            if (r->timed[s]) fprintf(f, " %.*f |", software ? 0 : 3, median(r->ms[s], r->timed[s]));
+            if (r->timed[s]) fprintf(f, " %.*f |", software ? 0 : 3, kit_median(r->ms[s], r->timed[s]));
             else fputs(" |", f);
         }
         if (*r->why) fprintf(f, " not drawn: %s", r->why);

@@ -302,7 +302,7 @@ static int field_measure(row *rows, stage *s, const entry *entries, int count, k
         ssgi_field_desc d;
         for (int k = 0; k < FIGURES; ++k) rows[i].figure[k] = (double)NAN;
         for (size_t k = 0; k < pixels; ++k) if (z[k] > 0) off[n++] = fabs((double)(shown->data[k] - s->truth.data[k]));
-        rows[i].figure[MEDIAN] = median(off, (int)n);
+        rows[i].figure[MEDIAN] = kit_median(off, (int)n);
         rows[i].figure[MOST] = off[n - 1];
         if (i == count || desc_of(&d, entries[i].settings, err)) continue;
         for (int k = 0; k < s->scene.shapes; ++k)

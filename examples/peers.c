@@ -57,7 +57,7 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     if (page_open(&p, err)) { free(depths); return -1; }
     fprintf(p.file, "%d %d %.9g %.9g %.9g", c->width, c->height, (double)c->znear, (double)c->zfar, (double)s->radius);
     for (int i = 0; i < 32; ++i) fprintf(p.file, " %.9g", (double)matrix[i / 16][i % 16]);
-    fprintf(p.file, " %.9g\n", median(depths, n));
+    fprintf(p.file, " %.9g\n", kit_median(depths, n));
     free(depths);
     if (page_close(&p, PEERS, "view.txt", err)) return -1;
     if (system(quick ? "node " PEERS "peers.mjs quick < " PEERS "view.txt"

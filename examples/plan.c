@@ -100,7 +100,7 @@ static int planned_draw(kit_image *out, double *time, stage *s, const ssgi_plan 
             after = draw(fixed);
             ratio[i] = ms / (0.5 * (before + after));
         }
-        *time = median(ratio, rounds);
+        *time = kit_median(ratio, rounds);
     }
     kit_run_close(&run);
     return 0;

@@ -96,7 +96,6 @@ int stage_show(stage *s, const view *v, int width, int height, kit_error *err);
 int stage_open(stage *s, const view *v, int width, int height, kit_error *err);
 void stage_close(stage *s);
 
-double median(double *v, int count);
 /* Scores a picture over what the frame shows, and where the picture is known; the unit on the same pixels. */
 int score(row *r, const stage *s, const kit_image *picture, kit_error *err);
 int light_by(kit_image *visibility, const stage *s, kit_error *err);

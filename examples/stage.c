@@ -300,18 +300,6 @@ void stage_close(stage *s)
 
 /* ---- >>measure --------------------------------------------------------------------------------------------------- */
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double median(double *v, int count)
-{
-    qsort(v, (size_t)count, sizeof *v, by_value);
-    return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
-}
-
 /* Edges, border and interior apart. */
 static int score_places(row *r, const stage *s, const kit_image *picture, const char *const *channels, kit_error *err)
 {
@@ -374,8 +362,7 @@ double draw(kit_run *run)
 /* With a history: so many frames of a still camera, numbered from first; else one. */
 int draw_settled(kit_run *run, unsigned first, int timed, kit_error *err)
 {
-    int kept = 0;
-    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    const int kept = kit_run_keeps(run);
     if (kept) {
         run->frame.history = 0;
         run->frame.phase = ssgi_gl_phase(first);
@@ -428,8 +415,8 @@ int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, in
     kit_progress(what, 1);
     for (int i = 0; i < count; ++i) {
         const int drawn = rounds > SLOW_ROUNDS && !(ms[i * rounds + SLOW_ROUNDS] > 0) ? SLOW_ROUNDS : rounds;
-        rows[i].relative = median(ratio + i * rounds, drawn);
-        rows[i].ms = median(ms + i * rounds, drawn);
+        rows[i].relative = kit_median(ratio + i * rounds, drawn);
+        rows[i].ms = kit_median(ms + i * rounds, drawn);
     }
     kit_run_close(&fixed);
     free(ratio);

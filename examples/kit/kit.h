@@ -54,6 +54,7 @@ int    kit_file_write(const char *path, const void *data, size_t size, kit_error
 void   kit_streams_open(void);
 int    kit_streams_close(kit_error *err);
 double kit_seconds(void);                                   /* monotonic clock */
+double kit_median(double *v, int count);                    /* sorts v; count > 0 */
 /* FNV-1a of size bytes, continued from h; the first call passes KIT_HASH. */
 #define KIT_HASH UINT64_C(14695981039346656037)
 uint64_t kit_hash(uint64_t h, const void *data, size_t size);

@@ -303,6 +303,7 @@ void kit_run_draw(kit_run *run, int timed);
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 /* What inputs of that name, written by a pass of the run, read; instead != 0: they read that from now on. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
+int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */

@@ -583,6 +583,13 @@ GLuint kit_run_input(kit_run *run, const char *name, GLuint instead)
     return was;
 }
 
+int kit_run_keeps(const kit_run *run)
+{
+    int kept = 0;
+    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    return kept;
+}
+
 double kit_run_ms(const kit_run *run)
 {
     double ms = 0;

@@ -45,6 +45,18 @@ int kit_streams_close(kit_error *err)
     return kit_fail(err, "standard output: cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "");
 }
 
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double kit_median(double *v, int count)
+{
+    qsort(v, (size_t)count, sizeof *v, by_value);
+    return count % 2 ? v[count / 2] : 0.5 * (v[count / 2 - 1] + v[count / 2]);
+}
+
 uint64_t kit_hash(uint64_t h, const void *data, size_t size)
 {
     for (const unsigned char *p = data, *end = p + size; p < end; ++p) h = (h ^ *p) * 1099511628211u;

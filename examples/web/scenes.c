@@ -40,14 +40,6 @@ static int turned(const kit_mesh *mesh, size_t triangle)
     return sum < 0;
 }
 
-static uint32_t hash(const void *of, size_t size)
-{
-    const unsigned char *bytes = of;
-    uint32_t h = 2166136261u;
-    for (size_t i = 0; i < size; ++i) h = (h ^ bytes[i]) * 16777619u;
-    return h;
-}
-
 /* A scan without normals has its faces' in the kit: here corners at one place share the mean of them, by area, which
    shades better and makes a third of the file. */
 static int smooth(kit_mesh *mesh)
@@ -59,7 +51,7 @@ static int smooth(kit_mesh *mesh)
     double *sum = calloc(3 * corners, sizeof *sum);
     for (size_t i = 0; i < corners && slot && place && sum; ++i) {
         const float *at = mesh->position + 3 * i, *p = mesh->position + 9 * (i / 3), *n = mesh->normal + 3 * i;
-        size_t s = hash(at, 3 * sizeof *at) & (slots - 1);
+        size_t s = (size_t)kit_hash(KIT_HASH, at, 3 * sizeof *at) & (slots - 1);
         double face[3], length = 0;
         while (slot[s] && memcmp(mesh->position + 3 * (slot[s] - 1), at, 3 * sizeof *at)) s = (s + 1) & (slots - 1);
         if (!slot[s]) slot[s] = (uint32_t)i + 1;
@@ -97,7 +89,7 @@ static int write_mesh(const kit_mesh *mesh, const char *path, uint32_t head[2])
     for (size_t i = 0; i < corners && !failed; ++i) {
         const size_t t = i / 3, k = i % 3, flip = k && turned(mesh, t) ? 3 - k : k;
         const corner c = corner_of(mesh, t, flip);
-        size_t at = hash(&c, sizeof c) & (slots - 1);
+        size_t at = (size_t)kit_hash(KIT_HASH, &c, sizeof c) & (slots - 1);
         while (slot[at] && memcmp(&vertex[slot[at] - 1], &c, sizeof c)) at = (at + 1) & (slots - 1);
         if (!slot[at]) { vertex[vertices] = c; slot[at] = ++vertices; }
         index[i] = slot[at] - 1;
@@ -144,7 +136,10 @@ int main(int count, char **word)
         c = scene.camera;
         kit_camera_planes(&c, &scene.mesh);
         snprintf(path, sizeof path, "%s/%s.bin", word[1], wanted[i].name);
-        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, path, head)) { fprintf(stderr, "scenes: %s: cannot be written\n", path); return 2; }
+        if ((wanted[i].scan && smooth(&scene.mesh)) || write_mesh(&scene.mesh, path, head)) {
+            fprintf(stderr, "scenes: %s: cannot be written\n", path);
+            return 2;
+        }
         fprintf(list, "%s\n{ \"name\": \"%s\", \"title\": \"%s\", \"triangles\": %u, \"radius\": %.9g, \"fovy\": %.9g, "
                 "\"near\": %.9g, \"far\": %.9g, \"eye\": [%.9g, %.9g, %.9g], \"target\": [%.9g, %.9g, %.9g] }",
                 written++ ? "," : "", wanted[i].name, wanted[i].title, head[1] / 3, (double)scene.radius,
