@@ -1,5 +1,5 @@
-/* fuzz.c - random bytes as descs, chains, projections, cameras, environments, harmonics, lights, triangles, surfels, fields and
-   plans. One entry for libFuzzer, and a main that makes the bytes itself.
+/* fuzz.c - random bytes as descs, chains, projections, cameras, environments, harmonics, lights, triangles, surfels,
+   fields and plans. One entry for libFuzzer, and a main that makes the bytes itself.
 
      clang -g -O1 -fsanitize=fuzzer,address,undefined -DSSGI_LIBFUZZER tests/fuzz.c -lm -o fuzz && ./fuzz
      cc -g -O1 -fsanitize=address,undefined tests/fuzz.c -lm -o fuzz && ./fuzz [how many] [seed] */

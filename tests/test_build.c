@@ -307,8 +307,8 @@ static void documentation(void)
                  getenv("PWD"), "[^)]*"),
           "a link leads nowhere: %s", text);
     CHECK(!shell(text, sizeof text,
-                 "cd '%s' && for n in $(sed -n '/^## Speed and accuracy/,/^## What a scene/p' README.md | grep -oE %s); "
-                 "do grep -qF -e \"$n\" examples/FIGURES.md || { echo $n; exit 1; }; done", getenv("PWD"),
+                 "cd '%s' && for n in $(sed -n '/^## Speed and accuracy/,/^## What a scene/p' README.md | "
+                 "grep -oE %s); do grep -qF -e \"$n\" examples/FIGURES.md || { echo $n; exit 1; }; done", getenv("PWD"),
                  "'[0-9]+\\.[0-9]+'"),
           "README.md has a figure that examples/FIGURES.md has not: %s", text);
     CHECK(!shell(text, sizeof text,

@@ -31,7 +31,8 @@ function skip(what) {
 
 const chromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
 if (!chromium) skip('everything: no browser (apt-get install chromium)');
-const puppeteer = await import(resolve('build/web-deps/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js'))
+const puppeteer =
+    await import(resolve('build/web-deps/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js'))
     .then(m => m.default, () => null);
 if (!puppeteer) skip('everything: no puppeteer-core (npm could not install it)');
 
@@ -71,7 +72,8 @@ async function open(hash, { width = 1280, height = 800, scale = 1, before = null
     return page;
 }
 const rest = ms => new Promise(done => setTimeout(done, ms));
-const render = (...words) => execFileSync('build/render', words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const render = (...words) =>
+    execFileSync('build/render', words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 
 /* ---- the page */
 
@@ -92,14 +94,16 @@ await run('every text of WebGL 2 compiles, vertex and fragment of every variant 
     const page = await browser.newPage();
     await page.goto(`${root}/web-test/empty.html`);
     const { texts, programs, wrong, renderer } = await page.evaluate(async () => {
-        const gl = document.createElement('canvas').getContext('webgl2'), shaders = new Map(), programs = [], wrong = [];
+        const gl = document.createElement('canvas').getContext('webgl2');
+        const shaders = new Map(), programs = [], wrong = [];
         const info = gl.getExtension('WEBGL_debug_renderer_info');
         gl.getExtension('KHR_parallel_shader_compile');
         const { variants } = await (await fetch('glsl/manifest.json')).json();
         const kinds = { vert: gl.VERTEX_SHADER, frag: gl.FRAGMENT_SHADER };
         const files = new Set(variants.flatMap(v => Object.values(v.files)));
         await Promise.all([...files].map(async file => {
-            const text = await (await fetch(`glsl/${file}`)).text(), shader = gl.createShader(kinds[file.split('.').pop()]);
+            const text = await (await fetch(`glsl/${file}`)).text();
+            const shader = gl.createShader(kinds[file.split('.').pop()]);
             gl.shaderSource(shader, text);
             gl.compileShader(shader);
             shaders.set(file, shader);
@@ -173,10 +177,12 @@ await run('the same of one G-buffer, that of the page: room', async () => {
     });
     writeFileSync(`${out}/frame.exr`, Buffer.from(bytes, 'base64'));
     const found = [];
-    for (const [hash, words] of [['a=hsao', ['hsao']], ['a=hsao&p=FAST', ['hsao-fast']], ['a=hsao&p=BEST', ['hsao-best']],
+    for (const [hash, words] of [['a=hsao', ['hsao']], ['a=hsao&p=FAST', ['hsao-fast']],
+                                 ['a=hsao&p=BEST', ['hsao-best']],
                                  ['a=ssao', ['ssao']], ['a=march', ['hsao-march']],
                                  ['a=hsao&normals=FROM_DEPTH', ['hsao', '--set', 'normal=depth']]]) {
-        render('--gbuffer', `${out}/frame.exr`, '--fovy', String(fovy), '--radius', String(radius), '--method', ...words,
+        render('--gbuffer', `${out}/frame.exr`, '--fovy', String(fovy), '--radius', String(radius),
+               '--method', ...words,
                '--out', `${out}/ao.png`);
         await go(`scene=room&b=off&size=480x270&${hash}`);
         const { rmse } = await against(`${out}/ao.png`);
@@ -211,8 +217,10 @@ await run('every method, side, view and choice is drawn', async () => {
     const drawn = [];
     for (const hash of ['a=none', 'a=ssdo&b=points&view=ambient', 'a=s3ho&b=march&p=FAST', 
                         'a=ssdo&bounce=1&history=1&b=s3ho&q=BEST',
-                        'a=ssao&b=hsao&behind=SOLID&history=1', 'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
-                        'scene=cornell&view=difference&b=ssao&sky=white', 'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
+                        'a=ssao&b=hsao&behind=SOLID&history=1',
+                        'a=ssdo&behind=BACK&normals=FROM_DEPTH&sky=windows&sun=0',
+                        'scene=cornell&view=difference&b=ssao&sky=white',
+                        'scene=bunny&a=hsao&radius=1&thickness=1.5']) {
         await go(`size=320x180&${hash}`);
         const notice = await page.$eval('#notice', p => (p.hidden ? '' : p.textContent));
         check(!notice, `${hash}: ${notice}`);
@@ -226,10 +234,12 @@ await run('the address carries the settings', async () => {
     await rest(400);
     const { hash, selected } = await page.evaluate(() => {
         const { elements } = document.getElementById('panel');
-        return { hash: location.hash, selected: ['scene', 'a', 'p', 'b', 'behind'].map(name => elements[name].value).join() };
+        return { hash: location.hash,
+                 selected: ['scene', 'a', 'p', 'b', 'behind'].map(name => elements[name].value).join() };
     });
     check(selected === 'cornell,ssdo,BEST,truth,SOLID', selected);
-    for (const part of ['scene=cornell', 'a=ssdo', 'p=BEST', 'b=truth', 'radius=0.5', 'behind=SOLID', 'cam=0,2.745,9,0,2.7,0'])
+    for (const part of ['scene=cornell', 'a=ssdo', 'p=BEST', 'b=truth', 'radius=0.5', 'behind=SOLID',
+                        'cam=0,2.745,9,0,2.7,0'])
         check(hash.includes(part), `${hash} lacks ${part}`);
 });
 
@@ -320,7 +330,10 @@ await run('what a device lacks is said', async () => {
 
 await run('the console is silent, the folder small', async () => {
     const bytes = readdirSync('build/web', { recursive: true }).filter(name => !name.startsWith('scenes'))
-        .reduce((sum, name) => sum + (statSync(join('build/web', name)).isFile() && statSync(join('build/web', name)).size), 0);
+        .reduce((sum, name) => {
+            const file = statSync(join('build/web', name));
+            return sum + (file.isFile() && file.size);
+        }, 0);
     note(`build/web without its scenes: ${(bytes / 1e6).toFixed(2)} MB`);
     check(bytes <= 3e6, `${bytes} bytes`);
     check(!said.length, said.join('\n'));

@@ -301,7 +301,7 @@ void kit_run_draw(kit_run *run, int timed);
 /* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
    must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
 int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
-/* What inputs of that name, written by a pass of the run, read; instead != 0: they read that from now on. */
+/* The texture of the run that inputs of that name read; 0: none is read. instead, unless 0, replaces it for all. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
 int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */

@@ -75,10 +75,12 @@ export class Ssgi {
   view(projection: ArrayLike<number>, width: number, height: number, clip?: 'GL' | 'ZERO'): Uint8Array;
   frame(view: Uint8Array, radius: number): Frame;
   history(frame: Frame, view: Uint8Array, worldToView: ArrayLike<number>, lastWorldToView: ArrayLike<number>): Frame;
-  harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number, worldToView?: ArrayLike<number> | null): Frame;
+  harmonics(frame: Frame, coefficients: ArrayLike<number>, bands: number,
+            worldToView?: ArrayLike<number> | null): Frame;
   phase(k: number): number;
   steps(chain: Chain): Step[];
-  environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number, solidAngle?: number): Float32Array;
+  environmentMap(size: number, rgb: ArrayLike<number>, width: number, height: number,
+                 solidAngle?: number): Float32Array;
   environmentCone(size: number, rgb: ArrayLike<number>, width: number, height: number, cosine?: number): Float32Array;
   residual(size: number, map: Float32Array, coefficients: ArrayLike<number>, bands: number): Float32Array;
   projectEquirect(bands: number, rgb: ArrayLike<number>, width: number, height: number): Float32Array;

@@ -71,7 +71,8 @@ export class Ssgi {
     /* What to bind: ssgi_gl_io. */
     rows(desc) {
         return this.#scope(() => {
-            const d = this.#good(desc), n = this.#c.ssgi_gl_reflect(d, 0, 0), rows = this.#room(n * this.#at.ssgi_gl_io);
+            const d = this.#good(desc), n = this.#c.ssgi_gl_reflect(d, 0, 0);
+            const rows = this.#room(n * this.#at.ssgi_gl_io);
             this.#c.ssgi_gl_reflect(d, rows, n);
             return Array.from({ length: n }, (_, i) => this.#row(rows + i * this.#at.ssgi_gl_io));
         });
@@ -181,7 +182,8 @@ export class Ssgi {
         const trace = this.#room(this.#at.ssgi_trace), ray = this.#room(24), hit = this.#room(this.#at.ssgi_hit);
         const memory = this.#room(size);
         this.#scope(() => {
-            const p = this.#floats(position), i = index ? this.#copy(new Uint8Array(Uint32Array.from(index).buffer)) : 0;
+            const p = this.#floats(position);
+            const i = index ? this.#copy(new Uint8Array(Uint32Array.from(index).buffer)) : 0;
             this.#try(why => this.#c.ssgi_trace_build(trace, memory, size, p, 12, i, triangles, why));
         });
         let floats = new Float32Array(0), ints;

@@ -591,7 +591,8 @@ function first() {
 
 /* For scripts: make web-test waits for it, and reads results. */
 const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ ...size, pixels: pixelsOf(sides[i]) }),
-                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0, ms: i => sides[i]?.ms ?? null,
+                                 error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
+                                 ms: i => sides[i]?.ms ?? null,
                                  settled: () => still >= 32,
                                  frame: () => [frameFile(), stage.camera.fov, radius()] };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
