@@ -531,13 +531,12 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 /* ==== >>plan =================================================================================================== */
 
 /* Chooses the cheapest method and settings whose predicted error meets yours, or the least error within your budget.
-   Fitted on ray-traced truth of eight scenes, tested on others: README. Predictions are approximate: the table of
-   choices is short, and hidden geometry is not in the depth buffer. A calibration improves them most.
+   Fitted on ray-traced truth, tested on other scenes: README. A survey improves predictions, a calibration most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
-      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;
-      ssgi_depth_statistics_of(&s.statistics, texels, width, height, 0, NULL);      of the pass "statistics", read back
-      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, 3000, 64, radius, NULL);    preset BALANCED
+      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.behind = 2;
+      ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
+      ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
       ssgi_plan plan;
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
@@ -546,75 +545,81 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
        SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
        SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius. RMSE of both together over their mean */
        SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
-/* plan.method; HSAO and MARCH dim irradiance of harmonics when light is wanted. */
-enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_MARCH, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS,
-       SSGI_PLAN_FIELD };
+/* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
+enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
+/* plan.behind, valued as desc.behind of ssgi_gl.h */
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
+enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
+/* RMS over the frame of the occlusion that hsao finds, with slabs where they are drawn; of its change at full size with
+   more taps, which is what it misses of detail; of its change with unlimited thickness, and with slabs, which is what
+   hangs on thickness. occlusion 0: no survey. slabs 0: not drawn. */
+typedef struct ssgi_survey { float occlusion, detail, solid, slabs; } ssgi_survey;
 
-/* Depth statistics from the pass "statistics": points around surfaces against the depth buffer. blocked: shares of them
-   behind the visible surface by less than a quarter of the radius, by less than the radius, by more; the geometry in
-   between is unknown. offscreen: share outside the frame. square: second moments of all four over the pixels, with the
-   sampling variance removed. visible: share of the frame with a surface; 0 = no statistics. */
-typedef struct ssgi_depth_statistics { float visible, blocked[3], offscreen, square[4]; } ssgi_depth_statistics;
+/* Ambient visibility of pass HSAO by slices, each of count pixels: preset BALANCED; preset BEST; BALANCED with
+   desc.behind SOLID; with SLABS (may be NULL). Pixels that are not finite in all count as not covered. */
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
+                                    const float *slabs, size_t count, const char **why);
 
-/* rgba: width * height texels; a red below 0, or not finite, is a texel without a surface. points: desc.samples of the
-   pass [limit: 0, 2..64] [default: 32]. */
-SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width,
-                                              int height, int points, const char **why);
-
-/* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices
-   at the preset BALANCED, multiplied with the light where light is wanted. known: 0 = no calibration. */
-typedef struct ssgi_calibration { int known; float unoccluded, hsao; } ssgi_calibration;
+/* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices at
+   the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with behind SLABS, 0 = not
+   known. known: 0 = no calibration. */
+typedef struct ssgi_calibration { int known; float unoccluded, hsao, slabs; } ssgi_calibration;
 
 /* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
    variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
    all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
      position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
                         tracing the pixels' rays: those from depth are too coarse far away
-     visibility         ambient visibility in the frame at those points
+     hsao, slabs        ambient visibility in the frame at those points; slabs: may be NULL
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *visibility, size_t count, int rays, float radius,
-                                   const char **why);
+                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
+                                   float radius, const char **why);
 
 typedef struct ssgi_plan_scene {
     int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
+    int   device;           /* whose costs: SSGI_PLAN_SOFTWARE (llvmpipe's, measured), SSGI_PLAN_GPU (a model: 8 for a
+                               texel fetched and 1 for an operation, a pixel; not measured yet) */
     float error;            /* [limit: >= 0] 0: the least that the budget buys */
     float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
     float screen_radius;    /* the radius over the frame's height: radius * project / (depth * height), mean over
                                visible pixels [limit: >= 0] [default: 0.15] */
-    ssgi_depth_statistics statistics;
+    ssgi_survey survey;
     ssgi_calibration calibration;   /* OBJECTS: only unoccluded is read */
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
     int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   layers, cameras;  /* depth layers, extra cameras that may be used [limit: 0..4]; for closed solids only */
-    double triangles;       /* that may become surfels; 0: none may */
-    float splat_overdraw;   /* texels of splats of size 0.015 over the frame's pixels (ssgi_surfels_predict)
-                               [default: 170] */
+    int   behind;           /* what may be drawn: 0 nothing, 1 nearest back faces, 2 two slabs as well */
+    float depth_pass;       /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
+    int   history;          /* 1: frames may be averaged: the camera's motion is known, a trail may show */
+    double surfels;         /* that the triangles become at size 0.015 (ssgi_surfels_predict), over the frame's pixels;
+                               0: none may be made */
+    double splats;          /* texels of their splats, all levels, over the frame's pixels [default: 170] */
     int   occluders;        /* OBJECTS: with fields */
     float coverage;         /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
     int   method;           /* SSGI_PLAN_NOTHING .. */
-    /* as in ssgi_gl_desc; resolution: of fields. 0 where the method has none */
-    int   half, directions, samples, steps, bands, layers, cameras, levels, filter, resolution;
+    /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
+    int   behind, half, directions, steps, bands, history, levels, filter, resolution;
     float size;             /* ssgi_surfel_desc.size */
-    float cost;             /* predicted, in unblurred 16-sample ssaos as llvmpipe draws them, without what makes
-                               layers, cameras' images and fields */
+    float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
+                               makes surfels and fields */
     float error;            /* predicted */
     int   meets;            /* 1: error <= 1.1 x that asked for (predictions' accuracy), and cost within the budget */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
-/* Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
+/* Where nothing meets the error: the nearest, with meets 0, and `why` begins "cannot be met". Bad input:
+   SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
 /* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), why
    empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
    wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
-enum { SSGI_PLAN_CHOICES = 39 };
+enum { SSGI_PLAN_CHOICES = 47 };
 
 #ifdef __cplusplus
 }
@@ -3257,41 +3262,36 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
 
 /* ==== >>plan (implementation) ================================================================================== */
 
-SSGI_DEF ssgi_result ssgi_depth_statistics_of(ssgi_depth_statistics *statistics, const float *rgba, int width,
-                                              int height, int points, const char **why)
+SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
+                                    const float *slabs, size_t count, const char **why)
 {
-    double sum[4] = { 0.0, 0.0, 0.0, 0.0 }, square[4] = { 0.0, 0.0, 0.0, 0.0 }, v;
-    size_t seen = 0, count;
-    SSGI__THERE2(statistics, rgba);
-    SSGI__SIZE(width, height);
-    SSGI__ZERO_OR(points, "points", 2, 64);
-    if (!points) points = 32;
-    count = (size_t)width * (size_t)height;
+    double sum[4] = { 0.0, 0.0, 0.0, 0.0 };
+    size_t covered = 0;
+    SSGI__THERE3(survey, hsao, best);
+    SSGI__THERE(solid);
     for (size_t i = 0; i < count; ++i) {
-        if (!ssgi__finite(rgba[4 * i]) || !(rgba[4 * i] >= 0.0f)) continue;
-        for (int k = 0; k < 4; ++k) {
-            v = (double)rgba[4 * i + (size_t)k];
-            sum[k] += v;
-            square[k] += v * v - v * (1.0 - v) / (points - 1);       /* minus the variance of a share of few points */
-        }
-        ++seen;
+        const float thick = slabs ? slabs[i] : hsao[i];
+        const float change[4] = { 1.0f - thick, best[i] - hsao[i], solid[i] - hsao[i], thick - hsao[i] };
+        if (!ssgi__finite(change[0] + change[1] + change[2] + change[3])) continue;
+        for (int k = 0; k < 4; ++k) sum[k] += (double)change[k] * (double)change[k];
+        ++covered;
     }
-    memset(statistics, 0, sizeof *statistics);
-    statistics->visible = (float)((double)seen / (double)count);
-    for (int k = 0; k < 4 && seen; ++k) {
-        *(k < 3 ? &statistics->blocked[k] : &statistics->offscreen) = (float)(sum[k] / (double)seen);
-        statistics->square[k] = square[k] > 0.0 ? (float)(square[k] / (double)seen) : 0.0f;
-    }
+    for (int k = 0; k < 4; ++k) sum[k] = covered ? sqrt(sum[k] / (double)covered) : 0.0;
+    survey->occlusion = (float)sum[0];
+    survey->detail = (float)sum[1];
+    survey->solid = (float)sum[2];
+    survey->slabs = (float)sum[3];
     return SSGI_OK;
 }
 
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *visibility, size_t count, int rays, float radius,
-                                   const char **why)
+                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
+                                   float radius, const char **why)
 {
-    double unoccluded = 0.0, hsao = 0.0, shown;
+    const float *const shown[3] = { NULL, hsao, slabs };
+    double square[3] = { 0.0, 0.0, 0.0 };
     SSGI__THERE2(calibration, trace);
-    SSGI__THERE3(position, normal, visibility);
+    SSGI__THERE3(position, normal, hsao);
     SSGI__CHECK(count, "count: must not be 0");
     SSGI__RANGE(rays, 2, 65536);
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
@@ -3312,82 +3312,113 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
             if (ssgi_trace_closest(trace, from, d, 0.0f, radius, &hit))
                 occlusion[k & 1] += (1.0 - (double)(hit.t / radius)) / (rays / 2);
         }
-        shown = ssgi__finite(visibility[i]) ? 1.0 - (double)visibility[i] : 0.0;
-        unoccluded += occlusion[0] * occlusion[1];
-        hsao += (occlusion[0] - shown) * (occlusion[1] - shown);
+        for (int k = 0; k < 3; ++k) {
+            const double visible = shown[k] && ssgi__finite(shown[k][i]) ? (double)shown[k][i] : 1.0;
+            square[k] += (occlusion[0] - (1.0 - visible)) * (occlusion[1] - (1.0 - visible));
+        }
     }
+    for (int k = 0; k < 3; ++k) square[k] = square[k] > 0.0 ? sqrt(square[k] / (double)count) : 0.0;
     calibration->known = 1;
-    calibration->unoccluded = (float)sqrt(unoccluded > 0.0 ? unoccluded / (double)count : 0.0);
-    calibration->hsao = (float)sqrt(hsao > 0.0 ? hsao / (double)count : 0.0);
+    calibration->unoccluded = (float)square[0];
+    calibration->hsao = (float)square[1];
+    calibration->slabs = slabs ? (float)square[2] : 0.0f;
     return SSGI_OK;
 }
 
 /* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
    (examples/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
    and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
-enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER, SSGI__PLAN_UNEVEN,
-       SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT, SSGI__PLAN_TERMS };
-enum { SSGI__PLAN_NEEDS_NONE = 0, SSGI__PLAN_NEEDS_MAP = 1, SSGI__PLAN_NEEDS_MESH = 2, SSGI__PLAN_NEEDS_OCCLUDERS = 4 };
+enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_SLABS_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER,
+       SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT_ERROR, SSGI__PLAN_TERMS };
 
-/* A choice: for what quantity, required inputs besides layers and cameras, settings, cost, weights of the terms. */
+/* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
-    signed char wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution;
-    float size, cost, term[SSGI__PLAN_TERMS];
+    signed char wanted, method, behind, half, directions, steps, bands, history, resolution;
+    float size, cost[2], term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
-#define SSGI__ROW(wanted, method, needs, half, directions, samples, steps, bands, layers, cameras, filter, resolution, \
-                  size, cost, unoccluded, hsao, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI__PLAN_NEEDS_##needs, half, directions, samples, steps, bands, \
-      layers, cameras, filter, resolution, size, cost, \
-      { unoccluded, hsao, coarse, coarser, uneven, left_out, bounced, constant } }
+#define SSGI__ROW(wanted, method, behind, half, directions, steps, bands, history, resolution, size, cost, gpu, \
+                  unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##behind, half, directions, steps, bands, history, resolution, \
+      size, { cost, gpu }, { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
-    SSGI__ROW(VISIBILITY, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 2, 0, 0, 0, 1, 0, 0, 0.80f, 0.1358f, 1.2273f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 4, 0, 0, 0, 1, 0, 0, 0.83f, 0.0245f, 1.2226f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 1, 0, 8, 0, 0, 0, 1, 0, 0, 1.04f, 0.0070f, 1.0423f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 2, 0, 8, 0, 0, 0, 1, 0, 0, 1.41f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 1, 4, 0, 8, 0, 0, 0, 1, 0, 0, 2.11f, 0, 0.9781f, 0, 0, 0, 0, 0, 0.0014f),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 1, 0, 10, 0, 0, 0, 1, 0, 0, 2.62f, 0.0050f, 0.8287f, 0, 0, 0, 0, 0, 0.0110f),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 2, 0, 10, 0, 0, 0, 1, 0, 0, 4.32f, 0.0026f, 0.7803f, 0, 0, 0, 0, 0, 0.0144f),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 3, 0, 12, 0, 0, 0, 1, 0, 0, 6.35f, 0.0014f, 0.7512f, 0, 0, 0, 0, 0, 0.0167f),
-    SSGI__ROW(VISIBILITY, HSAO, NONE, 0, 8, 0, 12, 0, 0, 0, 1, 0, 0, 15.13f, 0.0014f, 0.7430f, 0, 0, 0, 0, 0, 0.0173f),
-    SSGI__ROW(VISIBILITY, MARCH, NONE, 0, 4, 0, 6, 0, 1, 4, 1, 0, 0, 17.46f, 0.1079f, 0.1479f, 0, 0, 0, 0, 0, 0.0960f),
-    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.03f, 27.5f, 0, 0.12f, 0.17f, 0.19f, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, MESH, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.015f, 59.4f, 0, 0.09f, 0.46f, 0.14f, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, NONE, 1, 1, 0, 4, 0, 0, 0, 1, 0, 0, 0.81f, 0.0536f, 0.9346f, 0, 0, 0.0050f, 0, 0, 0.0002f),
-    SSGI__ROW(LIGHT, HSAO, NONE, 1, 2, 0, 8, 0, 0, 0, 1, 0, 0, 1.42f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, NONE, 0, 3, 0, 12, 0, 0, 0, 1, 0, 0, 6.72f, 0.0018f, 0.9052f, 0, 0, 0.0034f, 0, 0, 0.0021f),
-    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 2, 1, 0, 1, 0, 0, 1.19f, 0.0769f, 0.6194f, 0, 0, 0.0103f, 0, 0, 0.0076f),
-    SSGI__ROW(LIGHT, S3HO, NONE, 1, 0, 4, 4, 3, 1, 0, 1, 0, 0, 1.33f, 0.1197f, 0.3541f, 0, 0, 0.0143f, 0, 0, 0.0123f),
-    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 2, 1, 0, 1, 0, 0, 2.54f, 0.0831f, 0.5215f, 0, 0, 0.0132f, 0, 0, 0.0097f),
-    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 3, 1, 0, 1, 0, 0, 2.76f, 0.1492f, 0.1789f, 0, 0, 0.0195f, 0, 0, 0.0155f),
-    SSGI__ROW(LIGHT, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 2.90f, 0.1900f, 0.0028f, 0, 0, 0.0214f, 0, 0, 0.0185f),
-    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 2.41f, 0.1230f, 0.2858f, 0, 0, 0.0114f, 0, 0, 0.0134f),
-    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 5.67f, 0.1675f, 0, 0, 0, 0.0213f, 0, 0, 0.0186f),
-    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 2.98f, 0.0419f, 0.3749f, 0, 0, 0.0074f, 0, 0, 0.0234f),
-    SSGI__ROW(LIGHT, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 17.14f, 0.0643f, 0.3450f, 0, 0, 0.0021f, 0, 0, 0.0142f),
-    SSGI__ROW(BOUNCE, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 1, 0, 4, 0, 0, 0, 1, 0, 0, 0.81f, 0.1009f, 0.8850f, 0, 0, 0.0005f, 0, 0, 0.0029f),
-    SSGI__ROW(BOUNCE, HSAO, NONE, 1, 2, 0, 8, 0, 0, 0, 1, 0, 0, 1.46f, 0, 1.0000f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, NONE, 1, 0, 4, 4, 4, 1, 0, 1, 0, 0, 1.87f, 0.4541f, 0, 0, 0, 0.0007f, 0, 0, 0.1377f),
-    SSGI__ROW(BOUNCE, S3HO, NONE, 0, 0, 4, 4, 4, 1, 0, 1, 0, 0, 3.63f, 0.3808f, 0, 0, 0, 0, 0, 0, 0.1581f),
-    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 0, 1, 0, 0, 5.29f, 0.3488f, 0, 0, 0, 0.0043f, 0, 0, 0.1618f),
-    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 16, 4, 0, 1, 0, 1, 0, 0, 11.75f, 0.2673f, 0, 0, 0, 0, 0, 0, 0.1778f),
-    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 2, 0, 1, 0, 0, 9.48f, 0.2448f, 0, 0, 0, 0.0179f, 0, 0, 0.1565f),
-    SSGI__ROW(BOUNCE, SSDO, MAP, 0, 0, 4, 4, 0, 1, 4, 1, 0, 0, 47.01f, 0.2082f, 0, 0, 0, 0.0205f, 0, 0, 0.1552f),
-    SSGI__ROW(OBJECTS, NOTHING, NONE, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.00f, 1.0000f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.0144f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.0121f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, OCCLUDERS, 0, 0, 0, 0, 0, 0, 0, 0, 16, 0, 0.05f, 0.0117f, 0, 0, 0, 0, 0, 0, 0)
+    SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 2, 0, 0, 0, 0, 0.74f, 0.78f, 0.11f, 1.46f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.81f, 0.92f, 0.02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 8, 0, 0, 0, 0, 0.93f, 1.2f, 0.005f, 1.08f, 0, 0, 0, 0, 0, 0, 0.042f),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.33f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 12, 0, 1, 0, 0, 1.54f, 1.71f, 0, 0.9f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 1, 10, 0, 0, 0, 0, 2.55f, 3.45f, 0.002f, 0.87f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 2, 10, 0, 0, 0, 0, 4.28f, 6.3f, 0, 0.82f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.16f, 1.41f, 0, 0.88f, 0.19f, 0, 0, 0, 0, 0, 0.19f),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 8, 0, 0, 0, 0, 1.67f, 2.2f, 0, 0.81f, 0.15f, 0, 0, 0, 0, 0, 0.032f),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.45f, 1.75f, 0.006f, 0, 1.09f, 0, 0, 0, 0, 0, 0.019f),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.02f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.1f, 2.54f, 0, 0, 0.86f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.02f, 6.2f, 0.001f, 0, 0.81f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.33f, 11.8f, 0, 0, 0.74f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.1f, 20.7f, 0, 0, 0.69f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.03f, 0, 3.08f, 0, 0, 0.48f, 0.021f, 0.37f, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.015f, 0, 3.08f, 0, 0, 0.4f, 0.18f, 0.87f, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.71f, 0.92f, 0.072f, 0.91f, 0, 0, 0, 0.004f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.14f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 1.83f, 2.54f, 0, 0, 0.96f, 0, 0, 0.001f, 0, 0, 0.43f),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.3f, 1.4f, 0.25f, 0.043f, 0, 0, 0, 0.037f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 2, 0, 0, 0, 1.7f, 2.2f, 0.055f, 0.49f, 0, 0, 0, 0.022f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 1.98f, 2.39f, 0.091f, 0.33f, 0, 0, 0, 0.011f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 2.58f, 3.55f, 0.13f, 0, 0.13f, 0, 0, 0.015f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 9.68f, 13.9f, 0.13f, 0, 0.016f, 0, 0, 0.018f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 1.01f, 1.17f, 0.22f, 0.13f, 0, 0, 0, 0.04f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.77f, 2.15f, 0.11f, 0.22f, 0, 0, 0, 0.023f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.12f, 2.66f, 0.13f, 0, 0.15f, 0, 0, 0.029f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.57f, 3.31f, 0.14f, 0, 0.076f, 0, 0, 0.024f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 9.11f, 13.3f, 0.11f, 0, 0, 0, 0, 0.027f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 4, 0, 1, 0, 0, 1.81f, 1.71f, 0.21f, 0, 0, 0, 0, 0.043f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.7f, 0.92f, 0.1f, 0.87f, 0, 0, 0, 0.004f, 0, 0, 0.13f),
+    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.4f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.96f, 1.77f, 0.5f, 0, 0, 0, 0, 0.034f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 3.09f, 3.5f, 0.4f, 0, 0, 0, 0, 0.019f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 3.95f, 4.68f, 0.32f, 0, 0, 0, 0, 0.021f, 0, 0, 0.47f),
+    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 2.26f, 2.32f, 0.44f, 0, 0, 0, 0, 0.018f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 3.26f, 3.67f, 0.32f, 0, 0, 0, 0, 0.012f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 4.28f, 4.85f, 0.25f, 0, 0, 0, 0, 0.017f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.2f, 16.8f, 0.21f, 0, 0, 0, 0, 0.014f, 0, 0, 0.1f),
+    SSGI__ROW(OBJECTS, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.05f, 0.016f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.05f, 0.012f, 0, 0, 0, 0, 0, 0, 0, 0.45f)
 };
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
+/* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/fit.c) */
+static const float ssgi__plan_survey[2][3][4] = {
+    { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
+    { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } } };
+/* What splats cost beside a choice's own: per texel a pixel, per surfel a pixel; in software, on a GPU */
+static const float ssgi__plan_splats[2][2] = { { 0.14f, 72.0f }, { 0.22f, 6.9f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
 {
     return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15;
+}
+
+/* Squared errors of nothing, hsao, hsao with slabs: of the calibration, else from the survey, else a guess. */
+SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
+{
+    const double known[3] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
+                              (double)s->calibration.slabs };
+    const float v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
+    for (int k = 0; k < 3; ++k) {
+        square[k] = v[0] > 0.0f ? 1e-6 : k ? 0.003 : 0.02;
+        for (int i = 0; i < 4 && v[0] > 0.0f; ++i)
+            square[k] += (double)ssgi__plan_survey[v[3] > 0.0f][k][i] * (double)v[i] * (double)v[i];
+    }
+    if (!s->calibration.known) return;
+    square[2] *= known[1] * known[1] / square[1];
+    for (int k = 0; k < (known[2] > 0.0 ? 3 : 2); ++k) square[k] = known[k] * known[k];
 }
 
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
@@ -3395,56 +3426,56 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
     const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     const double size = (double)row->size / ssgi__plan_radius(s);
     const double albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
-    double unoccluded = 0.02, hsao = 0.003, uneven = 0.0, left = 0.0;
-    if (s->statistics.visible > 0.0f) {         /* a rough estimate: hidden geometry is not in the statistics */
-        const float *square = s->statistics.square;
-        unoccluded = 1e-4 + 6.0 * (double)square[0] + (double)square[1];
-        hsao = 1e-5 + 0.32 * (double)square[1];
-    }
-    if (s->calibration.known) {
-        unoccluded = (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
-        hsao = (double)s->calibration.hsao * (double)s->calibration.hsao;
-    }
+    double square[3], uneven = 0.0, left = 0.0;
+    ssgi__plan_errors(square, s);
     for (int l = 1; l < 4 && s->wanted; ++l) {
         const double ratio = (double)energy[l] / (double)energy[0];
         uneven += ratio;
         if (l >= row->bands) left += ratio;
     }
-    term[SSGI__PLAN_UNOCCLUDED] = unoccluded;
-    term[SSGI__PLAN_HSAO_ERROR] = hsao;
-    term[SSGI__PLAN_COARSE] = unoccluded * size;
-    term[SSGI__PLAN_COARSER] = unoccluded * size * size;
-    term[SSGI__PLAN_UNEVEN] = unoccluded * uneven;
-    term[SSGI__PLAN_LEFT_OUT] = unoccluded * left;
-    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? unoccluded * albedo * albedo : 0.0;
-    term[SSGI__PLAN_CONSTANT] = 1e-4;
+    term[SSGI__PLAN_UNOCCLUDED] = square[0];
+    term[SSGI__PLAN_HSAO_ERROR] = square[1];
+    term[SSGI__PLAN_SLABS_ERROR] = square[2];
+    term[SSGI__PLAN_COARSE] = square[0] * size;
+    term[SSGI__PLAN_COARSER] = square[0] * size * size;
+    term[SSGI__PLAN_UNEVEN] = square[0] * uneven;
+    term[SSGI__PLAN_LEFT_OUT] = square[0] * left;
+    term[SSGI__PLAN_BOUNCED] = s->wanted == SSGI_PLAN_BOUNCE ? square[0] * albedo * albedo : 0.0;
+    term[SSGI__PLAN_CONSTANT_ERROR] = 1e-4;
 }
 
 /* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
-    const int given = (s->map ? SSGI__PLAN_NEEDS_MAP : 0) | (s->triangles > 0.0 ? SSGI__PLAN_NEEDS_MESH : 0)
-                    | (s->occluders > 0 ? SSGI__PLAN_NEEDS_OCCLUDERS : 0);
-    const float *square = s->statistics.square;
-    if (row->wanted != s->wanted || row->needs & ~given || row->layers > (s->layers > 1 ? s->layers : 1)
-        || row->cameras > s->cameras)
+    const int m = row->method, given = m == SSGI_PLAN_SSDO ? s->map : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
+                                     : m != SSGI_PLAN_FIELD || s->occluders > 0;
+    if (row->wanted != s->wanted || !given || row->behind - SSGI_PLAN_SOLID > s->behind || row->history > s->history)
         return 0;
-    /* skip layers and cameras when little geometry is hidden */
-    if (s->statistics.visible > 0.0f && (row->layers > 1 || row->cameras)) {
-        const double off = row->cameras ? sqrt((double)square[3]) : 0.0;
-        if (sqrt((double)square[1] + (double)square[2]) + off < 0.1 * (double)s->error) return 0;
-    }
     /* skip directional methods when the energy above band 0 is negligible */
-    return row->wanted != SSGI_PLAN_LIGHT || (row->method != SSGI_PLAN_S3HO && row->method != SSGI_PLAN_SSDO)
+    return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
+}
+
+/* Beyond the choice's own: depth passes, fields, surfels, which are the fewer the larger they are. */
+SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
+{
+    const int gpu = s->device == SSGI_PLAN_GPU;
+    const float larger = row->size > 0.0f ? 0.015f / row->size : 1.0f;
+    float cost = row->cost[gpu];
+    if (row->behind >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->behind == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
+    if (row->method == SSGI_PLAN_FIELD)
+        cost += (gpu ? 0.3f : 0.6f) * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
+    if (row->method == SSGI_PLAN_SURFELS)
+        cost += ssgi__plan_splats[gpu][0] * (float)(s->splats > 0.0 ? s->splats : 170.0) * sqrtf(larger)
+              + ssgi__plan_splats[gpu][1] * (float)s->surfels * larger * larger;
+    return cost;
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const ssgi_plan settings = { row->method, row->half, row->directions, row->samples, row->steps, row->bands,
-                                 row->layers, row->cameras, 0, row->filter, row->resolution, row->size, row->cost,
-                                 0.0f, 0, "" };
+    const ssgi_plan settings = { row->method, row->behind, row->half, row->directions, row->steps, row->bands,
+                                 row->history, 0, row->directions > 0, row->resolution, row->size, 0.0f, 0.0f, 0, "" };
     double term[SSGI__PLAN_TERMS], square = 0.0;
     const float *energy;
     int k;
@@ -3454,16 +3485,14 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     *plan = settings;
     for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
+    plan->cost = ssgi__plan_cost(row, s);
     energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     while (plan->bands > 1 /* bands whose energy is negligible */
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
         --plan->bands;
-    if (row->method == SSGI_PLAN_FIELD)
-        plan->cost += 0.9f * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     if (row->method == SSGI_PLAN_SURFELS) {
-        plan->cost *= (s->splat_overdraw > 0.0f ? s->splat_overdraw : 170.0f) / 170.0f;
         for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_radius(s); ++k) {}
         plan->levels = k;
     }
@@ -3472,28 +3501,34 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
 {
-    static const char *const method[] = { "nothing", "hsao", "hsao by march", "ssdo", "s3ho", "dss", "fields" };
+    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
+    static const char *const extra[2][4] = { { "", ", solid", ", back faces", ", slabs" }, { "", ", history" } };
     static const int ten[5] = { 10000, 1000, 100, 10, 1 };
     ssgi_plan best, p;
-    float goal = 0.0f;
-    const char *words = ": no choice that may be taken comes within a tenth of #.####; this is the cheapest within a "
-                        "tenth of the least: #.####";
+    float goal = 0.0f, figure[3] = { 0.0f, 0.0f, 0.0f };
+    const char *words;
+    char *at;
     int tried = 0, found = 0, digit = 0;
     SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    if (s->layers < 0 || s->layers > 4 || s->cameras < 0 || s->cameras > 4 || s->occluders < 0)
-        return ssgi__bad(why, "scene.layers, .cameras, .occluders: must be 0..4, 0..4, 0 or more");
+    SSGI__CHECK(s->device == SSGI_PLAN_SOFTWARE || s->device == SSGI_PLAN_GPU,
+                "scene.device: must be SSGI_PLAN_SOFTWARE or SSGI_PLAN_GPU");
+    if (s->behind < 0 || s->behind > 2 || s->history < 0 || s->history > 1 || s->occluders < 0)
+        return ssgi__bad(why, "scene.behind, .history, .occluders: must be 0..2, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
-                && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->splat_overdraw, 1)
-                && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .splat_overdraw, "
-                "coverage: must be finite and 0 or more");
+                && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
+                && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
+                ".coverage: must be finite and 0 or more");
+    SSGI__CHECK(s->surfels >= 0.0 && s->surfels < 1e18 && s->splats >= 0.0 && s->splats < 1e18,
+                "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
-    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao), "scene.calibration: must be finite");
-    SSGI__CHECK(ssgi__positive(&s->statistics.visible, 1) && ssgi__positive(s->statistics.blocked, 3)
-                && ssgi__positive(&s->statistics.offscreen, 1) && ssgi__positive(s->statistics.square, 4),
-                "scene.statistics: must be finite and 0 or more");
+    SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao + s->calibration.slabs),
+                "scene.calibration: must be finite");
+    SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
+                && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
+                "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
@@ -3507,12 +3542,18 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         best = p;
         found = 1;
     }
-    if (best.meets) words = ": of all choices the cheapest within a tenth of #.####: errs by #.####";
-    memcpy(best.why, method[best.method], strlen(method[best.method]));
-    for (char *at = best.why + strlen(best.why); *words; ++words) {     /* digits by hand: no stdio.h, no locale */
-        const float x = digit < 5 ? s->error : best.error;
+    figure[0] = best.meets || !(s->error > 0.0f) ? best.error : s->error;
+    figure[1] = best.meets ? s->error : best.error;
+    words = best.meets ? "*: errs by #.####, the cheapest of all choices within a tenth of #.####"
+          : s->error > 0.0f ? "cannot be met: #.####; the nearest: *: errs by #.####"
+          : "*: errs by #.####, the least that may be had";
+    for (at = best.why; *words; ++words) {              /* digits by hand: no stdio.h, no locale */
+        const float x = figure[digit / 5];
         const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-        *at++ = (char)(*words != '#' ? *words : '0' + n / ten[digit++ % 5] % 10);
+        const char *const said[3] = { method[best.method], extra[0][best.behind], extra[1][best.history] };
+        for (int k = 0; k < 3 && *words == '*'; ++k) for (const char *m = said[k]; *m; ++m) *at++ = *m;
+        if (*words == '#') { *at++ = (char)('0' + n / ten[digit % 5] % 10); ++digit; }
+        else if (*words != '*') *at++ = *words;
     }
     *plan = best;
     return SSGI_OK;
@@ -3526,20 +3567,21 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 /* From 1.0 on a minor version adds: sources still compile, names, units and what zeros mean stay; pixels may change.
    Before that a minor version may rename: its changes are listed here.
    CHANGES from 0.1 to 0.2, old -> new:
-   ssgi_sh_lacking -> ssgi_sh_residual; ssgi_survey_of -> ssgi_depth_statistics_of; ssgi_trial, ssgi_plan_try ->
-   ssgi_calibration, ssgi_plan_calibrate; surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small,
-   .max_distance; splat.most, .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most ->
-   .max_error; dipole.above, .below, .fading -> .z_r, .z_v, .sigma_tr; plan_scene.survey, .trial, .reach, .cover,
-   .splats, .casters -> .statistics, .calibration, .screen_radius, .coverage, .splat_overdraw, .occluders. ssgi_gl.h:
-   SURVEY -> STATISTICS, VECTORS -> COEFFICIENTS, TRANSFER_FREE -> TRANSFER_DIRECT, caster -> occluder, its .reach,
-   .end, .fitted -> .radius, .reach, .baked_reach; desc.exact, .lamps, .closely, .thin -> .residual, .lights,
-   .near_samples, .behind; frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth; light.least
-   -> .min_distance. Removed: SH product, deringing, sky; cap tables, 16-bit and cube-map fields, solid-angle
-   measure; surfels' shrink, jitter, enlarge, overlap; splat_predict, materials, dipole_total, jitter_tile,
-   field_peek, radius_guess, normal_offset, shadow_patch, shadow_bias.
-   New: slices (hsao, ssdo, s3ho), desc.behind BACK and SLABS, .restore, .span, .onto, .motion, .left_handed, .oblique,
-   .multisampled, .array; passes HISTORY and COMPOSE; SSGI_GL_VULKAN; ssgi_gl_steps, _step_check, _resolve, _choice_at,
-   _member_at, _frame_history, _phase. ssgi_gl_frame grew by history, last_to, last_from, oblique, slice. */
+   ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
+   picture); surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small, .max_distance; splat.most,
+   .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most -> .max_error; dipole.above, .below,
+   .fading -> .z_r, .z_v, .sigma_tr; plan_scene.trial, .reach, .cover, .casters -> .calibration, .screen_radius,
+   .coverage, .occluders. ssgi_gl.h: VECTORS -> COEFFICIENTS, TRANSFER_FREE -> TRANSFER_DIRECT, caster -> occluder,
+   its .reach, .end, .fitted -> .radius, .reach, .baked_reach; desc.exact, .lamps, .closely, .thin -> .residual,
+   .lights, .near_samples, .behind; frame.nearest, .steepest, .front -> .distance_clamp, .max_slope, .near_depth;
+   light.least -> .min_distance. Removed: SH product, deringing, sky; cap tables, 16-bit and cube-map fields,
+   solid-angle measure; surfels' shrink, jitter, enlarge, overlap; splat_predict, materials, dipole_total,
+   jitter_tile, field_peek, radius_guess, normal_offset, shadow_patch, shadow_bias; pass SURVEY (ssgi_survey_of reads
+   pictures of hsao instead), plan_scene.layers, .cameras, .triangles (.surfels, .behind, .history instead),
+   plan.samples.
+   New: slices (hsao, ssdo, s3ho), desc.behind BACK and SLABS, .restore, .span, .onto, .motion, .left_handed,
+   .oblique, .multisampled, .array; passes HISTORY and COMPOSE; SSGI_GL_VULKAN; ssgi_gl_steps, _step_check, _resolve,
+   _choice_at, _member_at, _frame_history, _phase. ssgi_gl_frame grew by history, last_to, last_from, oblique, slice. */
 
 /* --------------------------------------------------------------------------------------------------------------
    This software is available under two licences; choose the one you like.

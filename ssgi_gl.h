@@ -45,7 +45,6 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
-                statistics   depth statistics around one pixel of every 8x8: for ssgi_depth_statistics_of (ssgi.h)
 
    WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
       lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
@@ -83,7 +82,7 @@ extern "C" {
 /* ==== >>desc ====================================================================================================== */
 enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
        SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_STATISTICS, SSGI_GL_PASSES };             /* desc.pass */
+       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_PASSES };             /* desc.pass */
 /* VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL. All in set 0: blocks ssgi_frame and ssgi_views at bindings 0, 1,
    the texture of unit u at 2 + u, fetched without a sampler; 18 on, and other sets, are yours. Viewport heights are
    positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y down: row 0 is at NDC y = -1.
@@ -203,7 +202,7 @@ typedef struct ssgi_gl_desc {
     int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
     int search;          /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
     int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int samples;         /* points   [limit: 0..64] [default: 16; lights 8, statistics 32]  directions; on a segment */
+    int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
     int steps;           /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
     int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
     int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
@@ -278,8 +277,9 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest stays. ssdo and s3ho have POINTS and restore, s3ho is shaded, residual, ssdo without an environment has MAP;
-   a bounce is yours to add. Surfels, fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
+   the rest stays. ssdo and s3ho have restore, s3ho is shaded, residual, ssdo without an environment has MAP. Yours
+   to add: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Surfels,
+   fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
 /* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
@@ -2114,27 +2114,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
     "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
     "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n}\n" },
-/* ==== >>statistics: how depth is distributed around pixels ====================================================== */
-{ "main_statistics", __LINE__ + 1,
-    "// One pixel of every 8x8: the shares of points around it that lie behind the depth buffer by less than a\n"
-    "// quarter of the radius, by less than the radius, by more; and that lie off screen.\n"
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) * 8 + 4;\n"
-    "    float z = ssgi_inside(p) ? ssgi_depth(p) : SSGI_FAR;\n"
-    "    o_ssgi_statistics = vec4(-1.0);\n"
-    "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), start = ssgi_lift(P, n);\n"
-    "    mat3 basis = ssgi_basis(n); vec4 sum = vec4(0.0); vec2 xi = ssgi_noise(p);\n"
-    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
-    "        float u = (float(i) + 0.5) / float(SSGI_SAMPLES), a = 2.39996323 * float(i) + 6.28318531 * xi.x;\n"
-    "        float length_ = u_ssgi_radius * fract(0.61803399 * float(i) + xi.y);\n"
-    "        vec3 S = start + basis * vec3(sqrt(u) * vec2(cos(a), sin(a)), sqrt(1.0 - u)) * length_;\n"
-    "        ivec2 q = ivec2(floor(ssgi_project(S))); float behind = -S.z - ssgi_depth(q);\n"
-    "        vec3 passed = step(vec3(0.0, 0.25, 1.0) * u_ssgi_radius, vec3(behind));\n"
-    "        bool seen = S.z < 0.0 && ssgi_inside(q);\n"
-    "        sum += seen ? vec4(passed - vec3(passed.yz, 0.0), 0.0) : vec4(0.0, 0.0, 0.0, 1.0);\n"
-    "    }\n"
-    "    o_ssgi_statistics = sum / float(SSGI_SAMPLES);\n}\n" },
 { "main_triangle", __LINE__, "void main() { // one triangle that covers the viewport\n"
     "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n}\n" },
 };
@@ -2248,8 +2227,6 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
     SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
     SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
-    SSGI_GL__O("statistics", NULL, "vec4", SSGI_GL__HDR ", 1/8 of the image's width and height, rounded up: shares of "
-               "points around a surface; -1 where nothing is seen"),
     SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
     SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
     SSGI_GL__FLOATS("sh1", 3, "coefficients 4..7"),
@@ -2284,7 +2261,7 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
       { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
     SSGI_GL__PLAIN(SHUFFLE, "shuffle"), SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle"), SSGI_GL__PLAIN(SMOOTH, "smooth"),
     SSGI_GL__PLAIN(SUM, "sum"), SSGI_GL__PLAIN(BLUR, "blur"), SSGI_GL__PLAIN(HISTORY, "history"),
-    SSGI_GL__PLAIN(COMPOSE, "compose"), SSGI_GL__PLAIN(STATISTICS, "statistics") };
+    SSGI_GL__PLAIN(COMPOSE, "compose") };
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
        SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes) };
@@ -2310,7 +2287,7 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence) {
 #define SSGI_GL__E(field, KIND, LAST, values) SSGI_GL__N(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, values)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE STATISTICS"),
+               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE"),
     SSGI_GL__N(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
     SSGI_GL__E(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
     SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"), SSGI_GL__B(orthographic),
@@ -2443,21 +2420,18 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
 }
 
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why) {
-    static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT,
-                                  SSGI_GL_FIELD };
+    static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
                    "plan: must not be NULL, and of something");
     ssgi_gl_desc d = *desc;
     d.pass = passes[plan->method];
-    d.search = plan->method == SSGI_PLAN_MARCH ? SSGI_GL_MARCH : plan->method == SSGI_PLAN_HSAO ? SSGI_GL_SLICES
-             : SSGI_GL_POINTS;
+    d.search = SSGI_GL_SLICES;
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
-    d.directions = plan->directions, d.samples = plan->samples, d.steps = plan->steps;
-    d.bands = plan->bands, d.layers = plan->layers, d.views = plan->cameras, d.levels = plan->levels;
-    d.filter_radius = plan->filter;
+    d.directions = plan->directions, d.steps = plan->steps, d.behind = plan->behind;
+    d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;
         d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;
@@ -2477,7 +2451,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     const int averages = blur || pass == SSGI_GL_HISTORY;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce);
-    if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : pass == SSGI_GL_STATISTICS ? 32 : 16;
+    if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
     if (pass == SSGI_GL_SSAO) d.search = SSGI_GL_POINTS;

@@ -4,7 +4,8 @@
 
    Every row of build/render --list at its defaults and some settings that engines ask about, at 1920x1080 and
    3840x2160. Milliseconds by timer queries; each row is opened, warmed up and timed once a round, so that rows of all
-   kinds share what the clock and the neighbours do; medians. Without a GPU few rows, small, and the table says so. */
+   kinds share what the clock and the neighbours do; medians. Without a GPU few rows, small, and the table says so.
+   With one, report/plan-gpu.csv too: what each choice of the plan takes, for make fit. */
 #include "kit/kit_gl.h"
 #include <math.h>
 #include <stdio.h>
@@ -105,6 +106,33 @@ static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world 
     return failed;
 }
 
+/* Every choice of the plan but surfels and fields: its time over that of an unblurred 16-sample ssao. */
+static int plan_csv(const char *path, kit_gbuffer *g, float radius, const kit_world *world, kit_error *err)
+{
+    ssgi_plan_scene s = { .behind = 2, .history = 1, .map = 1 };
+    row unit = { .set = "samples=16,blur=0" }, r = { .set = "" };
+    FILE *f = fopen(path, "w");
+    int failed = f ? 0 : kit_fail(err, "%s: cannot be written", path);
+    if (!failed)
+        failed = kit_method_find(&unit.method, "ssao", err) || kit_method_set(&unit.method, unit.set, err);
+    for (s.wanted = 0; s.wanted < 3 && !failed; ++s.wanted)
+        for (int i = 0; i < SSGI_PLAN_CHOICES && !failed; ++i) {
+            double ratio[ROUNDS];
+            ssgi_plan p;
+            if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
+            failed = kit_plan_method(&r.method, &p, s.wanted, err);
+            for (int k = 0; k < ROUNDS && !failed; ++k) {
+                unit.timed[0] = r.timed[0] = 0;
+                failed = measure(&unit, 0, g, radius, world, err) || measure(&r, 0, g, radius, world, err);
+                if (!failed) ratio[k] = r.ms[0][0] / unit.ms[0][0];
+            }
+            if (!failed) fprintf(f, "%d,%g\n", i, kit_median(ratio, ROUNDS));
+            kit_progress("the plan's choices", ((double)s.wanted * SSGI_PLAN_CHOICES + i) / (3 * SSGI_PLAN_CHOICES));
+        }
+    if (f && fclose(f) && !failed) failed = kit_fail(err, "%s: cannot be written", path);
+    return failed ? -1 : 0;
+}
+
 static void print(FILE *f, row *rows, int count, int size[][2], int sizes, const char *scene, int software,
                   size_t triangles, const char *command)
 {
@@ -187,6 +215,8 @@ int main(int argc, char **argv)
                     r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];
                 kit_progress(s ? "3840x2160" : "1920x1080", ((double)k * count + i + 1) / (count * (ROUNDS + 0.01)));
             }
+        if (!failed && !s && !asked && !software)
+            failed = plan_csv("report/plan-gpu.csv", &g, scene.radius, &(kit_world){ &scene, &sky }, &err);
         kit_progress("", 1);
         if (!failed) kit_gbuffer_free(&g);
     }

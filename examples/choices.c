@@ -121,8 +121,7 @@ const variant variants[] = {
     { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS } },
     { "`history`", { .pass = SSGI_GL_HISTORY } },
     { "`history`, colour", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COLOUR } },
-    { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } },
-    { "`statistics`", { .pass = SSGI_GL_STATISTICS } }
+    { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } }
 };
 const int variants_count = (int)(sizeof variants / sizeof variants[0]);
 

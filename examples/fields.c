@@ -442,34 +442,6 @@ static void curve_of(row *curve, int *points, const field_scene *f, const row *r
     }
 }
 
-/* Pixels that occluders reach, each occluder's, over all pixels. */
-static int reached(double *share, const stage *s, const ssgi_field_desc *d, kit_error *err)
-{
-    const float *z = kit_image_channel(&s->frame, "Z");
-    size_t pixels = 0;
-    for (int i = 0; i < s->scene.objects; ++i) {
-        const kit_object *o = &s->scene.object[i];
-        const ssgi_field *f = o->casts ? kit_field(&s->scene.shape[o->shape], d, NULL, err) : NULL;
-        const double size = (double)hypotf(hypotf(o->to_world[0], o->to_world[1]), o->to_world[2]);
-        if (!o->casts) continue;
-        if (!f) return -1;
-        for (int p = 0; p < s->frame.width * s->frame.height; ++p) {
-            float point[3];
-            double square = 0;
-            if (!(z[p] > 0)) continue;
-            kit_camera_point(&s->gbuffer.camera, p % s->frame.width, p / s->frame.width, (double)z[p], point);
-            for (int k = 0; k < 3; ++k) {
-                const float *m = o->to_world + k,
-                            off = point[k] - (m[0] * f->centre[0] + m[4] * f->centre[1] + m[8] * f->centre[2] + m[12]);
-                square += (double)(off * off);
-            }
-            pixels += square < (double)(f->reach * f->reach) * size * size;
-        }
-    }
-    *share = (double)pixels / ((double)s->frame.width * s->frame.height);
-    return 0;
-}
-
 /* Who casts, after the G-buffer was drawn: that stays as it is. */
 static int cast_by(stage *s, const cost *c, const ssgi_field_desc *d, kit_error *err)
 {
@@ -511,7 +483,7 @@ static int costs_of(row *all, int quick, kit_error *err)
             if (quick && !c->quick) continue;
             rows[count] = blank(OF_COST, cost_sets[k].setup.view.name, c->label, c->settings);
             if (desc_of(&d, c->settings, err) || cast_by(&s, c, &d, err)
-                || reached(&rows[count].figure[COVERED], &s, &d, err))
+                || kit_fields_cover(&rows[count].figure[COVERED], &s.frame, &s.gbuffer.camera, &s.scene, &d, err))
                 return -1;
             if (run_open(&run[count], &s, "aof", c->settings, s.radius, err)) return -1;
             kit_run_draw(&run[count++], 1);

@@ -468,16 +468,16 @@ static void plan(void)
     fputs("\n## The plan, on views that it was not fitted on\n", page);
     heading("Good plans", "Good: at most 1.25 times the cost of the cheapest choice that meets the error, and at "
         "most 1.2 times the error asked for.", chart_note);
-    fputs("| | good | of |\n|---|---|---|\n", page);
-    for (int i = 0; i < all.rows; ++i) fprintf(page, "| %s | %s | %s |\n", text_of(&all, i, "what"), text_of(&all, i,
+    fputs("| | good |\n|---|---|\n", page);
+    for (int i = 0; i < all.rows; ++i) fprintf(page, "| %s | %s of %s |\n", text_of(&all, i, "what"), text_of(&all, i,
         "good"), text_of(&all, i, "pairs"));
-    heading("View by view", "", chart_note);
-    fputs("| scene, radius, light | wanted | good | of |\n|---|---|---|---|\n", page);
+    heading("View by view, without history", "", chart_note);
+    fputs("| scene, radius, light | wanted | good |\n|---|---|---|\n", page);
     for (int from = 0, to; from < c.rows; from = to) {
         int good = 0;
         for (to = from; to < c.rows && same(&c, to, from, "scene") && same(&c, to, from,
             "wanted"); ++to) good += atoi(text_of(&c, to, "good"));
-        fprintf(page, "| %s | %s | %d | %d |\n", text_of(&c, from, "scene"), text_of(&c, from, "wanted"), good,
+        fprintf(page, "| %s | %s | %d of %d |\n", text_of(&c, from, "scene"), text_of(&c, from, "wanted"), good,
             to - from);
     }
 }
@@ -632,37 +632,6 @@ static void stability(void)
     }
 }
 
-/* What no csv holds. */
-static const char once[] =
-    "\n## Measured once\n\n"
-    "At version 0.1 with `build/render`, `make demo` or a test, and in no csv; Mesa 22.3 llvmpipe, 2 cores.\n\n"
-    "- shadow maps, `pebbles`, 640x360, sun at 19 degrees, maps of 512x512: 141 lit pixels in contact shadows\n"
-    "  whose blocker is nearer than 0.01; `fill` leaves 91 of them and darkens 0.08 % of the lit ones\n"
-    "- the sky as suns with shadow maps, bunny, 480x270, all occlusion traced: irradiance off by 2.9 % with 64\n"
-    "  suns, 2.0 % with 256\n"
-    "- virtual point lights, `cornell`: 64 bring 0.94 of the lamp's bounce, with the near field that their clamp\n"
-    "  leaves out 0.99; RMSE 0.21 and 0.16 of its mean, with 256 of them 0.11\n"
-    "- suns whose shadows are longer than the radius, `boxes`, 320x180: irradiance errs by 0.26 as harmonics, by\n"
-    "  0.04 with `lights=shadowed`\n"
-    "- a ball that rests on a plane, `aof`: within 0.006 of the closed form\n"
-    "- `aof`: 95 % of receivers within 0.13 for a sheet, 0.08 for a torus\n"
-    "- `dss` where the picture shows nothing (`make demo`, 320x180, `size` 0.03), error beside `hsao`'s: off\n"
-    "  screen 0.114 beside 1.000, hidden 0.307 beside 0.283, at a grazing angle 0.272 beside 0.339\n"
-    "- surfels without `offscreen_growth` and `max_distance`, 480x270, for the same pixels: 6.6 times as many in\n"
-    "  `room`, 66 times in `colonnade`\n"
-    "- a calibration of 3000 places of 64 rays, one core: 0.08 s in the bunny's 70,000 triangles, 0.05 s in a tree;\n"
-    "  within 3 to 6 % of the whole picture's error\n"
-    "- errors that the plan predicts spread by 3 to 14 % for `hsao`, 13 % for `dss`, 28 % with cameras, 12 to 25\n"
-    "  % for light\n"
-    "- `half` with as many neighbours on either side of odd pixels: 1.7 times the time for 0.003 less error\n"
-    "- 3 steps: bias +0.039, mean of four scenes\n"
-    "- a moving camera or object: deviation 0.008 with `blur=2` (`hsao`), 0.005 with `samples=16` (`ssdo`)\n"
-    "- the camera comes closer, `dss`: deviation 0.007 with `keep_small=1`, 0.008 with `size=0.015`\n"
-    "- off screen and hidden, `ssdo` with `views=4`: 0.038, 0.032; layers do not help\n"
-    "- `ssao`, a wall one radius behind an edge: 0.024 with `thickness=0.5`, 0.010 with `range=1`, both of which\n"
-    "  lose in grass; 0.053 with `thickness=0.7`, by which bunny, grass and colonnade lose 8 to 12 %\n"
-    "- emitting a pass: 10 to 60 microseconds\n";
-
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 /* A run's kind and, in note, where its figures come from; 0 = there was none. f, q, p. */
@@ -724,7 +693,6 @@ int main(int argc, char **argv)
         costs();
     }
     if (stable) stability();
-    fputs(once, page);
     if (full && (kept("chart.svg") || kept("chart-lit.svg") || kept("chart-deep-turn.svg"))) {
         fputs("figures: examples/pictures: a chart cannot be copied there\n", stderr);
         return 2;

@@ -1,17 +1,20 @@
 /* fit.c - fits the table of choices in ssgi.h's room >>plan to what "report fit" measured (report/plan-fit.csv), and
    prints it, to be put there.
 
-      build/fit report/plan-fit.csv
+      build/fit report/plan-fit.csv [report/plan-gpu.csv]
 
+   The second is what make bench measured on a GPU; without it that column is a model of fetches and operations.
    A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
    by coordinates. */
 #define SSGI_STATIC
 #define SSGI_IMPLEMENTATION
 #include "../ssgi.h"
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
-typedef struct measured { char view[64]; ssgi_plan_scene scene; int choice; double error, cost; } measured;
+/* cost: in software, and the model of a GPU's */
+typedef struct measured { char view[64]; ssgi_plan_scene scene; int choice; double error, cost[2]; } measured;
 typedef struct equation { double term[MOST_TERMS], square; } equation;
 
 static int by_value(const void *a, const void *b)
@@ -52,87 +55,155 @@ static double solve(double x[MOST_TERMS], const equation *rows, int count, int t
     return count ? sqrt(residue / count) : 0;
 }
 
+/* ", 0.12f": at most three decimals, as C has them. */
+static void literal(double v)
+{
+    char text[32];
+    size_t n = (size_t)snprintf(text, sizeof text, "%.*f", v < 0.1 ? 3 : v < 10 ? 2 : 1, v);
+    while (n > 3 && text[n - 1] == '0' && text[n - 2] != '.') text[--n] = 0;
+    printf(v > 0 ? ", %sf" : ", 0", text);
+}
+
+/* A line of plan-fit.csv. */
+static int read_row(measured *m, int *fits, const char *line)
+{
+    ssgi_plan_scene *s = &m->scene;
+    float *const v[] = { &s->calibration.unoccluded, &s->calibration.hsao, &s->calibration.slabs, &s->survey.occlusion,
+                         &s->survey.detail, &s->survey.solid, &s->survey.slabs, &s->screen_radius, &s->albedo,
+                         &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3] };
+    int at;
+    memset(m, 0, sizeof *m);
+    if (sscanf(line, "%63[^,],%d,%d,%d,%lf,%lf,%lf%n", m->view, fits, &s->wanted, &m->choice, &m->error, &m->cost[0],
+               &m->cost[1], &at) != 7)
+        return -1;
+    for (size_t k = 0; k < sizeof v / sizeof *v; ++k) {
+        int more;
+        if (sscanf(line + at, ",%f%n", v[k], &more) != 1) return -1;
+        at += more;
+    }
+    s->calibration.known = 1;
+    return sscanf(line + at, ",%lf,%lf,%d,%f", &s->surfels, &s->splats, &s->occluders, &s->coverage) == 4 ? 0 : -1;
+}
+
+/* A calibration of some places is noisy: of these views all is known. */
+static void know(measured *row, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
+        const int balanced = r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 8;
+        for (int k = 0; k < count; ++k) {
+            ssgi_calibration *c = &row[k].scene.calibration;
+            if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
+            if (r->method == SSGI_PLAN_NOTHING) c->unoccluded = (float)row[i].error;
+            if (balanced && !r->behind) c->hsao = (float)row[i].error;
+            if (balanced && r->behind == SSGI_PLAN_SLABS) c->slabs = (float)row[i].error;
+        }
+    }
+}
+
+static measured row[MOST_ROWS];
+static equation equations[MOST_ROWS];
+
+/* What splats cost, in both columns: a constant, which rows have, times their texels, times the surfels. */
+static void fit_splats(int count, double base[2])
+{
+    double x[MOST_TERMS];
+    for (int c = 0; c < 2; ++c) {
+        int n = 0;
+        for (int i = 0; i < count; ++i) {
+            const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
+            const double larger = r->size > 0 ? 0.015 / (double)r->size : 0;
+            if (r->method != SSGI_PLAN_SURFELS) continue;
+            equations[n].square = row[i].cost[c];
+            equations[n].term[0] = 1;
+            equations[n].term[1] = row[i].scene.splats * sqrt(larger);
+            equations[n++].term[2] = row[i].scene.surfels * larger * larger;
+        }
+        const double spread = solve(x, equations, n, 3);
+        base[c] = x[0];
+        fprintf(stderr, "splats, column %d: %.4g %.4g %.4g, spread %.3f of %d\n", c, x[0], x[1], x[2], 2 * spread, n);
+    }
+}
+
+/* What a survey alone tells of a calibration of visibility, without slabs and with. */
+static void fit_survey(int count)
+{
+    static const char *const names[3] = { "nothing", "hsao", "slabs" };
+    double x[MOST_TERMS];
+    for (int with = 0; with < 2; ++with)
+        for (int of = 0; of < 3; ++of) {
+            int n = 0;
+            for (int i = 0; i < count; ++i) {
+                const ssgi_plan_scene *s = &row[i].scene;
+                const float known[3] = { s->calibration.unoccluded, s->calibration.hsao, s->calibration.slabs },
+                            v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
+                if (s->wanted || (i && !strcmp(row[i - 1].view, row[i].view))) continue;
+                equations[n].square = (double)known[of] * (double)known[of];
+                for (int k = 0; k < 4; ++k) equations[n].term[k] = k < 3 + with ? (double)v[k] * (double)v[k] : 0;
+                ++n;
+            }
+            const double spread = solve(x, equations, n, 4);
+            fprintf(stderr, "survey %s slabs, %s: %.4g %.4g %.4g %.4g, spread %.3f of %d\n", with ? "with" : "without",
+                    names[of], x[0], x[1], x[2], x[3], spread, n);
+        }
+}
+
 int main(int argc, char **argv)
 {
     static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
-                             *const needs[] = { "NONE", "MAP", "MESH", "", "OCCLUDERS" },
-                             *const method[] = { "NOTHING", "HSAO", "MARCH", "SSDO", "S3HO", "SURFELS", "FIELD" };
-    static measured row[MOST_ROWS];
-    static equation equations[MOST_ROWS];
-    double x[MOST_TERMS], costs[MOST_ROWS];
-    char line[1024], name[128];
+                             *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
+                             *const behind[] = { "CONSTANT", "SOLID", "BACK", "SLABS" };
+    double x[MOST_TERMS], costs[2][MOST_ROWS], base[2];
+    char line[1024];
     int count = 0, fits;
-    FILE *f = argc == 2 ? fopen(argv[1], "r") : NULL;
-    if (!f) {
-        fprintf(stderr, argc == 2 ? "fit: %s: cannot be read\n" : "usage: fit plan-fit.csv\n",
-                argc == 2 ? argv[1] : "");
+    double gpu[SSGI_PLAN_CHOICES] = { 0 }, ratio;
+    FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
+    FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
+    if (!f || (argc == 3 && !measured_gpu)) {
+        fprintf(stderr, argc < 2 ? "usage: fit plan-fit.csv [plan-gpu.csv]\n" : "fit: %s: cannot be read\n",
+                argv[f ? argc - 1 : argc > 1]);
         return 2;
     }
-    while (count < MOST_ROWS && fgets(line, sizeof line, f)) {
-        measured *m = &row[count];
-        ssgi_plan_scene *s = &m->scene;
-        memset(m, 0, sizeof *m);
-        if (sscanf(line, "%127[^,],%d,%d,%d,%lf,%lf,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f,%f", name, &fits,
-                   &s->wanted, &m->choice, &m->error, &m->cost, &s->calibration.unoccluded, &s->calibration.hsao,
-                   &s->screen_radius, &s->albedo, &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3],
-                   &s->statistics.visible, &s->statistics.blocked[0], &s->statistics.blocked[1],
-                   &s->statistics.blocked[2], &s->statistics.offscreen, &s->statistics.square[0],
-                   &s->statistics.square[1], &s->statistics.square[2], &s->statistics.square[3])
-            != 23) {
-            fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], count + 1);
+    for (int c; measured_gpu && fscanf(measured_gpu, "%d,%lf", &c, &ratio) == 2;)
+        if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
+    if (measured_gpu) fclose(measured_gpu);
+    for (int k = 1; count < MOST_ROWS && fgets(line, sizeof line, f); ++k) {
+        if (read_row(&row[count], &fits, line)) {
+            fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], k);
             return 2;
         }
-        s->calibration.known = 1;
-        snprintf(m->view, sizeof m->view, "%.63s", name);
-        count += fits && m->choice >= 0 && m->choice < SSGI_PLAN_CHOICES;
+        count += fits && row[count].choice >= 0 && row[count].choice < SSGI_PLAN_CHOICES;
     }
     fclose(f);
-    /* a calibration of some places is noisy: of these views all is known */
-    for (int i = 0; i < count; ++i)
-        for (int k = 0; k < count; ++k) {
-            const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
-            if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
-            if (r->method == SSGI_PLAN_NOTHING) row[k].scene.calibration.unoccluded = (float)row[i].error;
-            /* the preset BALANCED */
-            if (r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 8)
-                row[k].scene.calibration.hsao = (float)row[i].error;
-        }
+    know(row, count);
+    fit_splats(count, base);
+    fit_survey(count);
     for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
         const ssgi__plan_row *r = &ssgi__plan_rows[c];
         int n = 0;
         for (int i = 0; i < count; ++i) {
             if (row[i].choice != c) continue;
-            costs[n] = row[i].cost;
+            for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
             equations[n].square = row[i].error * row[i].error;
-            ssgi__plan_terms(equations[n++].term, r, &row[i].scene);
+            ssgi__plan_terms(equations[n].term, r, &row[i].scene);
+            /* one thickness model's error tells of its own rows */
+            if (!r->behind && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+            if (r->behind == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+            ++n;
         }
         const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
         for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
-        qsort(costs, (size_t)n, sizeof *costs, by_value);
-        printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
-               needs[r->needs], r->half, r->directions, r->samples, r->steps, r->bands, r->layers, r->cameras,
-               r->filter, r->resolution);
-        printf(r->size > 0 ? "%gf, %.2ff" : "%g, %.2ff", (double)r->size, n ? costs[n / 2] : (double)r->cost);
-        for (int k = 0; k < MOST_TERMS; ++k) printf(x[k] < 0.5e-4 ? ", 0" : ", %.4ff", x[k]);
-        fputs(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")", stdout);
-        fprintf(stderr, "%s choice %d: %d rows, spread %.3f", c ? "\n" : "", c, n, spread);
-        putchar('\n');
-    }
-    /* what a statistics pass alone tells of a calibration */
-    for (int of = 0; of < 2; ++of) {
-        int n = 0;
-        for (int i = 0; i < count; ++i) {
-            const ssgi_plan_scene *s = &row[i].scene;
-            if (s->wanted || (i && row[i - 1].scene.calibration.unoccluded == s->calibration.unoccluded)) continue;
-            equations[n].square = of ? (double)s->calibration.hsao * (double)s->calibration.hsao
-                                     : (double)s->calibration.unoccluded * (double)s->calibration.unoccluded;
-            for (int k = 0; k < 4; ++k) equations[n].term[k] = (double)s->statistics.square[k];
-            ++n;
+        printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
+               behind[r->behind], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
+        printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
+        for (int k = 0; k < 2; ++k) {
+            qsort(costs[k], (size_t)n, sizeof **costs, by_value);
+            literal(k && gpu[c] > 0 ? gpu[c] : r->method == SSGI_PLAN_SURFELS ? base[k]
+                    : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[k] : costs[k][n / 2]);
         }
-        const double spread = solve(x, equations, n, 4);
-        fprintf(stderr, "\n%s from a statistics pass: %.4g %.4g %.4g %.4g, spread %.3f of %d", of ? "picture" : "open",
-                x[0], x[1], x[2], x[3], spread, n);
+        for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
+        puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
+        fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
     }
-    fputc('\n', stderr);
     return 0;
 }

@@ -48,7 +48,6 @@ static const char usage[] =
     "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by "
     "ERROR;\n"
     "                        BUDGET in 16-sample ssaos\n"
-    "  --closed              closed solids only: a plan may take depth layers and extra cameras\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n"
@@ -63,7 +62,7 @@ static const char usage[] =
 typedef struct options {
     const char *scene, *gbuffer, *method, *set[32], *score, *out, *save, *context, *env, *light[KIT_MAX_LIGHTS];
     const char *listed, *sequence;
-    int frames, sets, lights, ground, planned, closed, list, help, json, truth, floor, time, has_camera, has_up;
+    int frames, sets, lights, ground, planned, list, help, json, truth, floor, time, has_camera, has_up;
     float camera[6], up[3], slide[3];
     double fovy, ortho_height, znear, zfar, radius, plan[2], orbit;
     int width, height;
@@ -160,7 +159,6 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         }
         if (!strcmp(a, "--json")) { o->json = 1; continue; }
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
-        if (!strcmp(a, "--closed")) { o->closed = 1; continue; }
         if (!v)
             return kit_fail(err, "%s: %s", a,
                             strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
@@ -526,7 +524,7 @@ static int plan_it(job *j, kit_error *err)
     kit_image *picture = &j->r.picture;
     ssgi_plan_scene numbers;
     const char *why = "";
-    if (kit_plan_numbers(&numbers, &j->gbuffer, &j->world, (float)j->radius, o->planned - 1, o->closed, err)) return -1;
+    if (kit_plan_numbers(&numbers, &j->gbuffer, &j->world, (float)j->radius, o->planned - 1, err)) return -1;
     numbers.error = (float)o->plan[0];
     numbers.budget = (float)o->plan[1];
     if (ssgi_plan_make(&j->plan, &numbers, &why) != SSGI_OK) return kit_fail(err, "%s", why);

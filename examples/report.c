@@ -249,7 +249,7 @@ static int demo(const options *o, kit_error *err)
     if (stage_load(&s, &mesh, err) || stage_look(&s, &mesh, DEMO_WIDTH, DEMO_HEIGHT, err)
         || first_picture(&s, o->out, err) || stage_compare(&s, err)) return -1;
     for (int i = 0; i < 2; ++i) if (save(&s.truth, "Y", 0, o->out, "truth", i ? ".exr" : ".png", err)) return -1;
-    if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, 0, err))
+    if (kit_plan_numbers(&numbers, &s.gbuffer, &(kit_world){ &s.scene, NULL }, s.radius, SSGI_PLAN_VISIBILITY, err))
         return -1;
     numbers.error = DEMO_ERROR;
     numbers.budget = 20;

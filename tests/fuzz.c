@@ -298,16 +298,16 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     const char *why = NULL;
     ssgi_plan_scene s;
     ssgi_plan plan, was;
-    ssgi_depth_statistics statistics;
     memset(&s, 0, sizeof s);
     memset(&was, 7, sizeof was);
     plan = was;
     s.wanted = data[0] % 6 - 1;
-    s.layers = data[1 % size] % 7 - 1;
-    s.cameras = data[2 % size] % 5;
+    s.behind = data[1 % size] % 5 - 1;
+    s.device = data[2 % size] % 4 - 1;
+    s.history = data[7 % size] % 2;
     s.occluders = data[3 % size];
     s.map = data[4 % size] % 2;
-    s.triangles = data[5 % size] % 2 ? 1e6 : 0;
+    s.surfels = data[5 % size] % 2 ? (double)f[count - 1] : 0.0;
     s.error = f[0];
     s.budget = f[1];
     s.screen_radius = f[2];
@@ -315,9 +315,11 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     s.calibration.known = data[6 % size] % 2;
     s.calibration.unoccluded = f[4];
     s.calibration.hsao = f[5];
+    s.calibration.slabs = f[6 % count];
     memcpy(s.energy, f + count - 4, sizeof s.energy);
-    if (ssgi_depth_statistics_of(&statistics, f, 1 + (int)(count / 4 > 64 ? 63 : count / 4 - 1), 1, 0, NULL) == SSGI_OK)
-        s.statistics = statistics;
+    if (ssgi_survey_of(&s.survey, f, f + count / 4, f + count / 2, data[8 % size] % 2 ? f + 3 * count / 4 : NULL,
+                       count / 4, NULL) != SSGI_OK)
+        abort();
     if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK)
         MUST(plan.method >= SSGI_PLAN_NOTHING && plan.method <= SSGI_PLAN_FIELD && !isnan(plan.error)
              && plan.cost >= 0.0f && plan.levels <= SSGI_SPLAT_LEVELS && strlen(plan.why) > 8

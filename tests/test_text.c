@@ -1425,7 +1425,6 @@ static void defaults(void)
         ROW(9 + 1 + 4,
             (.pass = SSGI_GL_BLUR, .colour = 1, .restore = 1, .environment = SSGI_GL_ENVIRONMENT_MAP),
             (.filter_radius = 1)),
-        ROW(2 + 32, (.pass = SSGI_GL_STATISTICS), (.samples = 32)),
         ROW(25, (.pass = SSGI_GL_BLUR, .colour = 1, .filter = SSGI_GL_GAUSSIAN), (.filter_radius = 2))
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {

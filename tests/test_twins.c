@@ -1013,31 +1013,6 @@ static void gaussian_weights(void)
     glDeleteTextures(1, &t.texture);
 }
 
-/* A statistics pass looks at pixels (4, 4) of every 8 x 8: nothing else, and all of them. */
-static void statistics_look(void)
-{
-    static float got[8 * 8][4], depth[MANY], normal[MANY][4];
-    const ssgi_gl_desc d = { .pass = SSGI_GL_STATISTICS,
-                             .dialect = SSGI_GL_450,
-                             .samples = 8,
-                             .orthographic = 1,
-                             .depth = SSGI_GL_DEPTH_LINEAR };
-    ssgi_gl_frame frame;
-    ssgi_view view;
-    if (!facing(&view, &frame, 1)) return;
-    for (int i = 0; i < MANY; ++i) normal[i][2] = 1;
-    for (int there = 0; there < 2; ++there) {
-        for (int i = 0; i < MANY; ++i) depth[i] = (i % 8 == 4 && i / SIDE % 8 == 4) == there ? 5.0f : 0.0f;
-        const given t[2] = { { "t_ssgi_depth", kit_texture(SIDE, SIDE, GL_R32F, depth) },
-                             { "t_ssgi_normal", kit_texture(SIDE, SIDE, GL_RGBA32F, normal[0]) } };
-        if (!pass_drawn(got[0], 4, 8, 8, &d, &frame, t, 2)) return;
-        for (int i = 0; i < 64; ++i)
-            CHECK((got[i][0] >= 0) == there, "block %d, %s: %g", i,
-                  there ? "something at its centre alone" : "nothing at its centre", (double)got[i][0]);
-        for (int k = 0; k < 2; ++k) glDeleteTextures(1, &t[k].texture);
-    }
-}
-
 /* ---- >>light of a frame ------------------------------------------------------------------------------------------ */
 
 static void frame_light(void)
@@ -1097,6 +1072,5 @@ void test_twins(void)
     RUN("an extra camera knows what is open two pixels before its surfaces", view_slack);
     RUN("smooth averages 2^l pixels, whose ends share a weight", smooth_weights);
     RUN("the Gaussian filter has its radius' deviation", gaussian_weights);
-    RUN("a statistics pass looks at the centre of every 8 x 8 pixels", statistics_look);
     kit_gl_close();
 }

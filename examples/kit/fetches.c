@@ -1,4 +1,5 @@
-/* fetches.c - how many texels a pixel fetches at most, read off the text that the library emits. Declared in kit_gl.h.
+/* fetches.c - how many texels a pixel fetches at most, and how many operations it takes, read off the text that the
+   library emits. Declared in kit_gl.h.
 
    The text is cut into tokens and walked from main on: each call costs what the function costs, a branch the dearer way
    through it, a loop as much as all its rounds. Conditions that hang on constants, on arguments that are constants or
@@ -23,6 +24,7 @@ typedef struct walk {
     token    *t;
     /* names from frame on are those of the function that is walked */
     int       count, names, frame, globals, functions, loops, depth;
+    int       operations;                  /* 1: what is counted are operators and calls of GLSL's own functions */
     unsigned  asked;                       /* loops whose counters a decision hung on */
     name      name[MOST_NAMES];
     function  function[MOST_FUNCTIONS];
@@ -183,13 +185,15 @@ static double call(walk *w, int i)
     const token id = w->t[i];
     const int last = closed(w, i + 1) - 1, names = w->names, frame = w->frame;
     double cost = 0;
+    int own = 0;
     if (begins(id, "ssgi_custom_") || begins(id, "texelFetch") || same(id, (token){ "texture", 7 })
-        || same(id, (token){ "textureLod", 10 })) return 1;
+        || same(id, (token){ "textureLod", 10 })) return !w->operations;
     if (w->depth == DEEPEST) return 0;
     for (int k = 0; k < w->functions; ++k) {
         const function *f = &w->function[k];
         int arg = i + 2, end = 0, now = names;
         if (!same(f->id, id)) continue;
+        own = 1;
         /* its parameters, as these arguments say */
         for (int p = f->open + 1; !is(w, p - 1, ")"); p = next_of(w, p, w->count, ",)") + 1) {
             const int comma = next_of(w, p, w->count, ",)"), stop = next_of(w, arg, last, ",");
@@ -208,7 +212,7 @@ static double call(walk *w, int i)
         w->names = names;
         w->frame = frame;
     }
-    return cost;
+    return own ? cost : w->operations;
 }
 
 static double expression(walk *w, int a, int b)
@@ -232,6 +236,8 @@ static double expression(walk *w, int a, int b)
             if (is(w, i, "(") && i > a && is_name(w, i - 1)) cost += call(w, i - 1);
             i = closed(w, i);
         } else {
+            const char c = *w->t[i].at;
+            cost += w->operations && (rank_of(w, i) > 0 || c == '!' || (strchr("+-*/", c) && w->t[i].length == 2));
             if (is(w, i, ",") || (w->t[i].at[w->t[i].length - 1] == '=' && !rank_of(w, i))) condition = i + 1;
             ++i;
         }
@@ -371,7 +377,7 @@ static long reach_of(const ssgi_gl_desc *desc)
     return 1L << (levels - 1) >> 1;
 }
 
-int kit_fetches(const ssgi_gl_desc *desc)
+static int counted(const ssgi_gl_desc *desc, int operations)
 {
     const int stage = desc->pass != SSGI_GL_SURFELS ? SSGI_GL_FRAGMENT
                     : desc->tessellate ? SSGI_GL_TESS_EVALUATION : SSGI_GL_VERTEX;
@@ -380,6 +386,7 @@ int kit_fetches(const ssgi_gl_desc *desc)
     double cost = 0;
     if (w && text && !cut(w, text)) {
         int end;
+        w->operations = operations;
         learn_text(w);
         if (desc->pass == SSGI_GL_SMOOTH) learn(w, (token){ "reach", 5 }, (value){ 1, reach_of(desc), 0 });
         for (int k = 0; k < w->functions; ++k)
@@ -393,3 +400,6 @@ int kit_fetches(const ssgi_gl_desc *desc)
     free(text);
     return (int)cost;
 }
+
+int kit_fetches(const ssgi_gl_desc *desc) { return counted(desc, 0); }
+int kit_operations(const ssgi_gl_desc *desc) { return counted(desc, 1); }

@@ -1,5 +1,6 @@
 /* field.c - ambient occlusion fields of a scene's shapes, and their textures. Declared in kit_gl.h. */
 #include "kit_gl.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +66,36 @@ void kit_fields_free(void)
         free(all);
         all = next;
     }
+}
+
+/* ---- >>coverage -------------------------------------------------------------------------------------------------- */
+
+int kit_fields_cover(double *share, const kit_image *frame, const kit_camera *camera, const kit_scene *scene,
+                     const ssgi_field_desc *desc, kit_error *err)
+{
+    const float *z = kit_image_channel(frame, "Z");
+    size_t pixels = 0;
+    for (int i = 0; i < scene->objects; ++i) {
+        const kit_object *o = &scene->object[i];
+        const ssgi_field *f = o->casts ? kit_field(&scene->shape[o->shape], desc, NULL, err) : NULL;
+        const double size = (double)hypotf(hypotf(o->to_world[0], o->to_world[1]), o->to_world[2]);
+        if (!o->casts) continue;
+        if (!f) return -1;
+        for (int p = 0; p < frame->width * frame->height; ++p) {
+            float point[3];
+            double square = 0;
+            if (!(z[p] > 0)) continue;
+            kit_camera_point(camera, p % frame->width, p / frame->width, (double)z[p], point);
+            for (int k = 0; k < 3; ++k) {
+                const float *m = o->to_world + k,
+                            off = point[k] - (m[0] * f->centre[0] + m[4] * f->centre[1] + m[8] * f->centre[2] + m[12]);
+                square += (double)(off * off);
+            }
+            pixels += square < (double)(f->reach * f->reach) * size * size;
+        }
+    }
+    *share = (double)pixels / ((double)frame->width * frame->height);
+    return 0;
 }
 
 /* ---- >>textures -------------------------------------------------------------------------------------------------- */

@@ -194,6 +194,9 @@ int kit_rsm(float **position, float **normal, float **flux, size_t *pixels, cons
    failure. seconds: what the bake took; may be NULL. desc's callbacks are not looked at. */
 const ssgi_field *kit_field(const kit_mesh *shape, const ssgi_field_desc *desc, double *seconds, kit_error *err);
 void   kit_fields_free(void);
+/* Pixels within the reach of an occluder's field, summed over the occluders, over the frame's. */
+int    kit_fields_cover(double *share, const kit_image *frame, const kit_camera *camera, const kit_scene *scene,
+                        const ssgi_field_desc *desc, kit_error *err);
 /* t_ssgi_fields: count fields, a slice each. */
 GLuint kit_field_atlas(const ssgi_field *const *field, int count);
 
@@ -283,6 +286,7 @@ typedef struct kit_run {
     /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     float        *equirect, harmonics[48];
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
+    double        operations;              /* the same of operations */
     /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its
        outputs once, as stored, of farther layers those that it asks for; of splats surfels once and each texel that
        they cover, read and written. NAN: the context cannot tell */
@@ -312,11 +316,10 @@ void kit_run_close(kit_run *run);
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 
-/* The numbers of a picture that ssgi_plan_make asks for, but error and budget: the statistics; a calibration of hsao
-   where there is a scene to trace; the harmonics of the environment. closed: 1 = the scene is of closed solids, so that
-   depth layers and extra cameras may be used. */
+/* The numbers of a picture that ssgi_plan_make asks for, but error, budget, device and history: a survey; where there is
+   a scene, a calibration by tracing it, its slabs and what surfels of it cost; the harmonics of the environment. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
-                     int closed, kit_error *err);
+                     kit_error *err);
 /* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method:
    a plan of NOTHING fails. */
 const char *kit_plan_text(char set[256], const ssgi_plan *plan, int wanted);
@@ -333,6 +336,10 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
+/* The same of operators and calls of GLSL's own functions, vectors counting once. The plan's model of a GPU's time:
+   KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
+int    kit_operations(const ssgi_gl_desc *desc);
+enum { KIT_FETCH_OPERATIONS = 8 };
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers
    and block to their slots. */
 GLuint kit_pass_program(const ssgi_gl_desc *desc, kit_error *err);

@@ -1,6 +1,6 @@
 /* plan.c - what a scene needs: the numbers that ssgi_plan_make asks for, taken from a G-buffer, and its answer as a
    method of the kit. Part of the kit. */
-#include "kit_gl.h"
+#include "kit_run.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,53 +8,41 @@
 
 enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 768 };
 
-/* Draws the pass "statistics" with a run's frame, and reads it. */
-static int statistics_of(ssgi_depth_statistics *statistics, const kit_run *run, kit_error *err)
+/* What a plan is made from: ambient visibility of four kinds; slabs are there where a scene is. */
+enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
+static const char *const pictures[PICTURES][2] = { { "hsao", "" }, { "hsao-best", "" }, { "hsao", "behind=solid" },
+                                                   { "hsao", "behind=slabs" } };
+
+static int drawn(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *method, const char *set,
+                 float radius, kit_error *err)
 {
-    const kit_gbuffer *g = run->gbuffer;
-    const int width = (g->viewport[2] + 7) / 8, height = (g->viewport[3] + 7) / 8;
-    const GLuint target = kit_texture(width, height, GL_RGBA32F, NULL);
-    ssgi_gl_desc desc = run->pass[0].desc;
-    const char *why = "";
-    float *texels = malloc(4 * (size_t)(width * height) * sizeof *texels);
-    GLuint program, framebuffer;
-    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    kit_method m;
+    kit_run run;
     int failed;
-    desc.pass = SSGI_GL_STATISTICS;
-    desc.samples = 0;
-    program = kit_pass_program(&desc, err);
-    if (!program || !texels) {
-        free(texels);
-        glDeleteTextures(1, &target);
-        return program ? kit_fail(err, "out of memory") : -1;
-    }
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glBindBufferBase(GL_UNIFORM_BUFFER, 0, run->block[0]);
-    for (int i = 0, n = ssgi_gl_reflect(&desc, io, SSGI_GL_MAX_IO); i < n; ++i) {
-        if (io[i].kind != SSGI_GL_TEXTURE) continue;
-        glActiveTexture(GL_TEXTURE0 + (GLenum)io[i].slot);
-        glBindTexture(GL_TEXTURE_2D, !strcmp(io[i].name, "t_ssgi_depth") ? g->depth : g->normal);
-    }
-    glActiveTexture(GL_TEXTURE0);
-    glViewport(0, 0, width, height);
-    glUseProgram(program);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    failed =
-        kit_texture_read(target, width, height, 4, texels) ? kit_fail(err, "the statistics cannot be read back") : 0;
-    if (!failed && ssgi_depth_statistics_of(statistics, texels, width, height, 0, &why) != SSGI_OK)
-        failed = kit_fail(err, "%s", why);
-    glDeleteProgram(program);
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(1, &target);
-    free(texels);
+    if (kit_method_find(&m, method, err) || kit_method_set(&m, set, err)
+        || kit_run_open(&run, g, &m, radius, world, err))
+        return -1;
+    kit_run_draw(&run, 0);
+    failed = kit_run_read(out, &run, err);
+    kit_run_close(&run);
     return failed;
 }
 
-/* Traces some places of a picture of ambient visibility. */
+/* Pixels without a surface are left out. */
+static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    const char *why = "";
+    kit_image hsao;
+    if (kit_image_new(&hsao, picture->width, picture->height, "Y", err)) return -1;
+    for (size_t i = 0; i < pixels; ++i) hsao.data[i] = z[i] > 0 ? picture[HSAO].data[i] : NAN;
+    const int bad = ssgi_survey_of(survey, hsao.data, picture[HSAO_BEST].data, picture[HSAO_SOLID].data,
+                                   count > HSAO_SLABS ? picture[HSAO_SLABS].data : NULL, pixels, &why) != SSGI_OK;
+    kit_image_free(&hsao);
+    return bad ? kit_fail(err, "%s", why) : 0;
+}
+
+/* Traces some places of the pictures. */
 static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
                                 const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
 {
@@ -62,7 +50,7 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
     const float *z = kit_image_channel(frame, "Z"),
                 *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"),
                           kit_image_channel(frame, "N.Z") };
-    float *places = malloc(7 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
+    float *places = malloc(8 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
     void *memory = malloc(size);
     size_t count = 0;
     ssgi_trace trace;
@@ -87,12 +75,13 @@ static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *
         for (int k = 0; k < 3; ++k)
             places[3 * (PLACES + count) + (size_t)k] =
                 to_view[4 * k] * n[0][at] + to_view[4 * k + 1] * n[1][at] + to_view[4 * k + 2] * n[2][at];
-        places[6 * PLACES + count++] = picture->data[at];
+        places[6 * PLACES + count] = picture[HSAO].data[at];
+        places[7 * PLACES + count++] = picture[HSAO_SLABS].data[at];
     }
     if (!failed && !count) failed = kit_fail(err, "the picture shows nothing");
     if (!failed
-        && ssgi_plan_calibrate(calibration, &trace, places, places + 3 * PLACES, places + 6 * PLACES, count, PLACE_RAYS,
-                               radius, &why)
+        && ssgi_plan_calibrate(calibration, &trace, places, places + 3 * PLACES, places + 6 * PLACES,
+                               places + 7 * PLACES, count, PLACE_RAYS, radius, &why)
                != SSGI_OK)
         failed = kit_fail(err, "%s", why);
     free(places);
@@ -142,92 +131,129 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
 
 /* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open
    surfaces. */
-static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, kit_image *picture, kit_gbuffer *g,
-                           const kit_world *world, float radius, int wanted, kit_error *err)
+static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
+                           kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
 {
+    static const int of[3] = { PICTURES /* none */, HSAO, HSAO_SLABS };
     const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
-    kit_image truth, open;
-    if (kit_image_new(&open, frame->width, frame->height, "Y", err)) return -1;
-    for (int i = 0; i < frame->width * frame->height; ++i) open.data[i] = 1;
-    if (kit_light_by(&open, g, world, radius, err) || kit_light_by(picture, g, world, radius, err)
-        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
-                         wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
+    const size_t pixels = (size_t)frame->width * (size_t)frame->height;
+    double error[3];
+    kit_image truth, lit;
+    if (kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
+                      wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
         return -1;
-    const double of_open = kit_plan_error(&open, &truth, frame, wanted),
-                 of_picture = kit_plan_error(picture, &truth, frame, wanted);
-    kit_image_free(&open);
+    for (int k = 0; k < 3; ++k) {
+        if (kit_image_new(&lit, frame->width, frame->height, "Y", err)) return -1;
+        for (size_t i = 0; i < pixels; ++i) lit.data[i] = of[k] < PICTURES ? picture[of[k]].data[i] : 1;
+        if (kit_light_by(&lit, g, world, radius, err)) return -1;
+        error[k] = kit_plan_error(&lit, &truth, frame, wanted);
+        kit_image_free(&lit);
+    }
     kit_image_free(&truth);
     /* else all is dark */
-    if (isfinite(of_open)) *calibration = (ssgi_calibration){ 1, (float)of_open, (float)of_picture };
+    if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
     return 0;
 }
 
-int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted, int closed,
+/* Surfels of the scene and their splats, over the frame's pixels. */
+static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene *scene, float radius, kit_error *err)
+{
+    const ssgi_surfel_desc desc = { .max_distance = radius };
+    const ssgi_splat splat = { .max_distance = radius };
+    ssgi_surfel_source source = { .position = scene->mesh.position, .triangles = scene->mesh.triangles };
+    ssgi_surfel_cost cost;
+    ssgi_view view;
+    const char *why = "";
+    float projection[16];
+    const double pixels = (double)g->viewport[2] * g->viewport[3];
+    kit_camera_matrices(&g->camera, source.to_view, projection);
+    if (kit_view_of(&view, projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    if (ssgi_surfels_predict(&cost, &desc, &splat, &view, &source, &why) != SSGI_OK)
+        return kit_fail(err, "surfels: %s", why);
+    s->surfels = (double)cost.surfels / pixels;
+    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) s->splats += cost.pixels[l] / pixels;
+    return 0;
+}
+
+/* What occluders' fields cover; the error without them, of one pixel in every block. */
+static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuffer *g, const kit_scene *scene,
+                      kit_error *err)
+{
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
+    kit_image truth, none;
+    kit_method m;
+    double covered;
+    if (kit_method_find(&m, "aof", err)) return -1;
+    const ssgi_field_desc desc = kit_method_field(&m);
+    if (kit_fields_cover(&covered, frame, &g->camera, scene, &desc, err)) return -1;
+    s->coverage = (float)(covered / s->occluders);
+    if (kit_truth_objects(&truth, scene, &g->camera, PLACE_RAYS, stride, err)
+        || kit_image_new(&none, frame->width, frame->height, "Y", err))
+        return -1;
+    for (int i = 0; i < frame->width * frame->height; ++i) none.data[i] = 1;
+    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, 0);
+    s->calibration.known = 1;
+    kit_image_free(&truth);
+    kit_image_free(&none);
+    return 0;
+}
+
+int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted,
                      kit_error *err)
 {
-    kit_method method;
-    kit_run run;
-    kit_image frame, picture;
+    const kit_world dark = { world->scene, NULL };
+    const int count = world->scene ? PICTURES : HSAO_SLABS;
+    kit_image frame, picture[PICTURES];
     double reach = 0, albedo = 0;
+    float to_view[16], projection[16];
     size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
-    if (kit_method_find(&method, "hsao", err) || kit_run_open(&run, g, &method, radius, world, err)) return -1;
-    kit_run_draw(&run, 0);
-    int failed = statistics_of(&s->statistics, &run, err) || kit_run_read(&picture, &run, err);
-    const double per_depth = fabs((double)run.frame.project[1]);
-    kit_run_close(&run);
-    if (failed) return -1;
-    failed = kit_gbuffer_read(&frame, g, err);
-    if (!failed) {
-        const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
-        for (int i = 0; i < frame.width * frame.height; ++i) {
-            if (!(z[i] > 0)) continue;
-            reach += (double)radius * per_depth / (g->camera.fovy > 0 ? (double)z[i] : 1) / frame.height;
-            albedo += green ? (double)green[i] : 0.8;
-            ++seen;
-        }
-        s->screen_radius = (float)(reach / fmax(1, (double)seen));
-        s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
-        if (world->scene && wanted == SSGI_PLAN_VISIBILITY)
-            failed = calibrate_visibility(&s->calibration, &frame, &picture, world->scene, &g->camera, radius, err);
-        else if (world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting)
-            failed = calibrate_light(&s->calibration, &frame, &picture, g, world, radius, wanted, err);
-        kit_image_free(&frame);
+    s->behind = world->scene ? 2 : 0;
+    for (int k = 0; k < count; ++k)
+        if (drawn(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
+    kit_camera_matrices(&g->camera, to_view, projection);
+    for (int i = 0; i < frame.width * frame.height; ++i) {
+        if (!(z[i] > 0)) continue;
+        reach += fabs((double)projection[5]) / 2 * (double)radius / (g->camera.fovy > 0 ? (double)z[i] : 1);
+        albedo += green ? (double)green[i] : 0.8;
+        ++seen;
     }
-    kit_image_free(&picture);
+    s->screen_radius = (float)(reach / fmax(1, (double)seen));
+    s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
     s->map = world->lighting && world->lighting->env.data;
+    int failed = survey_of(&s->survey, picture, count, z, err);
+    if (!failed && world->scene && wanted == SSGI_PLAN_VISIBILITY)
+        failed = calibrate_visibility(&s->calibration, &frame, picture, world->scene, &g->camera, radius, err);
+    else if (!failed && world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting)
+        failed = calibrate_light(&s->calibration, &frame, picture, g, world, radius, wanted, err);
+    for (int i = 0; world->scene && i < world->scene->objects; ++i) s->occluders += world->scene->object[i].casts > 0;
+    if (!failed && s->occluders && wanted == SSGI_PLAN_OBJECTS)
+        failed = objects_of(s, &frame, g, world->scene, err);
+    for (int k = 0; k < count; ++k) kit_image_free(&picture[k]);
+    kit_image_free(&frame);
     if (!failed && world->lighting) failed = energy_of(s->energy, world->lighting, err);
-    if (failed || !world->scene) return failed;
-    s->layers = closed ? 4 : 1;
-    s->cameras = closed ? 4 : 0;
-    s->triangles = (double)world->scene->mesh.triangles;
-    for (int i = 0; i < world->scene->objects; ++i) s->occluders += world->scene->object[i].casts > 0;
-    return 0;
+    return failed || !world->scene ? failed : surfels_of(s, g, world->scene, radius, err);
 }
 
 const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
 {
-    static const char *const names[] = { NULL, "hsao", "hsao-march", "ssdo-points", "s3ho-points", "dss", "aof" };
-    /* methods that have a setting */
-    enum { ALL = 1 << SSGI_PLAN_HSAO | 1 << SSGI_PLAN_MARCH | 1 << SSGI_PLAN_SSDO | 1 << SSGI_PLAN_S3HO };
-    const struct { const char *key; int value, least, of;
-    } asked[] = { { "half", p->half, 0, ALL },
-                  { "directions", p->directions, 1, ALL },
-                  { "samples", p->samples, 1, ALL },
-                  { "steps", p->steps, 1, ALL },
-                  { "bands", p->bands, 1, ALL },
-                  { "layers", p->layers, 2, ALL },
-                  { "views", p->cameras, 1, ALL },
-                  { "blur", p->filter, 1, ALL },
-                  { "levels", p->levels, 1, 1 << SSGI_PLAN_SURFELS },
-                  { "resolution", p->resolution, 1, 1 << SSGI_PLAN_FIELD } };
+    static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" },
+                      *const behind[] = { "constant", "solid", "back", "slabs" };
+    const struct { const char *key; int value, least; } asked[] = {
+        { "half", p->half, p->directions ? 0 : 1 }, { "directions", p->directions, 1 }, { "steps", p->steps, 1 },
+        { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter, 1 }, { "levels", p->levels, 1 },
+        { "resolution", p->resolution, 1 } };
     size_t n = 0;
     *set = 0;
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
-        if (asked[i].value >= asked[i].least && asked[i].of >> p->method & 1)
+        if (asked[i].value >= asked[i].least)
             n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
+    if (p->behind) n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->behind]);
     if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
+    if (wanted == SSGI_PLAN_BOUNCE && p->method == SSGI_PLAN_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
     if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO))
         snprintf(set + n, 256 - n, p->method == SSGI_PLAN_SSDO ? ",bounce=none" : ",indirect=none");
     return names[p->method];
@@ -240,20 +266,6 @@ int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *er
     return !name                                                          ? kit_fail(err, "nothing needs no method")
            : kit_method_find(m, name, err) || kit_method_set(m, set, err) ? -1
                                                                           : 0;
-}
-
-static int lit_of(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *set, float radius, kit_error *err)
-{
-    kit_method method;
-    kit_run run;
-    int failed;
-    if (kit_method_find(&method, "ssdo-points", err) || kit_method_set(&method, set, err)
-        || kit_run_open(&run, g, &method, radius, world, err))
-        return -1;
-    kit_run_draw(&run, 0);
-    failed = kit_run_read(out, &run, err);
-    kit_run_close(&run);
-    return failed;
 }
 
 int kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err)
@@ -276,8 +288,8 @@ int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, 
     kit_image open, direct = { 0 };
     int failed;
     /* nothing is in the way within so small a radius */
-    if (lit_of(&open, g, world, "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
-    failed = (lights && lit_of(&direct, g, world, "environment=none,bounce=none", radius, err))
+    if (drawn(&open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
+    failed = (lights && drawn(&direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err))
              || kit_dim(visibility, &open, lights ? &direct : NULL, err);
     kit_image_free(&open);
     kit_image_free(&direct);
