@@ -91,10 +91,11 @@ light: build/report
 	build/report light $(if $(QUICK),--quick) $(METHOD:%=--method %) $(CONTEXT:%=--context %)
 
 # What people would pick instead, from npm, for the next make chart to measure; none of it is part of the library.
+PEERS = three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6 @babylonjs/core@9.34.0 playcanvas@2.23.3
 peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
-	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent three@0.187.0 n8ao@2.1.0 postprocessing@6.39.6
+	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
 	@cp examples/peers.mjs build/peers/
 
 # Where methods fail; report/stability.html. make stability QUICK=1 is smaller.

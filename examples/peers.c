@@ -27,8 +27,9 @@ typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
 typedef struct peer_set { peer peer[MOST_PEERS]; peer_texture texture[PEER_TEXTURES]; int peers, textures; } peer_set;
 
 /* One line: how they stand on the chart, or why there are none. */
-static const char *const peers_here = "three.js and n8ao: the radius matched to ours, after the best fit of two "
-                                      "numbers to each picture, which ours does without.";
+#define THEY "three.js, n8ao, Babylon.js and PlayCanvas"
+static const char *const peers_here = THEY ": the radius matched to ours, after the best fit of two numbers to each "
+                                      "picture, which ours does without.";
 static const char *peers_missing = "";
 const char *peers_note(void) { return *peers_missing ? peers_missing : peers_here; }
 
@@ -48,9 +49,9 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     if (!depths) return kit_fail(err, "out of memory");
     for (size_t i = 0; i < pixels; ++i) if (z[i] > 0) depths[n++] = (double)z[i];
     peers_missing = stat(PEERS "peers.mjs", &status)
-                        ? "Without three.js and n8ao: make peers installs them (it needs node, npm and the network)."
+                        ? "Without " THEY ": make peers installs them (it needs node, npm and the network)."
                     : c->fovy <= 0 || c->depth != KIT_DEPTH_NORMAL || s->gbuffer.depth_is_linear || !n
-                        ? "Without three.js and n8ao: they are not driven with such a view."
+                        ? "Without " THEY ": they are not driven with such a view."
                         : "";
     if (*peers_missing) { free(depths); return 0; }
     kit_camera_matrices(c, matrix[1], matrix[0]);
@@ -62,7 +63,7 @@ static int peers_write(const stage *s, int quick, kit_error *err)
     if (page_close(&p, PEERS, "view.txt", err)) return -1;
     if (system(quick ? "node " PEERS "peers.mjs quick < " PEERS "view.txt"
                      : "node " PEERS "peers.mjs < " PEERS "view.txt"))
-        peers_missing = "Without three.js and n8ao: node cannot run " PEERS "peers.mjs.";
+        peers_missing = "Without " THEY ": node cannot run " PEERS "peers.mjs.";
     return !*peers_missing;
 }
 
@@ -74,6 +75,7 @@ static void peer_uniform(GLuint program, const char *type, const char *name, int
     else if (!strcmp(type, "vec2")) glUniform2fv(at, count, values);
     else if (!strcmp(type, "vec3")) glUniform3fv(at, count, values);
     else if (!strcmp(type, "vec4")) glUniform4fv(at, count, values);
+    else if (!strcmp(type, "mat3")) glUniformMatrix3fv(at, count, GL_FALSE, values);
     else if (!strcmp(type, "mat4")) glUniformMatrix4fv(at, count, GL_FALSE, values);
     else glUniform1i(at, (int)values[0]);
 }
@@ -128,6 +130,27 @@ static int peer_texture_read(peer_texture *t, char *text, kit_error *err)
     return t->name ? 0 : kit_fail(err, PEERS "out/manifest.txt: no such texture: %s", text);
 }
 
+/* The view depth times a number, and what stands where there is none. */
+static int peer_depth_read(peer_texture *t, const kit_image *frame, const char *text, kit_error *err)
+{
+    const int width = frame->width, height = frame->height;
+    const float *z = kit_image_channel(frame, "Z");
+    float times, empty, *depths;
+    int linear;
+    if (sscanf(text, "%*d %f %f %d", &times, &empty, &linear) != 3)
+        return kit_fail(err, PEERS "out/manifest.txt: depth %s", text);
+    depths = malloc((size_t)width * (size_t)height * sizeof *depths);
+    for (int y = 0; y < height && depths; ++y) for (int x = 0; x < width; ++x) {
+        const float at = z[(size_t)(height - 1 - y) * (size_t)width + (size_t)x];
+        depths[(size_t)y * (size_t)width + (size_t)x] = at > 0 ? at * times : empty;
+    }
+    *t = (peer_texture){ depths ? kit_texture(width, height, GL_R32F, depths) : 0, width, height };
+    glBindTexture(GL_TEXTURE_2D, t->name);
+    if (linear) kit_texture_linear(GL_TEXTURE_2D);
+    free(depths);
+    return t->name ? 0 : kit_fail(err, "out of memory");
+}
+
 static const peer_texture *peer_texture_of(const peer_set *set, int number)
 {
     return &set->texture[number < 0 || number >= set->textures ? 0 : number];
@@ -177,8 +200,8 @@ static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler,
     return 0;
 }
 
-/* Textures 0..2 of the set are the caller's. */
-static int peers_read(peer_set *set, kit_error *err)
+/* Textures 0..3 of the set are the caller's. */
+static int peers_read(peer_set *set, const stage *s, kit_error *err)
 {
     char *all, *rest, *line;
     size_t size;
@@ -191,6 +214,8 @@ static int peers_read(peer_set *set, kit_error *err)
         if (text) *text++ = 0; else text = line + strlen(line);
         if (!strcmp(line, "texture") && set->textures < PEER_TEXTURES)
             failed = peer_texture_read(&set->texture[set->textures++], text, err);
+        else if (!strcmp(line, "depth") && set->textures < PEER_TEXTURES)
+            failed = peer_depth_read(&set->texture[set->textures++], &s->frame, text, err);
         else if (!strcmp(line, "peer") && set->peers < MOST_PEERS)
             failed =
                 sscanf(text, "%63[^/] / %127[^\n]", set->peer[set->peers].label, set->peer[set->peers].settings) == 2
@@ -361,7 +386,7 @@ static void peers_free(peer_set *set)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-/* Depth, normals as their renderer writes them, and a white picture. */
+/* Depth, normals as three.js writes them, a white picture, and normals as they are. */
 static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
 {
     static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
@@ -369,29 +394,36 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
     const int width = s->frame.width, height = s->frame.height;
     const size_t pixels = (size_t)width * (size_t)height;
     const float *z = kit_image_channel(&s->frame, "Z");
-    float *normals = malloc(4 * pixels * sizeof *normals), *white = malloc(4 * pixels * sizeof *white);
-    for (size_t i = 0; i < pixels && normals && white; ++i) {
+    float *normals = malloc(4 * pixels * sizeof *normals), *white = malloc(4 * pixels * sizeof *white),
+          *plain = calloc(4 * pixels, sizeof *plain);
+    for (size_t i = 0; i < pixels && normals && white && plain; ++i) {
         const size_t to = ((size_t)height - 1 - i / (size_t)width) * (size_t)width + i % (size_t)width;
         for (size_t c = 0; c < 4; ++c)
             normals[4 * to + c] = c == 3     ? 1
                                   : z[i] > 0 ? kit_image_channel(&s->frame, names[c])[i] / 2 + 0.5f
                                              : background[c];
         for (size_t c = 0; c < 4; ++c) white[4 * to + c] = 1;
+        for (size_t c = 0; c < 3 && z[i] > 0; ++c) plain[4 * to + c] = kit_image_channel(&s->frame, names[c])[i];
     }
-    if (normals && white) {
+    if (normals && white && plain) {
         set->texture[0] = (peer_texture){ s->gbuffer.depth, width, height };
         set->texture[1] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, normals), width, height };
         set->texture[2] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, white), width, height };
-        set->textures = 3;
+        set->texture[3] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, plain), width, height };
+        glBindTexture(GL_TEXTURE_2D, set->texture[3].name);
+        kit_texture_linear(GL_TEXTURE_2D);
+        set->textures = 4;
     }
     free(normals);
     free(white);
+    free(plain);
     return set->textures ? 0 : kit_fail(err, "out of memory");
 }
 
 /* Rows of ambient visibility: each peer by default and with the radius matched to the stage's, at each of its
-   qualities; with room for fewer than MOST_PEERS rows, PEERS_QUICK of them. figure[FITTED] is the share after the best
-   fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the next call. */
+   qualities; with room for fewer than MOST_PEERS rows, one of each, PEERS_QUICK in all. figure[FITTED] is the share
+   after the best fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the
+   next call. */
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
 {
     static peer_set set;
@@ -401,7 +433,7 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
     memset(&set, 0, sizeof set);
     snprintf(what, sizeof what, "%s: peers", s->name);
     kit_progress(what, 0);
-    failed = peers_inputs(&set, s, err) || peers_read(&set, err);
+    failed = peers_inputs(&set, s, err) || peers_read(&set, s, err);
     count = set.peers < most ? set.peers : most;
     for (int i = 0; i < count && !failed; ++i) {
         kit_image picture;
@@ -459,18 +491,16 @@ void peers_verdict(FILE *f, const row *rows, int methods, int count)
     }
     if (all)
         fprintf(f,
-                "%s: the library errs no more, raw, than %d of %d settings of three.js and n8ao in their time after "
-                "their fit\n",
+                "%s: the library errs no more, raw, than %d of %d settings of " THEY " in their time after their fit\n",
                 rows->scene, met, all);
 }
 
 void peers_terms(FILE *f)
 {
-    fputs("<dl>\n<dt>three.js, n8ao<dd>Other people's ambient occlusion, as their own code draws it, denoisers "
-          "included, on the same depth and normals, timed in the same rounds; what only multiplies the picture by it "
-          "is not timed. "
-          "Defaults: as they come, whatever the scene's units. Else with the radius R of ours, and with what of theirs "
-          "shapes the effect chosen for the least error in these scenes.\n"
+    fputs("<dl>\n<dt>three.js, n8ao, Babylon.js, PlayCanvas<dd>Other people's ambient occlusion, as their own code "
+          "draws it, denoisers included, on the same depth and normals, timed in the same rounds; what only multiplies "
+          "the picture by it is not timed. Defaults: as they come, whatever the scene's units. Else with the radius R "
+          "of ours, and with what of theirs shapes the effect chosen for the least error in these scenes.\n"
           "<dt>fitted<dd>The share after the better of a v<sup>b</sup> and 1 &minus; a (1 &minus; v)<sup>b</sup>, "
           "clamped, with the best a and b for that one picture, found with the truth in hand: no gain or power of "
           "theirs comes nearer.\n</dl>\n",

@@ -1,18 +1,19 @@
-/* peers.mjs - what people would pick instead of this library: three.js' GTAO, SSAO and SAO passes and n8ao, as plain
-   GLSL for peers.c to draw.
+/* peers.mjs - what people would pick instead of this library: three.js' GTAO, SSAO and SAO passes, n8ao, Babylon.js'
+   SSAO2 and PlayCanvas' SSAO, as plain GLSL for peers.c to draw.
 
       make peers                        installs the packages into build/peers, with this script beside them, where it
          finds them
       node peers.mjs [quick] < view     quick: fewer
 
-   Their own code drives them: each effect's render() is called with a renderer that only writes down what it is told to
-   draw, so that every text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin,
-   numbers only: width, height, near, far, radius, its projection and world-to-view matrices (column-major), and the
-   view depth of the middle of the pixels. Writes into out/ beside it: N.vert and N.frag (without a version line, for
-   GLSL 330 and ES 300), N.f32 (texels) and manifest.txt, lines of words; numbers are textures, in order of appearance,
-   after 0, window depth, 1, view normals as n/2 + 1/2, and 2, the picture:
+   Their own code drives them: each effect is rendered with a renderer that only writes down what it is told to draw, so
+   that every text, uniform, kernel, noise texture, target and clear colour is theirs. Reads a view from stdin, numbers
+   only: width, height, near, far, radius, its projection and world-to-view matrices (column-major), and the view depth
+   of the middle of the pixels. Writes into out/ beside it: N.vert and N.frag (without a version line, for GLSL 330 and
+   ES 300), N.f32 (texels) and manifest.txt, lines of words; numbers are textures, in order of appearance, after 0,
+   window depth, 1, view normals as n/2 + 1/2, 2, the picture, and 3, view normals as they are, 0 where there are none:
 
       texture N WIDTH HEIGHT FORMAT LINEAR REPEAT FILE|-     FORMAT as GL numbers them
+      depth N SCALE EMPTY LINEAR                             distance along the view times SCALE, EMPTY without any
       peer LABEL / SETTINGS
       pass N SHOWN CLEAR R G B TARGETS..                     N.vert and N.frag; SHOWN: it only shows what is there
          already, and is no cost of the effect
@@ -24,6 +25,16 @@ import { GTAOPass } from 'three/addons/postprocessing/GTAOPass.js';
 import { SSAOPass } from 'three/addons/postprocessing/SSAOPass.js';
 import { SAOPass } from 'three/addons/postprocessing/SAOPass.js';
 import { N8AOPass } from 'n8ao';
+import { NullEngine } from '@babylonjs/core/Engines/nullEngine.js';
+import { Scene } from '@babylonjs/core/scene.js';
+import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js';
+import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js';
+import { GeometryBufferRenderer } from '@babylonjs/core/Rendering/geometryBufferRenderer.js';
+import {
+    SSAO2RenderingPipeline
+} from '@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js';
+import { Logger } from '@babylonjs/core/Misc/logger.js';
+import { AppBase, AppOptions, CameraFrame, NullGraphicsDevice, PIXELFORMAT_R8, RenderPassSsao } from 'playcanvas';
 
 const v = readFileSync(0, 'utf8').trim().split(/\s+/).map(Number);
 if (v.length !== 38 || v.some(n => !Number.isFinite(n))) {
@@ -34,9 +45,78 @@ const [width, height, near, far, radius] = v, middle = v[37];
 const quick = process.argv[2] === 'quick', out = new URL('out/', import.meta.url), lines = [];
 mkdirSync(out, { recursive: true });
 
+Logger.LogLevels = Logger.ErrorLogLevel;
+
 /* Numbers that are the same each time: some kernels and noise are made by Math.random. */
 let state;
 Math.random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+
+/* ---- >>writing: textures, texts, uniforms ------------------------------------------------------------------------ */
+
+const RGBA8 = 0x8058, RGBA16F = 0x881A, RGBA32F = 0x8814, R8 = 0x8229, R16F = 0x822D, R32F = 0x822E;
+const sizes = { float: 1, int: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4, mat3: 9, mat4: 16 };
+const flat = value => value.toArray            ? value.toArray()
+                      : value[Symbol.iterator] ? [...value ].flatMap(flat)
+                                               : [ Number(value) ];
+
+const numbers = new Map();
+let textures = 4, programs = 0;
+
+/* of: what it is, asked for once. */
+function number(texture, of) {
+    if (!numbers.has(texture)) {
+        const { width : w, height : h, format, linear, repeat, data } = of(texture), n = textures++;
+        if (!format) throw new Error('a texture of an unknown format');
+        if (data)
+            writeFileSync(new URL(`${n}.f32`, out), Float32Array.from(data, format === RGBA8 ? c => c / 255 : c => c));
+        lines.push(`texture ${n} ${w} ${h} ${format} ${+ linear} ${+ repeat} ${data ? `${n}.f32` : '-'}`);
+        numbers.set(texture, n);
+    }
+    return numbers.get(texture);
+}
+
+/* What stands for the depth of theirs. */
+function depth(texture, scale, empty, linear) {
+    numbers.set(texture, textures);
+    lines.push(`depth ${textures++} ${scale} ${empty} ${+ linear}`);
+}
+
+/* value, texture: of the uniform of a name; the value of a sampler is asked of texture. */
+function pass({ vertex, fragment, shown, cleared, targets, value, texture }) {
+    const n = programs++, uniforms = [], named = new Set();
+    for (const [, type, length, name, also] of (vertex + fragment).matchAll(
+             /\buniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s*(\[.*?\])?\s+(\w+)\s*(\[.*?\])?\s*;/g)) {
+        const is = value(name);
+        if (is === undefined || is === null || named.has(name)) continue;
+        named.add(name);
+        if (type === 'sampler2D') { uniforms.push(`sampler ${name} ${texture(is)}`); continue; }
+        if (!sizes[type]) throw new Error(`uniform ${type} ${name}`);
+        const values = flat(is);
+        uniforms.push(
+            `uniform ${type} ${name} ${length || also ? values.length / sizes[type] : 1} ${values.join(' ')}`);
+    }
+    lines.push(`pass ${n} ${+ !!shown} ${cleared ? `1 ${cleared.join(' ')}` : '0 0 0 0'} ${targets.join(' ')}`,
+               ...uniforms);
+    writeFileSync(new URL(`${n}.vert`, out), vertex);
+    writeFileSync(new URL(`${n}.frag`, out), fragment);
+}
+
+/* Vertices without attributes: one triangle over all. */
+const triangle = (text, position, also = '') => `#define main peer_main
+${text.replace(/\battribute\s+(\w+\s+\w+\s*;)/g, '$1')}
+#undef main
+void main() {
+    ${position}.xy = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 4.0 - 1.0;
+    ${also}
+    peer_main();
+}
+`;
+const older = (text, output) => `#define varying ${output ? 'in' : 'out'}
+#define texture2D texture
+${output ? 'layout(location = 0) out highp vec4 pc_fragColor;\n#define gl_FragColor pc_fragColor\n' : ''}${text}
+`;
+
+/* ---- >>three.js: a renderer, and what an effect asks of it ------------------------------------------------------- */
 
 const camera = new THREE.PerspectiveCamera();
 camera.near = near;
@@ -47,36 +127,14 @@ camera.matrixAutoUpdate = false;
 camera.matrix.fromArray(v, 21).invert();
 camera.updateMatrixWorld(true);
 
-/* ---- >>writing: textures, texts, uniforms ------------------------------------------------------------------------ */
-
 const formats = new Map([
-    [ [ THREE.RGBAFormat, THREE.UnsignedByteType ], 0x8058 ], [ [ THREE.RGBAFormat, THREE.HalfFloatType ], 0x881A ],
-    [ [ THREE.RGBAFormat, THREE.FloatType ], 0x8814 ], [ [ THREE.RedFormat, THREE.UnsignedByteType ], 0x8229 ],
-    [ [ THREE.RedFormat, THREE.HalfFloatType ], 0x822D ], [ [ THREE.RedFormat, THREE.FloatType ], 0x822E ]
+    [ [ THREE.RGBAFormat, THREE.UnsignedByteType ], RGBA8 ], [ [ THREE.RGBAFormat, THREE.HalfFloatType ], RGBA16F ],
+    [ [ THREE.RGBAFormat, THREE.FloatType ], RGBA32F ], [ [ THREE.RedFormat, THREE.UnsignedByteType ], R8 ],
+    [ [ THREE.RedFormat, THREE.HalfFloatType ], R16F ], [ [ THREE.RedFormat, THREE.FloatType ], R32F ]
 ].map(([ kind, format ]) => [kind.join(), format]));
-const sizes = { float: 1, int: 1, bool: 1, vec2: 2, vec3: 3, vec4: 4, mat4: 16 };
-const flat = value => value.toArray            ? value.toArray()
-                      : value[Symbol.iterator] ? [...value ].flatMap(flat)
-                                               : [ Number(value) ];
-
-const numbers = new Map();
-let textures = 3, programs = 0;
-
-function number(texture) {
-    if (!numbers.has(texture)) {
-        const { width : w, height : h, data } = texture.image,
-                                            format = formats.get([ texture.format, texture.type ].join()),
-                                            n = textures++;
-        if (!format) throw new Error(`a texture of format ${texture.format}, type ${texture.type}`);
-        if (data)
-            writeFileSync(new URL(`${n}.f32`, out),
-                          Float32Array.from(data, texture.type === THREE.UnsignedByteType ? c => c / 255 : c => c));
-        lines.push(`texture ${n} ${w} ${h} ${format} ${+ (texture.magFilter === THREE.LinearFilter)} ${
-            + (texture.wrapS === THREE.RepeatWrapping)} ${data ? `${n}.f32` : '-'}`);
-        numbers.set(texture, n);
-    }
-    return numbers.get(texture);
-}
+const three_texture = texture => number(texture, ({ image, format, type, magFilter, wrapS }) => ({
+    ...image, format : formats.get([ format, type ].join()), linear : magFilter === THREE.LinearFilter,
+    repeat : wrapS === THREE.RepeatWrapping }));
 
 const whole = text => text.replace(/^[ \t]*#include +<([\w\d./]+)>/gm, (line, name) => {
     if (!(name in THREE.ShaderChunk)) throw new Error(`no chunk ${name}`);
@@ -86,33 +144,16 @@ const defines = material => Object.entries(material.defines ?? {})
                                 .filter(([, value ]) => value !== false)
                                 .map(([ name, value ]) => `#define ${name} ${value}\n`)
                                 .join('');
-
-/* Vertices without attributes: one triangle over all. */
-const vertex = m => `#define varying out
-#define texture2D texture
-${defines(m)}const mat4 projectionMatrix = mat4(1.0), modelViewMatrix = mat4(1.0);
-vec3 position;
+const vertex = m => older(triangle(`${defines(m)}const mat4 projectionMatrix = mat4(1.0), modelViewMatrix = mat4(1.0);
+vec3 position = vec3(0.0);
 vec2 uv;
-#define main peer_main
-${whole(m.vertexShader)}
-#undef main
-void main() {
-    uv = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0;
-    position = vec3(2.0 * uv - 1.0, 0.0);
-    peer_main();
-}
-`;
-const fragment = m => `#define varying in
-#define texture2D texture
-${
-    m.glslVersion === THREE.GLSL3
-        ? ''
-        : 'layout(location = 0) out highp vec4 pc_fragColor;\n#define gl_FragColor pc_fragColor\n'}${defines(m)}${
-    whole(THREE.ShaderChunk.colorspace_pars_fragment)}
-${whole(m.fragmentShader)}
-`;
-
-/* ---- >>renderer: what an effect asks of it ----------------------------------------------------------------------- */
+${whole(m.vertexShader)}`, 'position', 'uv = 0.5 * position.xy + 0.5;'), false);
+const fragment = m => {
+    const text = `${defines(m)}${whole(THREE.ShaderChunk.colorspace_pars_fragment)}
+${whole(m.fragmentShader)}`;
+    return m.glslVersion === THREE.GLSL3 ? `#define varying in\n#define texture2D texture\n${text}\n`
+                                         : older(text, true);
+};
 
 class Renderer {
     capabilities = {};
@@ -131,34 +172,133 @@ class Renderer {
 
     /* Scenes are the G-buffer, which the caller has; all else is a pass over the picture. */
     render(object) {
-        const target = this.#target;
+        const target = this.#target, m = object.material;
         if (object.isScene) {
             numbers.set(target.depthTexture, 0);
             numbers.set(target.texture, object.overrideMaterial ? 1 : 2);
             return;
         }
         if (target === this.picture) return;               /* blends with it what is done by now */
-        const n = programs++, m = object.material, text = vertex(m) + fragment(m), uniforms = [], named = new Set();
-        for (const [, type, length, name, also] of text.matchAll(
-                 /^\s*uniform\s+(?:(?:high|medium|low)p\s+)?(\w+)\s*(\[.*?\])?\s+(\w+)\s*(\[.*?\])?\s*;/gm)) {
-            const value = m.uniforms[name]?.value;
-            if (value === undefined || value === null || named.has(name)) continue;
-            named.add(name);
-            if (type === 'sampler2D') { uniforms.push(`sampler ${name} ${number(value)}`); continue; }
-            if (!sizes[type]) throw new Error(`uniform ${type} ${name}`);
-            const values = flat(value);
-            uniforms.push(
-                `uniform ${type} ${name} ${length || also ? values.length / sizes[type] : 1} ${values.join(' ')}`);
-        }
-        const targets = target.textures.map(number), c = this.#cleared;
-        lines.push(`pass ${n} ${+ (target === this.shown)} ${c ? `1 ${c.r} ${c.g} ${c.b}` : '0 0 0 0'} ${
-                       targets.join(' ')}`,
-                   ...uniforms);
-        writeFileSync(new URL(`${n}.vert`, out), vertex(m));
-        writeFileSync(new URL(`${n}.frag`, out), fragment(m));
+        const targets = target.textures.map(three_texture);
+        pass({ vertex: vertex(m), fragment: fragment(m), shown: target === this.shown,
+               cleared: this.#cleared?.toArray(), targets, value: name => m.uniforms[name]?.value,
+               texture: three_texture });
         this.#result = targets[0];
     }
-    result() { lines.push(`result ${this.#result}`); }
+    result() { return this.#result; }
+}
+
+/* Draws an effect; which texture has it. */
+function three_draw(effect) {
+    const write = new THREE.WebGLRenderTarget(width, height, { type : THREE.HalfFloatType }), read = write.clone(),
+          renderer = new Renderer(read, effect.configuration?.halfRes ? null : write);
+    effect.render(renderer, write, read);
+    return renderer.result();
+}
+
+/* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
+
+/* Of its 16 directions, whose number the text takes for granted, 8 samples make 8: beyond, WebGL reads the last one. */
+const past = /\(i\+int\(random\.y\*16\.0\)\) % 16/, kept = 'min($&, SAMPLES - 1)';
+
+class Engine extends NullEngine {
+    #set = new Map(); #result;
+
+    constructor() {
+        super({ renderWidth: width, renderHeight: height, textureSize: 512 });
+        Object.assign(this._caps, { maxTextureSize: 16384, maxRenderTextureSize: 16384 });
+        const keep = (name, value) => {
+            if (!this.#set.has(this._currentEffect)) this.#set.set(this._currentEffect, new Map());
+            this.#set.get(this._currentEffect).set(name, value);
+            return true;
+        };
+        for (const kind of [ 'setInt', 'setFloat', 'setFloat2', 'setFloat3', 'setFloat4', 'setArray3', 'setFloatArray3',
+                             'setMatrices', 'setMatrix3x3' ])
+            this[kind] = (name, ...values) => keep(name, values.flatMap(flat));
+        this.setTexture = (channel, location, texture, name) => keep(name, texture);
+        this._bindTexture = (channel, texture, name) => keep(name, texture);
+    }
+    getUniforms(context, names) { return names; }
+    #texture(texture) {
+        const { wrapU = 0 } = texture;
+        return numbers.get(texture)
+               ?? number(texture._texture ?? texture, ({ width, height, type, samplingMode, _bufferView }) => ({
+                             width, height, format : type ? 0 : RGBA8, linear : samplingMode === 2,
+                             repeat : wrapU === 1, data : _bufferView }));
+    }
+
+    /* All but SSAO2 itself copies the picture, or multiplies it. */
+    drawElementsType() {
+        const effect = this._currentEffect, set = this.#set.get(effect);
+        if (effect.name.fragment !== 'ssao2') return;
+        this.#result = this.#texture(this._currentRenderTarget.texture);
+        pass({ vertex: older(triangle(effect.vertexSourceCode, 'position'), false),
+               fragment: older(`${effect.defines}\n${effect.fragmentSourceCode.replace(past, kept)}`, true),
+               targets: [ this.#result ], value: name => set.get(name), texture: texture => this.#texture(texture) });
+    }
+    result() { return this.#result; }
+}
+
+/* The camera and the geometry buffer that it asks for: right-handed, so that depths are below 0. */
+async function babylon_draw(ratio, set) {
+    const engine = new Engine(), scene = new Scene(engine), camera = new FreeCamera('', Vector3.Zero(), scene),
+          buffer = Object.create(GeometryBufferRenderer.prototype), textures = [ {}, {} ];
+    scene.useRightHandedSystem = true;
+    camera.fov = 2 * Math.atan(1 / v[10]);
+    camera.minZ = near;
+    camera.maxZ = far;
+    camera.freezeProjectionMatrix(Matrix.FromArray(v, 5));
+    buffer.getGBuffer = () => ({ textures });
+    depth(textures[0], -1, 0, true);
+    numbers.set(textures[1], 3);
+    const effect = Object.assign(new SSAO2RenderingPipeline('', scene, ratio, [ camera ], buffer), set);
+    while (!effect.isReady() || engine.postProcesses.some(pass => !pass.isReady())) await new Promise(setTimeout);
+    scene.render();
+    return engine.result();
+}
+
+/* ---- >>PlayCanvas: a device without a GPU, and what a frame sets and draws --------------------------------------- */
+
+class Device extends NullGraphicsDevice {
+    #pass; #shader;
+
+    startRenderPass(pass) { this.#pass = pass; }
+    endRenderPass() {}
+    setShader(shader) { this.#shader = shader; }
+    texture(texture) {
+        return number(texture, ({ width, height, format }) => ({
+            width, height, format : format === PIXELFORMAT_R8 ? R8 : 0, linear : false, repeat : false }));
+    }
+    draw() {
+        const { vshader, fshader } = this.#shader.definition, { renderTarget, colorOps } = this.#pass,
+              plain = text => text.replace(/^\s*#\s*(version|extension).*$/gm, ''), { r, g, b } = colorOps.clearValue;
+        pass({ vertex: triangle(plain(vshader), 'aPosition'), fragment: plain(fshader),
+               cleared: colorOps.clear && [ r, g, b ], targets: [ this.texture(renderTarget.colorBuffer) ],
+               value: name => this.scope.variables.get(name)?.value, texture: texture => this.texture(texture) });
+    }
+}
+class Frame extends CameraFrame {
+    constructor() { super({}, { on() {} }); }
+    enable() {}
+}
+
+/* unit: of theirs, for one of the scene's. Their depth is that of the prepass. */
+function playcanvas_draw(set, unit = 1) {
+    const canvas = { width, height }, device = new Device(canvas), app = new AppBase(canvas), frame = new Frame(),
+          options = new AppOptions(), texture = {};
+    options.graphicsDevice = device;
+    app.init(options);
+    device.scope.resolve('uSceneDepthMap').setValue(texture);
+    depth(texture, unit, far * unit, false);
+    Object.assign(frame.ssao, { type : 'lighting' }, set);
+    const ssaoPass = new RenderPassSsao(device, canvas, { shaderParams : { sceneDepthMapLinear : true } },
+                                        frame.ssao.blurEnabled);
+    frame.renderPassCamera = { update() {}, composePass : {}, ssaoPass };
+    frame.update();
+    const passes = [ ssaoPass, ...ssaoPass.afterPasses ];
+    for (const pass of passes) pass.frameUpdate();
+    for (const pass of passes) pass.render();
+    return device.texture(ssaoPass.ssaoTexture);
 }
 
 /* ---- >>peers: by default, and such that the radius is ours ------------------------------------------------------- */
@@ -175,13 +315,13 @@ const gtao = set => {
     const pass = three(GTAOPass);
     pass.output = GTAOPass.OUTPUT.Off;
     pass.updateGtaoMaterial(set);
-    return pass;
+    return three_draw(pass);
 };
-const ssao = set => Object.assign(three(SSAOPass), set);
+const ssao = set => three_draw(Object.assign(three(SSAOPass), set));
 const sao = set => {
     const pass = three(SAOPass, new SAOPass(new THREE.Scene(), camera, new THREE.Vector2(width, height)));
     Object.assign(pass.params, set);
-    return pass;
+    return three_draw(pass);
 };
 const n8ao = (mode, set) => {
     const pass = new N8AOPass(new THREE.Scene(), camera, width, height);
@@ -189,15 +329,26 @@ const n8ao = (mode, set) => {
     pass.setQualityMode(mode);
     pass.setDisplayMode('AO');
     Object.assign(pass.configuration, { gammaCorrection: false }, set);
-    return pass;
+    return three_draw(pass);
 };
 
 /* SAO weighs by 1 / (1 + (slope t)^2), and divides a sample's cosine by the slope, less the bias */
 const slope = 1 / radius;
 
 /* Matched: beside the radius what of theirs shapes the effect, as it came nearest to the truth in the chart's scenes,
-   in coarse steps. R: the radius. */
+   in coarse steps; of Babylon.js and PlayCanvas in bunny, room and colonnade. R: the radius.
+   Babylon.js: at the sizes that its documentation shows (these are its defaults here, too) or at full size, with 16
+   samples, all that its text tells apart, and without its limits of near and far depths.
+   PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees, and the scene in such units that R is 20,
+   as its blur takes a step of 1 for an edge. */
 const matched = { aoRadius: radius, intensity: 2 }, words = 'radius R, intensity 2';
+const half = { ssaoRatio: 0.5, blurRatio: 1 }, full = { ssaoRatio: 1, blurRatio: 1 };
+const ssao2 = {
+    samples: 16, radius: 0.8 * radius, totalStrength: 1.75, epsilon: radius / 100, bilateralSamples: 8,
+    bilateralSoften: 1, bilateralTolerance: radius / 50, maxZ: 2 * far, minZAspect: far
+};
+const ssao2_words = '16 samples, radius 0.8 R, strength 1.75, soft blur of 8';
+const playcanvas = samples => playcanvas_draw({ samples, radius: 40, power: 1.5 }, 20 / radius);
 const peers = [
     [ 'three.js GTAO', 'defaults', () => gtao({}) ],
     [
@@ -222,16 +373,20 @@ const peers = [
     ...(quick ? [ 'Medium' ] : [ 'Performance', 'Low', 'Medium', 'High' ])
         .map(mode => ['n8ao, neural', `Neural-${mode}, ${words}`, () => n8ao(`Neural-${mode}`, matched)]),
     ...(quick ? [ 'Medium' ] : [ 'Performance', 'Medium', 'Ultra' ])
-        .map(mode => ['n8ao, half size', `${mode}, ${words}`, () => n8ao(mode, {...matched, halfRes : true })])
+        .map(mode => ['n8ao, half size', `${mode}, ${words}`, () => n8ao(mode, {...matched, halfRes : true })]),
+    [ 'Babylon.js SSAO2', 'defaults', () => babylon_draw(half, {}) ],
+    ...(quick ? [ half ] : [ half, full ])
+        .map(size => ['Babylon.js SSAO2', `${size === half ? 'half size' : 'full size'}, ${ssao2_words}`,
+                      () => babylon_draw(size, ssao2)]),
+    [ 'PlayCanvas SSAO', 'defaults', () => playcanvas_draw({}) ],
+    ...(quick ? [ 12 ] : [ 12, 24 ])
+        .map(samples => ['PlayCanvas SSAO', `${samples} samples, radius 2 R, power 1.5, units of R/20`,
+                         () => playcanvas(samples)])
 ];
-for (const [label, settings, make] of peers) {
+for (const [label, settings, draw] of peers) {
     if (quick && settings === 'defaults') continue;
     state = 1;
-    const pass = make(), write = new THREE.WebGLRenderTarget(width, height, { type : THREE.HalfFloatType }),
-          read = write.clone();
     lines.push(`peer ${label} / ${settings}`);
-    const renderer = new Renderer(read, pass.configuration?.halfRes ? null : write);
-    pass.render(renderer, write, read);
-    renderer.result();
+    lines.push(`result ${await draw()}`);
 }
 writeFileSync(new URL('manifest.txt', out), lines.join('\n') + '\n');

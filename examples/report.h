@@ -172,7 +172,7 @@ void plan_text(FILE *f);
 
 /* ---- >>peers.c, costs.c */
 
-enum { MOST_PEERS = 24, PEERS_QUICK = 6 };
+enum { MOST_PEERS = 32, PEERS_QUICK = 8 };
 const char *peers_note(void);
 int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err);
 int peers_points(row *points, const row *rows, int methods, int count);

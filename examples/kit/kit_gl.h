@@ -42,7 +42,8 @@
     X(TexImage2D, TEXIMAGE2D) X(TexImage3D, TEXIMAGE3D) X(TexParameteri, TEXPARAMETERI) \
     X(TexSubImage2D, TEXSUBIMAGE2D) X(TransformFeedbackVaryings, TRANSFORMFEEDBACKVARYINGS) X(Uniform1f, UNIFORM1F) \
     X(Uniform1fv, UNIFORM1FV) X(Uniform1i, UNIFORM1I) X(Uniform2fv, UNIFORM2FV) X(Uniform3fv, UNIFORM3FV) \
-    X(Uniform4fv, UNIFORM4FV) X(UniformBlockBinding, UNIFORMBLOCKBINDING) X(UniformMatrix4fv, UNIFORMMATRIX4FV) \
+    X(Uniform4fv, UNIFORM4FV) X(UniformBlockBinding, UNIFORMBLOCKBINDING) \
+    X(UniformMatrix3fv, UNIFORMMATRIX3FV) X(UniformMatrix4fv, UNIFORMMATRIX4FV) \
     X(UseProgram, USEPROGRAM) X(VertexAttribDivisor, VERTEXATTRIBDIVISOR) X(VertexAttribPointer, VERTEXATTRIBPOINTER) \
     X(Viewport, VIEWPORT)
 #define KIT_GL_ES31(X) \
