@@ -369,6 +369,55 @@ static double mean_on(const csv *c, const char *const *scenes, int count, int ro
     return sum / n;
 }
 
+/* The worst of the scenes, and which it is. */
+static void worst_on(const csv *c, const char *const *scenes, int count, int row, const char *key)
+{
+    double worst = 0;
+    int whose = -1;
+    for (int k = 0; k < count; ++k) {
+        const int at = row_on(c, scenes[k], row);
+        const double v = at < 0 || !*text_of(c, at, key) ? (double)NAN : number_of(c, at, key);
+        if (v > worst) { worst = v; whose = k; }
+    }
+    if (whose < 0) fputs(" |", page);
+    else fprintf(page, " %.3f, %s |", worst, scenes[whose]);
+}
+
+/* Which of ours stand beside others' passes. */
+static int beside(const csv *c, int row)
+{
+    static const char *const of[][2] = { { "hsao-fast", "" }, { "hsao", "" }, { "hsao", "behind=slabs" },
+        { "hsao-history", "" } };
+    for (size_t k = 0; k < sizeof of / sizeof *of; ++k)
+        if (!strcmp(text_of(c, row, "method"), of[k][0]) && !strcmp(text_of(c, row, "settings"), of[k][1])) return 1;
+    return 0;
+}
+
+static void others(const csv *c, const char *const *scenes, int count, int first)
+{
+    int any = 0;
+    for (int i = 0; i < first; ++i) any |= *text_of(c, i, "share_fitted") != 0;
+    if (!any) return;
+    heading("What others have: mean of the scenes", "Passes from npm, driven by their own code, denoisers included: by "
+            "default, and with the radius matched to ours and the\nrest as it does best in a coarse sweep. Worst: of "
+            "the scenes. Fitted: after the best gain and power for each picture,\nwith the truth in hand; ours, first, "
+            "are raw.", chart_note);
+    fputs("| pass | fetches | time | raw | worst | fitted | worst |\n", page);
+    ruler(7);
+    for (int peers = 0; peers < 2; ++peers)
+        for (int i = 0; i < first; ++i) {
+            if (peers ? !*text_of(c, i, "share_fitted") : !beside(c, i)) continue;
+            settings(c, i);
+            number(mean_on(c, scenes, count, i, "fetches", NULL), 1, 0);
+            number(mean_on(c, scenes, count, i, "relative_time", NULL), 2, 0);
+            number(mean_on(c, scenes, count, i, "share", NULL), 3, 0);
+            worst_on(c, scenes, count, i, "share");
+            number(peers ? mean_on(c, scenes, count, i, "share_fitted", NULL) : (double)NAN, 3, 0);
+            worst_on(c, scenes, count, i, "share_fitted");
+            fputc('\n', page);
+        }
+}
+
 static void ambient(void)
 {
     const csv c = csv_read("chart.csv", NULL);
@@ -378,51 +427,44 @@ static void ambient(void)
         "scene")) scenes[count++] = text_of(&c, i, "scene");
     if (!count) return;
     while (first < c.rows && !strcmp(text_of(&c, first, "scene"), scenes[0])) ++first;
-    for (int peers = 0; peers < 2; ++peers)
-        for (int part = 0; part < 2; ++part) {
-            int begun = 0;
-            for (int i = 0; i < first; ++i) {
-                const int is_peer = *text_of(&c, i, "share_fitted") != 0;
-                const char *const error = peers ? "share_fitted" : "share";
-                if (is_peer != peers) continue;
-                if (!begun++) {
-                    if (!part) {
-                        heading(peers ? "Beside what others have: mean of the scenes" : "Mean of the scenes", peers
-                            ? "Passes from npm, driven by their own code, their radius matched to ours; of the rest "
-                            "their defaults or, where these depend on\n"
-                              "units, the best of a coarse sweep. Fitted: after the best gain and power for each "
-                              "picture, with the truth in hand; ours are raw."
-                            : "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over four phases of it; "
-                            "model error: RMSE of their mean.", chart_note);
-                        fputs(peers ? "| pass | fetches | time | raw | fitted | fitted, without `plates` |\n"
-                            : "| method | fetches | bytes | time | error | without `plates` | model error | noise "
-                            "|\n", page);
-                        ruler(peers ? 6 : 8);
-                    } else {
-                        heading(peers ? "Beside what others have: scene by scene, fitted" : "Scene by scene: error",
-                            "", chart_note);
-                        fputs(peers ? "| pass |" : "| method |", page);
-                        for (int k = 0; k < count; ++k) fprintf(page, " %s |", scenes[k]);
-                        fputc('\n', page);
-                        ruler(count + 1);
-                    }
-                }
-                settings(&c, i);
-                if (part) for (int k = 0; k < count; ++k) number(row_on(&c, scenes[k], i) < 0 ? (double)NAN
-                    : number_of(&c, row_on(&c, scenes[k], i), error), 3, 0);
-                else {
-                    number(mean_on(&c, scenes, count, i, "fetches", NULL), 1, 0);
-                    if (!peers) number(mean_on(&c, scenes, count, i, "bytes", NULL), 0, 0);
-                    number(mean_on(&c, scenes, count, i, "relative_time", NULL), 2, 0);
-                    number(mean_on(&c, scenes, count, i, "share", NULL), 3, 0);
-                    if (peers) number(mean_on(&c, scenes, count, i, "share_fitted", NULL), 3, 0);
-                    number(mean_on(&c, scenes, count, i, error, "plates"), 3, 0);
-                    if (!peers) number(mean_on(&c, scenes, count, i, "model_error", NULL), 3, 0);
-                    if (!peers) number(mean_on(&c, scenes, count, i, "noise", NULL), 3, 0);
-                }
+    heading("Mean of the scenes", "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over four phases "
+            "of it; model error: RMSE of their mean.", chart_note);
+    fputs("| method | fetches | bytes | time | error | without `plates` | model error | noise |\n", page);
+    ruler(8);
+    for (int i = 0; i < first; ++i) {
+        if (*text_of(&c, i, "share_fitted")) continue;
+        settings(&c, i);
+        number(mean_on(&c, scenes, count, i, "fetches", NULL), 1, 0);
+        number(mean_on(&c, scenes, count, i, "bytes", NULL), 0, 0);
+        number(mean_on(&c, scenes, count, i, "relative_time", NULL), 2, 0);
+        number(mean_on(&c, scenes, count, i, "share", NULL), 3, 0);
+        number(mean_on(&c, scenes, count, i, "share", "plates"), 3, 0);
+        number(mean_on(&c, scenes, count, i, "model_error", NULL), 3, 0);
+        number(mean_on(&c, scenes, count, i, "noise", NULL), 3, 0);
+        fputc('\n', page);
+    }
+    for (int peers = 0; peers < 2; ++peers) {
+        int begun = 0;
+        if (peers) others(&c, scenes, count, first);
+        for (int i = 0; i < first; ++i) {
+            if ((*text_of(&c, i, "share_fitted") != 0) != peers
+                || (peers && !strcmp(text_of(&c, i, "settings"), "defaults"))) continue;
+            if (!begun++) {
+                heading(peers ? "What others have: scene by scene, matched and fitted" : "Scene by scene: error", "",
+                        chart_note);
+                fputs(peers ? "| pass |" : "| method |", page);
+                for (int k = 0; k < count; ++k) fprintf(page, " %s |", scenes[k]);
                 fputc('\n', page);
+                ruler(count + 1);
             }
+            settings(&c, i);
+            for (int k = 0; k < count; ++k) {
+                const int at = row_on(&c, scenes[k], i);
+                number(at < 0 ? (double)NAN : number_of(&c, at, peers ? "share_fitted" : "share"), 3, 0);
+            }
+            fputc('\n', page);
         }
+    }
 }
 
 /* Light on every pair of a scene and a probe: a method's share of no occlusion's error over all of them. */
