@@ -198,7 +198,7 @@ function three_draw(effect) {
 
 /* ---- >>Babylon.js: an engine without a GPU, whose draws are written down ----------------------------------------- */
 
-/* Of its 16 directions, whose number the text takes for granted, 8 samples make 8: beyond, WebGL reads the last one. */
+/* The text takes one of 16 directions however many there are; past the end browsers read the last, GL anything. */
 const past = /\(i\+int\(random\.y\*16\.0\)\) % 16/, kept = 'min($&, SAMPLES - 1)';
 
 class Engine extends NullEngine {
