@@ -547,8 +547,7 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
        SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
 /* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
-/* plan.behind, valued as desc.behind of ssgi_gl.h */
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.behind, desc.behind */
 enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
 /* RMS over the frame of the occlusion that hsao finds, with slabs where they are drawn; of its change at full size with
    more taps, which is what it misses of detail; of its change with unlimited thickness, and with slabs, which is what
@@ -3477,25 +3476,22 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     const ssgi_plan settings = { row->method, row->behind, row->half, row->directions, row->steps, row->bands,
                                  row->history, 0, row->directions > 0, row->resolution, row->size, 0.0f, 0.0f, 0, "" };
     double term[SSGI__PLAN_TERMS], square = 0.0;
-    const float *energy;
-    int k;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
     *plan = settings;
-    for (k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
+    for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
     plan->cost = ssgi__plan_cost(row, s);
-    energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
     while (plan->bands > 1 /* bands whose energy is negligible */
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
                   < 0.1 * (double)s->error)
         --plan->bands;
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
-    if (row->method == SSGI_PLAN_SURFELS) {
-        for (k = 1; k < SSGI_SPLAT_LEVELS && (double)row->size * 1.5 * (1 << (k - 1)) < ssgi__plan_radius(s); ++k) {}
-        plan->levels = k;
-    }
+    if (row->method == SSGI_PLAN_SURFELS)
+        for (plan->levels = 1; plan->levels < SSGI_SPLAT_LEVELS
+             && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s);) ++plan->levels;
     return 1;
 }
 
@@ -3513,10 +3509,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device == SSGI_PLAN_SOFTWARE || s->device == SSGI_PLAN_GPU,
-                "scene.device: must be SSGI_PLAN_SOFTWARE or SSGI_PLAN_GPU");
-    if (s->behind < 0 || s->behind > 2 || s->history < 0 || s->history > 1 || s->occluders < 0)
-        return ssgi__bad(why, "scene.behind, .history, .occluders: must be 0..2, 0..1, 0 or more");
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->behind >= 0 && s->behind <= 2 && s->history >= 0
+                && s->history <= 1 && s->occluders >= 0, "scene.device, .behind, .history, .occluders: must be 0..1, "
+                "0..2, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
                 && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
                 && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "

@@ -447,8 +447,7 @@ static void ambient(void)
         int begun = 0;
         if (peers) others(&c, scenes, count, first);
         for (int i = 0; i < first; ++i) {
-            if ((*text_of(&c, i, "share_fitted") != 0) != peers
-                || (peers && !strcmp(text_of(&c, i, "settings"), "defaults"))) continue;
+            if ((*text_of(&c, i, "share_fitted") != 0) != peers) continue;
             if (!begun++) {
                 heading(peers ? "What others have: scene by scene, matched and fitted" : "Scene by scene: error", "",
                         chart_note);

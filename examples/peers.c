@@ -420,7 +420,7 @@ static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
     return set->textures ? 0 : kit_fail(err, "out of memory");
 }
 
-/* Rows of ambient visibility: each peer by default and with the radius matched to the stage's, at each of its
+/* Rows of ambient visibility: each peer with the radius matched to the stage's, at some of its
    qualities; with room for fewer than MOST_PEERS rows, one of each, PEERS_QUICK in all. figure[FITTED] is the share
    after the best fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the
    next call. */
@@ -464,24 +464,20 @@ int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
    matched, their error the fitted one. How many. */
 int peers_points(row *points, const row *rows, int methods, int count)
 {
-    int n = 0;
     for (int i = 0; i < count; ++i) {
-        if (i >= methods && !strcmp(rows[i].settings, "defaults")) continue;
-        points[n] = rows[i];
-        if (i >= methods) points[n].share = rows[i].figure[FITTED];
-        ++n;
+        points[i] = rows[i];
+        if (i >= methods) points[i].share = rows[i].figure[FITTED];
     }
-    return n;
+    return count;
 }
 
-/* For each peer whose radius is matched: does the library, raw, in no more than its time err no more than the peer
+/* For each peer: does the library, raw, in no more than its time err no more than the peer
    after its fit? Against how many it does, and each that it does not. */
 void peers_verdict(FILE *f, const row *rows, int methods, int count)
 {
     int all = 0, met = 0;
     for (int i = methods; i < count; ++i) {
         double best = HUGE_VAL;
-        if (!strcmp(rows[i].settings, "defaults")) continue;
         for (int k = 0; k < methods; ++k) if (rows[k].relative <= rows[i].relative) best = fmin(best, rows[k].share);
         ++all;
         if (best <= rows[i].figure[FITTED]) ++met;

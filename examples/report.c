@@ -4,7 +4,8 @@
       build/report chart [--out report] [--context egl] [--quick] [--scene NAME]... [--method NAME]     chart*.csv,
          chart*.svg and index.html, in 20 minutes, or 3
       build/report light [--out report] [--context egl] [--quick] [--method NAME]     chart-pairs.csv, light.html
-      build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c, in 4 minutes
+      build/report fit   [--out report] [--context egl]     plan-fit.csv, for fit.c
+      build/report plan  [--out report] [--context egl]     the chart's part on the plan: plan.csv, plan.html
 
    With --mesh or --scene only ambient occlusion is shown; else light, fields and deep screen space, too. --method: the
    rows of methods whose names begin so. Truth is kept under build/cache/, and so is what an interrupted chart has
@@ -534,6 +535,19 @@ static int light(const options *o, kit_error *err)
     return 0;
 }
 
+/* The plan on views that it was not fitted on, alone: plan.html. */
+static int plan(const options *o, kit_error *err)
+{
+    page html;
+    if (page_open(&html, err)) return -1;
+    html_head(html.file, "ssgi: the plan", kit_gl_name());
+    if (plan_chart(html.file, o, err)) return -1;
+    html_terms(html.file);
+    if (page_close(&html, o->out, "plan.html", err)) return -1;
+    plan_text(stdout);
+    return 0;
+}
+
 /* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int parse(options *o, int is_chart, int argc, char **argv, kit_error *err)
@@ -571,19 +585,21 @@ int main(int argc, char **argv)
               "speed against accuracy\n"
               "       report light [--out FOLDER] [--context ...] [--quick] [--method NAME]     the chart's part on "
               "light, every pair\n"
-              "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n",
+              "       report fit   [--out FOLDER] [--context ...]     what the plan's table is fitted to\n"
+              "       report plan  [--out FOLDER] [--context ...]     the plan on views that it was not fitted on\n",
               stderr);
         return 2;
     }
     const int is_light = !strcmp(argv[1], "light");
     is_chart = is_light || !strcmp(argv[1], "chart");
-    const int is_fit = !strcmp(argv[1], "fit");
-    if (!is_chart && !is_fit && strcmp(argv[1], "demo"))
-        kit_fail(&err, "%s: there is no such command (demo, chart, light, fit)", argv[1]);
+    const int is_fit = !strcmp(argv[1], "fit"), is_plan = !strcmp(argv[1], "plan");
+    if (!is_chart && !is_fit && !is_plan && strcmp(argv[1], "demo"))
+        kit_fail(&err, "%s: there is no such command (demo, chart, light, fit, plan)", argv[1]);
     else if (!parse(&o, is_chart, argc, argv, &err) && !folder(o.out, &err) && !kit_gl_open(o.context, &err)
         && !(is_light ? light(&o, &err)
              : is_chart ? chart(&o, &err)
              : is_fit   ? plan_fit(o.out, &err)
+             : is_plan  ? plan(&o, &err)
                         : demo(&o, &err)))
         kit_streams_close(&err);
     if (*err.text) {

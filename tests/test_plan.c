@@ -169,10 +169,10 @@ static void refused(void)
                 { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
                 { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" },
                 { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, behind), 1, 3, "scene.behind" },
+                { offsetof(ssgi_plan_scene, behind), 1, 3, "scene.device, .behind" },
                 { offsetof(ssgi_plan_scene, device), 1, 2, "scene.device" },
                 { offsetof(ssgi_plan_scene, depth_pass), 0, -1, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.behind, .history, .occluders" },
+                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.device, .behind, .history, .occluders" },
                 { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" },
                 { offsetof(ssgi_plan_scene, survey), 0, nan_, "scene.survey" },
                 { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
