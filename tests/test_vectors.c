@@ -77,10 +77,9 @@ static float *vectors_new(const kit_run *run, int pass)
     return NULL;
 }
 
-/* Gives a pass, whose program no other has, that of its desc as it is now. */
+/* Gives a pass the program of its desc as it is now. */
 static int remade(kit_run *run, int pass)
 {
-    glDeleteProgram(run->pass[pass].program);
     run->pass[pass].program = 0;
     return CHECK(!kit_pass_make(&run->pass[pass], &err), "%s", err.text);
 }

@@ -11,6 +11,7 @@ KIT_GL_ES31(KIT_GL_DEFINE)
 KIT_GL_DESKTOP(KIT_GL_DEFINE)
 
 typedef void (*function)(void);
+typedef struct kept { uint64_t key; GLuint program; } kept;
 
 static struct {
     int         open;                      /* 0 none, 1 OSMesa, 2 EGL */
@@ -19,6 +20,8 @@ static struct {
     char        name[256];
     GLuint      vertex_array, query;
     double      began;
+    kept       *kept;
+    int         kept_count;
     uint8_t     osmesa_buffer[16 * 16 * 4];
 } gl;
 
@@ -250,6 +253,7 @@ void kit_gl_close(void)
         egl.destroy(gl.display, gl.context);
         egl.terminate(gl.display);
     }
+    free(gl.kept);
     memset(&gl, 0, sizeof gl);
 }
 
@@ -494,6 +498,22 @@ GLuint kit_program_text(const char *head, const char *vertex, const char *fragme
     free(text[0]);
     free(text[1]);
     return program;
+}
+
+GLuint kit_program_kept(uint64_t key)
+{
+    for (int i = 0; i < gl.kept_count; i++)
+        if (gl.kept[i].key == key) return gl.kept[i].program;
+    return 0;
+}
+
+int kit_program_keep(uint64_t key, GLuint program, kit_error *err)
+{
+    kept *more = realloc(gl.kept, (size_t)(gl.kept_count + 1) * sizeof *more);
+    if (!more) return kit_fail(err, "out of memory");
+    gl.kept = more;
+    gl.kept[gl.kept_count++] = (kept){ key, program };
+    return 0;
 }
 
 /* ---- >>soup ------------------------------------------------------------------------------------------------- */

@@ -95,6 +95,10 @@ GLuint      kit_program(const char *const *source, const GLenum *stage, int coun
    head (#define lines or ""). */
 GLuint      kit_program_text(const char *head, const char *vertex, const char *fragment, kit_error *err);
 
+/* Programs that live as long as the context, by a hash of their texts: compiled once. kept: 0 = there is none. */
+GLuint      kit_program_kept(uint64_t key);
+int         kit_program_keep(uint64_t key, GLuint program, kit_error *err);
+
 /* Opaque drawing of count vertices: vec3 attributes 0, 1 .. interleaved, uploaded once; both sides, all written, depth
    test LESS. Closing goes back to the vertex array before, framebuffer 0 and program 0, depth and scissor test off. */
 typedef struct kit_soup { GLuint vertex_array, buffer; GLint vertex_array_was; } kit_soup;
@@ -253,7 +257,6 @@ typedef struct kit_pass {
     int                aside;              /* only there to tell the result's parts apart: neither timed nor counted */
     int                width, height;
     int                box[4];             /* x, y, width, height: what is drawn of its targets; 0 = all */
-    uint64_t           key;                /* equal ones share their program */
     ssgi_gl_io        *io;                 /* what it reads and writes: so many rows */
     int                rows;
     double             ms;                 /* of the last kit_run_draw that was timed */

@@ -98,9 +98,12 @@ static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textur
     p->lights = m->rows[1 + camera];
     p->width = camera < 0 ? step->width : g->viewport[2];
     p->height = camera < 0 ? step->height : g->viewport[3];
-    for (int i = 0; i < run->passes && !p->program; ++i) if (run->pass[i].key == key) p->program = run->pass[i].program;
-    if (kit_pass_make(p, m->err)) { free(p->step); return NULL; }
-    p->key = key;
+    p->program = kit_program_kept(key);
+    const int compiled = !p->program;
+    if (kit_pass_make(p, m->err) || (compiled && kit_program_keep(key, p->program, m->err))) {
+        free(p->step);
+        return NULL;
+    }
     ++run->passes;
     if (!step->outputs) return p;
     glGenFramebuffers(1, &p->framebuffer);
@@ -667,9 +670,6 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {
-        int shared = 0;
-        for (int k = 0; k < i; ++k) shared |= run->pass[k].program == run->pass[i].program;
-        if (!shared) glDeleteProgram(run->pass[i].program);
         glDeleteFramebuffers(1, &run->pass[i].framebuffer);
         free(run->pass[i].io);
         free(run->pass[i].step);
