@@ -246,7 +246,7 @@ static int deep_measure(row *rows, stage *s, const char *scene, const entry *ent
 {
     int kept = 0;
     row all[MOST_ROWS];
-    if (measure(all, s, entries, count, rounds, pictures, err)) return -1;
+    if (measure(all, s, entries, count, rounds, 0, pictures, err)) return -1;
     for (int i = 0; i < count + s->givens; ++i) {
         if (!strcmp(all[i].method, "floor")) continue;
         all[i].of = s->lit ? OF_DEEP_LIT : OF_DEEP;

@@ -295,7 +295,7 @@ static int field_measure(row *rows, stage *s, const entry *entries, int count, k
     const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height;
     double *off = malloc(pixels * sizeof *off);
     if (!off) return kit_fail(err, "out of memory");
-    if (measure(rows, s, entries, count, QUICK_ROUNDS, picture, err)) return -1;
+    if (measure(rows, s, entries, count, QUICK_ROUNDS, 0, picture, err)) return -1;
     for (int i = 0; i <= count; ++i) {
         const kit_image *shown = i < count ? &picture[i] : &s->given[0].picture;
         size_t n = 0;

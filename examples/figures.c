@@ -427,7 +427,7 @@ static void ambient(void)
         "scene")) scenes[count++] = text_of(&c, i, "scene");
     if (!count) return;
     while (first < c.rows && !strcmp(text_of(&c, first, "scene"), scenes[0])) ++first;
-    heading("Mean of the scenes", "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over four phases "
+    heading("Mean of the scenes", "![Cost against error](pictures/chart.svg)\n\nNoise: deviation over two phases "
             "of it; model error: RMSE of their mean.", chart_note);
     fputs("| method | fetches | bytes | time | error | without `plates` | model error | noise |\n", page);
     ruler(8);

@@ -247,6 +247,8 @@ enum {
     LIT_TABLES = COUNT(lit_tables),
     BAND_TABLES = COUNT(band_tables),
     LIT_SETS = LIT_TABLES + BAND_TABLES,
+    LIT_WIDTH = 320,
+    LIT_HEIGHT = 180,
     PHASES = 8
 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
@@ -283,7 +285,7 @@ static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, i
     stage s;
     char slug[1 + MOST_ROWS][128], name[160], note[64];
     if (stage_open(&s, &t->view, WIDTH, HEIGHT, err)) return -1;
-    if (measure(rows, &s, t->entries, t->count, ROUNDS, picture, err)) return -1;
+    if (measure(rows, &s, t->entries, t->count, ROUNDS, 0, picture, err)) return -1;
     fprintf(html, "<h2>%s</h2>\n", t->title);
     if (lit_about(html, &s, t, err)) return -1;
     *count = t->count + s.givens;
@@ -355,10 +357,7 @@ void lit_demo_text(FILE *f)
     }
 }
 
-/* What an entry's irradiance, or its ambient visibility, is off by: on the mean over the phases of its noise, and from
-   phase to phase. The entry NULL: a picture that has no noise. A second phase that is the first over again is the last:
-   there is no noise. */
-static int split(row *r, stage *s, const entry *e, int phases, const kit_image *picture, kit_error *err)
+int split(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err)
 {
     static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
     static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
@@ -370,31 +369,27 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
     double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0,
            noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
     int drawn = 0, differs = 0;
-    kit_run run;
     if (!sum) return kit_fail(err, "out of memory");
-    if (e && run_open(&run, s, e->method, e->settings, s->radius, err)) return -1;
-    while (drawn < (e ? drawn == 2 && !differs ? 2 : phases : 1)) {
-        kit_image now;
-        if (e) {
-            run.frame.phase = (float)drawn / (float)phases;
-            kit_run_update(&run);
+    do {
+        kit_image now = { 0 };
+        if (drawn) {
+            run->frame.phase = (float)drawn / (float)phases;
+            kit_run_update(run);
             /* with a history: of frames that no other has */
-            if (draw_settled(&run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, &run, err)
-                || (s->lit && !run.lit && light_by(&now, s, err))) return -1;
-            picture = &now;
+            if (draw_settled(run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, run, err)
+                || (s->lit && !run->lit && light_by(&now, s, err))) return -1;
         }
         for (size_t c = 0; c < channels; ++c) {
-            const float *v = kit_image_channel(picture, names[c]);
+            const float *v = kit_image_channel(drawn ? &now : picture, names[c]);
             for (size_t i = 0; i < pixels; ++i) {
                 differs |= drawn && (double)v[i] * drawn != sum[c * pixels + i];
                 sum[c * pixels + i] += (double)v[i];
                 squares[c * pixels + i] += (double)v[i] * (double)v[i];
             }
         }
-        if (e) kit_image_free(&now);
+        kit_image_free(&now);
         ++drawn;
-    }
-    if (e) kit_run_close(&run);
+    } while (run && drawn < (drawn == 2 && !differs ? 2 : phases));
     for (size_t c = 0; c < channels; ++c) {
         truth[c] = kit_image_channel(&s->truth, names[c]);
         if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, names[c]);
@@ -424,22 +419,9 @@ static int split(row *r, stage *s, const entry *e, int phases, const kit_image *
     r->of = s->lit ? OF_SPLIT : r->of | OF_PHASES;
     r->split[0] = sqrt((off + noise * (drawn - 1) / drawn) / values) / level;
     r->split[1] = sqrt(fmax(0, off - noise / drawn) / values) / level;
-    r->split[2] = e ? sqrt(noise / values) / level : (double)NAN;
+    r->split[2] = run ? sqrt(noise / values) / level : (double)NAN;
     for (int k = 0; k < 2; ++k) r->split[3 + k] = hue[k] / weight[k] * 180 / acos(-1);
     free(sum);
-    return 0;
-}
-
-/* Of all that was measured. */
-int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err)
-{
-    for (int i = 0; i < count + s->givens; ++i) {
-        kit_progress("noise", (double)i / (count + s->givens));
-        if (split(&rows[i], s, i < count ? &entries[i] : NULL, phases, i < count ? NULL : &s->given[i - count].picture,
-                  err))
-            return -1;
-    }
-    kit_progress("noise", 1);
     return 0;
 }
 
@@ -472,10 +454,10 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     stage s;
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
-    if (stage_open(&s, &t->view, 640, 360, err)
-        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
+    if (stage_open(&s, &t->view, LIT_WIDTH, LIT_HEIGHT, err)
+        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, t->of == OF_SPLIT ? PHASES : 0,
+                   picture, err))
         return -1;
-    if (t->of == OF_SPLIT && splits(rows, &s, entries, count, PHASES, err)) return -1;
     for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
     if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
     if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err)))

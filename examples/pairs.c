@@ -11,7 +11,10 @@
 #define INTERIOR "/usr/share/blender/datafiles/studiolights/world/interior.exr"
 #define INTERIOR_PACKAGE "blender-data"
 
-enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, NOISE_RAYS = 4, NOISE_STRIDE = 7 };
+/* the truth is traced at every PAIR_STRIDE-th pixel both ways, and probed at some of these */
+enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, PAIR_STRIDE = 2, NOISE_RAYS = 4, NOISE_STRIDE = 10 };
+_Static_assert(NOISE_STRIDE / 2 % PAIR_STRIDE == PAIR_STRIDE / 2 && NOISE_STRIDE % PAIR_STRIDE == 0,
+    "noise is probed where there is no truth");
 /* alone, and with boxes beside the bunny; as many rays as bring the truth's noise below 1 % of the mean */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
@@ -103,9 +106,10 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     v.name = name;
     v.lit = &probes[k % PROBES].lit[scenes[k / PROBES].boxes];
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
+    s.stride = PAIR_STRIDE;
     s.rays = s.lit->rays;                           /* a quick chart's, too: noise below 1 % is what it is for */
     if (stage_compare(&s, err)
-        || measure(rows, &s, entries, count, QUICK_ROUNDS, picture, err))
+        || measure(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err))
         return -1;
     row *beside = rows + count;                     /* measure left the open row there */
     beside[1] = beside[0];
@@ -121,8 +125,8 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     fputs("<h3>", html);
     escaped(html, s.name);
     fprintf(html,
-            "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own "
-            "noise %.4f of the mean.</p>\n",
+            "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays at every second pixel "
+            "of every second row; its own noise %.4f of the mean.</p>\n",
             s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, beside[2].error[1]);
     if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);

@@ -69,17 +69,25 @@ int exposed(kit_image *out, const kit_image *picture, float exposure, const int 
     return 0;
 }
 
-/* Means of blocks of pixels: no wider than most. */
-static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, kit_error *err)
+/* Means of blocks of pixels, of what is known: no wider than most, blocks no smaller than least. */
+static int shrunk(kit_image *out, const kit_image *picture, const char *names, int most, int least, kit_error *err)
 {
-    const int block = (picture->width + most - 1) / most;
+    const int fits = (picture->width + most - 1) / most, block = fits > least ? fits : least;
     if (kit_image_new(out, picture->width / block, picture->height / block, names, err)) return -1;
     for (int c = 0; c < out->channels; ++c) {
         const float *from = kit_image_channel(picture, out->name[c]);
         float *to = kit_image_channel(out, out->name[c]);
-        for (int y = 0; y < out->height * block; ++y)
-            for (int x = 0; x < out->width * block; ++x)
-                to[y / block * out->width + x / block] += from[y * picture->width + x] / (float)(block * block);
+        for (int i = 0; i < out->width * out->height; ++i) {
+            int known = 0;
+            for (int k = 0; k < block * block; ++k) {
+                const int x = i % out->width * block + k % block, y = i / out->width * block + k / block;
+                const float v = from[y * picture->width + x];
+                if (isnan(v)) continue;
+                to[i] += v;
+                ++known;
+            }
+            to[i] /= (float)known;
+        }
     }
     return 0;
 }
@@ -206,7 +214,7 @@ int thumbs(FILE *html, const char *out, const stage *s, const row *rows, const k
         kit_image bright = { 0 }, small;
         char slug[160], label[160], note[64] = "";
         if (s->lit && exposed(&bright, from, s->lit->exposure, NULL, 1, err)) return -1;
-        if (shrunk(&small, s->lit ? &bright : from, names, 320, err)) return -1;
+        if (shrunk(&small, s->lit ? &bright : from, names, 320, s->stride, err)) return -1;
         snprintf(slug, sizeof slug, "thumb-%s-", units.now);
         slug_of(slug + strlen(slug), s->name);
         snprintf(slug + strlen(slug), sizeof slug - strlen(slug), "-%s", endings[k]);

@@ -259,7 +259,7 @@ static int demo(const options *o, kit_error *err)
     entries[ENTRIES - 1] =
         (entry){ "planned", kit_plan_text(planned_set, &plan, SSGI_PLAN_VISIBILITY), planned_set, 1 };
     const int count = plan.method == SSGI_PLAN_NOTHING ? ENTRIES - 1 : ENTRIES;
-    if (measure(rows, &s, entries, count, DEMO_ROUNDS, picture, err)) return -1;
+    if (measure(rows, &s, entries, count, DEMO_ROUNDS, 0, picture, err)) return -1;
     if (save_legend(o->out, err)) return -1;
 
     if (page_open(&p, err)) return -1;
@@ -374,9 +374,8 @@ static int ao_unit(FILE *html, const options *o, int k, row *rows, kit_error *er
     if (!count || (!o->scenes && packages_of(v.path) && access(v.path, R_OK))) return 0;
     if (!rows) return 1;
     if (stage_open(&s, &v, AO_WIDTH, AO_HEIGHT, err)
-        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, picture, err))
+        || measure(rows, &s, entries, count, QUICK_ROUNDS, AO_PHASES, picture, err))
         return -1;
-    if (splits(rows, &s, entries, count, AO_PHASES, err)) return -1;
     peers = o->method
                 ? 0
                 : peers_measure(rows + count + s.givens, &s, QUICK_ROUNDS, o->quick ? PEERS_QUICK : MOST_PEERS, err);

@@ -14,9 +14,10 @@
 #define MAPLE   "build/models/maple.obj"
 #define HOUSE   "build/models/fzk-house.obj"
 
-/* SLOW: so many times the reference's time */
-enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, SLOW = 5, SLOW_ROUNDS = 3, AO_WIDTH = 640,
-    AO_HEIGHT = 360, AO_PHASES = 4 };
+/* of timing: at least LEAST_ROUNDS, then no more where a time is SLOW times the reference's or ratios agree */
+enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, LEAST_ROUNDS = 2, SLOW = 5, AO_WIDTH = 640,
+    AO_HEIGHT = 360, AO_PHASES = 2 };
+#define AGREED 0.05
 /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than
    LEAST_RAYS */
 extern int thrift;
@@ -67,6 +68,7 @@ typedef struct stage {
     const lit   *lit;
     otherwise    otherwise;
     int          rays, between;                /* of the truth; 1 = occlusion is between objects */
+    int          stride;                       /* of the truth, 0 = 1; what is left out counts as not shown */
     kit_lighting lighting, traced;             /* as methods have it, as the truth has it */
     /* lit: suns and point lights with their shadows, without the environment, */
     kit_run      lights;
@@ -109,8 +111,10 @@ int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_err
 enum { SETTLED = 16 };
 int draw_settled(kit_run *run, unsigned first, int timed, kit_error *err);
 /* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
-   up, with a history SETTLED frames (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
-int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err);
+   up, with a history SETTLED frames (that picture is scored), over so many phases of its noise (0: one, and no split is
+   known), then timed. pictures: NULL, or an empty one an entry. */
+int measure(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
+            kit_error *err);
 
 /* ---- >>parts.c */
 
@@ -148,9 +152,10 @@ void lit_demo_text(FILE *f);
 int  lit_units(const options *o);
 int  lit_chart(FILE *html, const options *o, kit_error *err);
 void lit_chart_text(FILE *f);
-/* What rows' irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to
-   phase. */
-int splits(row *rows, stage *s, const entry *entries, int count, int phases, kit_error *err);
+/* What a row's irradiance or ambient visibility is off by: on the mean over the phases of the noise, and from phase to
+   phase. picture: the first phase's; run draws the others; NULL: a picture that has no noise. A second phase that is
+   the first over again is the last. */
+int split(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err);
 int  pair_units(const options *o);
 int  pair_chart(FILE *html, const options *o, kit_error *err);
 void pair_text(FILE *f, const options *o);

@@ -110,6 +110,7 @@ static int truth_of(stage *s, kit_error *err)
     if (s->between) h = kit_hash(h, s->scene.mesh.object, s->scene.mesh.triangles * sizeof *s->scene.mesh.object);
     for (int i = 0; i < s->scene.objects && s->between; ++i)
         h = kit_hash(h, &s->scene.object[i].casts, sizeof s->scene.object[i].casts);
+    if (s->stride > 1) h = kit_hash(h, &s->stride, sizeof s->stride);
     snprintf(path, sizeof path, "build/cache/%s-%s%dx%d-%g-%d-%016llx.exr", s->name,
              s->between                   ? "objects-"
              : !s->lit                    ? ""
@@ -125,13 +126,13 @@ static int truth_of(stage *s, kit_error *err)
             const float *was = kit_image_channel(&s->truth, probe.name[k]),
                         *is = kit_image_channel(&probe, probe.name[k]);
             same = was != NULL;
-            for (size_t i = 0; i < pixels && same; ++i) same = isnan(is[i]) || is[i] == was[i];
+            for (size_t i = 0; i < pixels && same; ++i) same = isnan(is[i]) || isnan(was[i]) || is[i] == was[i];
         }
         kit_image_free(&probe);
         if (same) return 0;
         kit_image_free(&s->truth);
     }
-    if (trace(&s->truth, s, s->rays, 1, err)) return -1;
+    if (trace(&s->truth, s, s->rays, s->stride > 1 ? s->stride : 1, err)) return -1;
     if (folder("build/cache", &note) || kit_exr_write(&s->truth, path, &note))
         fprintf(stderr, "report: note: the truth is not kept: %s\n", note.text);
     return 0;
@@ -269,7 +270,13 @@ int stage_look(stage *s, const view *v, int width, int height, kit_error *err)
 
 int stage_compare(stage *s, kit_error *err)
 {
+    const size_t pixels = (size_t)s->frame.width * (size_t)s->frame.height;
     if (truth_of(s, err)) return -1;
+    for (size_t i = 0; i < pixels; ++i) {
+        if (!isnan(s->truth.data[i])) continue;
+        kit_image_channel(&s->frame, "Z")[i] = 0;
+        for (size_t k = 0; k < KIT_PLACES; ++k) s->places.data[k * pixels + i] = 0;
+    }
     return s->lit ? stage_lit(s, err) : stage_ao(s, err);
 }
 
@@ -389,35 +396,50 @@ static void count_surfels(row *r, const kit_run *run)
     }
 }
 
+/* Whether so many ratios lie within AGREED of their least. */
+static int agreed(const double *ratio, int count)
+{
+    double least = ratio[0], most = ratio[0];
+    for (int k = 1; k < count; ++k) {
+        least = fmin(least, ratio[k]);
+        most = fmax(most, ratio[k]);
+    }
+    return most < (1 + AGREED) * least;
+}
+
 /* Times what once(of, i) draws, all drawn before, in ms: each once a round between two drawings of the reference, whose
-   mean its time is divided by; medians. Slow ones sit out late rounds. */
+   mean its time is divided by; medians. What is slow, or agrees with itself, sits out late rounds. */
 int clock_all(row *rows, stage *s, double (*once)(void *of, int i), void *of, int count, int rounds, kit_error *err)
 {
     double *ratio = calloc((size_t)(2 * count * rounds), sizeof *ratio), *ms = ratio + count * rounds, before, after;
+    int *drawn = calloc((size_t)count, sizeof *drawn);
     kit_run fixed;
     char what[128];
-    if (!ratio) return kit_fail(err, "out of memory");
-    if (run_open(&fixed, s, reference.method, reference.settings, s->radius, err)) { free(ratio); return -1; }
+    int failed = ratio && drawn ? run_open(&fixed, s, reference.method, reference.settings, s->radius, err)
+                                : kit_fail(err, "out of memory");
+    if (failed) { free(ratio); free(drawn); return -1; }
     kit_run_draw(&fixed, 1);
     snprintf(what, sizeof what, "%s: times", s->name);
     kit_progress(what, 0);
     for (int k = 0; k < rounds; ++k) {
         before = draw(&fixed);
         for (int i = 0; i < count; ++i) {
-            if (k >= SLOW_ROUNDS && ms[i * rounds] > SLOW * before) continue;
-            ms[i * rounds + k] = once(of, i);
+            double *const r = ratio + i * rounds, *const t = ms + i * rounds;
+            if (k >= LEAST_ROUNDS && (t[0] > SLOW * before || agreed(r, drawn[i]))) continue;
+            t[drawn[i]] = once(of, i);
             after = draw(&fixed);
-            ratio[i * rounds + k] = ms[i * rounds + k] / (0.5 * (before + after));
+            r[drawn[i]] = t[drawn[i]] / (0.5 * (before + after));
+            ++drawn[i];
             before = after;
             kit_progress(what, (k * count + i + 0.99) / (rounds * count));
         }
     }
     kit_progress(what, 1);
     for (int i = 0; i < count; ++i) {
-        const int drawn = rounds > SLOW_ROUNDS && !(ms[i * rounds + SLOW_ROUNDS] > 0) ? SLOW_ROUNDS : rounds;
-        rows[i].relative = kit_median(ratio + i * rounds, drawn);
-        rows[i].ms = kit_median(ms + i * rounds, drawn);
+        rows[i].relative = kit_median(ratio + i * rounds, drawn[i]);
+        rows[i].ms = kit_median(ms + i * rounds, drawn[i]);
     }
+    free(drawn);
     kit_run_close(&fixed);
     free(ratio);
     return 0;
@@ -445,8 +467,10 @@ int clock_runs(row *rows, stage *s, kit_run *run, int count, int rounds, kit_err
 }
 
 /* Fills a row an entry, then one for each of what is given: count + s->givens in all. Every entry is drawn once to warm
-   up, with a history SETTLED frames (that picture is scored), then timed. pictures: NULL, or an empty one an entry. */
-int measure(row *rows, stage *s, const entry *entries, int count, int rounds, kit_image *pictures, kit_error *err)
+   up, with a history SETTLED frames (that picture is scored), over so many phases of its noise (0: one, and no split is
+   known), then timed. pictures: NULL, or an empty one an entry. */
+int measure(row *rows, stage *s, const entry *entries, int count, int rounds, int phases, kit_image *pictures,
+            kit_error *err)
 {
     kit_run run[MOST_ENTRIES];
     char what[128];
@@ -463,7 +487,8 @@ int measure(row *rows, stage *s, const entry *entries, int count, int rounds, ki
         rows[i].fetches = run[i].fetches + (s->lit && !run[i].lit ? s->lights.fetches : 0);
         if (draw_settled(&run[i], 0, 1, err) < 0 || kit_run_read(&picture, &run[i], err)
             || (s->lit && !run[i].lit && light_by(&picture, s, err))
-            || score(&rows[i], s, &picture, err))
+            || score(&rows[i], s, &picture, err)
+            || (phases && split(&rows[i], s, &run[i], phases, &picture, err)))
             return -1;
         if (pictures) pictures[i] = picture; else kit_image_free(&picture);
         kit_progress(what, (i + 1.0) / (count + 1.0));
@@ -478,7 +503,9 @@ int measure(row *rows, stage *s, const entry *entries, int count, int rounds, ki
         r->method = s->given[i].method;
         r->settings = "";
         r->fetches = r->bytes = r->relative = r->ms = (double)NAN;
-        if (score(r, s, &s->given[i].picture, err)) return -1;
+        if (score(r, s, &s->given[i].picture, err)
+            || (phases && split(r, s, NULL, phases, &s->given[i].picture, err)))
+            return -1;
         if (!strcmp(r->label, "floor") && FLOOR_STRIDE > 1) r->score.ssim = (double)NAN;      /* has no neighbours */
     }
     for (int i = 0; i < count + s->givens; ++i) rows[i].scene = s->name;
