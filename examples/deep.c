@@ -84,27 +84,20 @@ static const deep_part deep_demos[] = {
 static const entry deep_ao[] = { /* rows of one label make one curve */
                                  { "ssao", "ssao", "samples=8", 0 },
                                  { "ssao", "ssao", "", 1 },
-                                 { "ssao", "ssao", "samples=64", 0 },
                                  { "hsao", "hsao-fast", "", 1 },
                                  { "hsao", "hsao", "", 1 },
                                  { "hsao", "hsao-best", "", 1 },
                                  DSS("dss", "size=0.06", 0),
                                  DSS("dss", "size=0.03", 1),
                                  DSS("dss", "", 1),
-                                 DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0),
-                                 DSS("dss, epsilon 0.02, 4 levels", "epsilon=0.02,levels=4", 0),
-                                 DSS("dss, every triangle", "size=0.03,keep_small=1", 0)
+                                 DSS("dss, epsilon 0.02, 4 levels", "size=0.03,epsilon=0.02,levels=4", 0)
 };
 static const entry deep_figure8[] = {
     DSS("epsilon", COARSE ",levels=4,epsilon=0.2", 1),  DSS("epsilon", COARSE ",levels=4,epsilon=0.1", 1),
-    DSS("epsilon", COARSE ",levels=4,epsilon=0.05", 0), DSS("epsilon", COARSE ",levels=4,epsilon=0.02", 1),
-    DSS("epsilon", COARSE ",levels=4,epsilon=0.01", 0), DSS("levels", COARSE ",epsilon=0.1,levels=1", 0),
-    DSS("levels", COARSE ",epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",epsilon=0.1,levels=3", 0),
-    DSS("levels", COARSE ",epsilon=0.1,levels=4", 1),   DSS("levels", COARSE ",epsilon=0.1,levels=5", 0),
-    DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
+    DSS("epsilon", COARSE ",levels=4,epsilon=0.02", 1), DSS("levels", COARSE ",epsilon=0.1,levels=1", 0),
+    DSS("levels", COARSE ",epsilon=0.1,levels=2", 1),   DSS("levels", COARSE ",epsilon=0.1,levels=6", 0)
 };
 static const entry deep_choices[] = { DSS("defaults", COARSE, 1),
-                                      DSS("weighted, epsilon 0.02", COARSE ",epsilon=0.02", 0),
                                       DSS("every triangle", COARSE ",keep_small=1", 0),
                                       DSS("aside: as published", COARSE ",offscreen_growth=0", 0),
                                       DSS("front: the near plane", COARSE ",near_depth=0", 0),
@@ -123,27 +116,22 @@ static const entry deep_ssdos[] = { { "ssdo", "ssdo-fast", "", 0 },
                                     { "ssdo, 4 cameras", "ssdo-points", "views=4", 0 } };
 static const entry deep_mirrors[] = { { "dss-gloss", "dss-gloss", "exponent=8,size=0.06", 0 },
                                       { "dss-gloss", "dss-gloss", "exponent=8,size=0.03", 1 },
-                                      { "dss-gloss", "dss-gloss", "exponent=8", 0 },
                                       { "dss-gloss, epsilon 0.02", "dss-gloss", "exponent=8,size=0.03,epsilon=0.02",
                                         0 } };
 static const entry deep_marbles[] = { { "dss-scatter", "dss-scatter", MARBLE, 1 },
                                       { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
                                       { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
-                                      { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 },
-                                      { "dss-scatter, shares of triangles", "dss-scatter",
-                                        MARBLE ",keep_small=0,size=0.0075", 0 } };
+                                      { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 } };
 static const entry deep_effects[] = { { "ambient occlusion", "dss", "way=capture", 1 },
                                       { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
                                       { "one specular bounce", "dss-gloss", "way=capture", 1 },
                                       { "scattering", "dss-scatter", "way=capture," MARBLE, 1 } };
 static const entry deep_watched[] = { { "hsao", "hsao", "", 1 },
                                       { "ssdo", "ssdo", "bounce=none", 1 },
-                                      { "dss", "dss", COARSE, 1 },
-                                      { "dss, finer", "dss", "", 0 } };
+                                      { "dss", "dss", COARSE, 1 } };
 static const entry deep_moved[] = { { "hsao", "hsao", "", 1 },
                                     { "ssao", "ssao", "", 0 },
                                     { "dss", "dss", COARSE, 1 },
-                                    { "dss, finer", "dss", "", 0 },
                                     { "dss, every triangle", "dss", COARSE ",keep_small=1", 0 } };
 
 /* The same reach, radius sqrt(1 / epsilon - 1) 2^(levels - 1): 16^2 (1/0.1 - 1) = 1/0.000433839 - 1. half: of the
@@ -158,11 +146,9 @@ typedef struct growth { const char *label, *settings; int width, quick; } growth
 static const growth deep_growth[] = { { "surfels", "size=0.06", 320, 1 },
                                       { "surfels", COARSE, 320, 1 },
                                       { "surfels", "size=0.015", 320, 0 },
-                                      { "surfels", "size=0.0075", 320, 0 },
                                       { "pixels", COARSE, 160, 1 },
                                       { "pixels", COARSE, 320, 0 },
                                       { "pixels", COARSE, 640, 0 },
-                                      { "pixels", COARSE, 1280, 0 },
                                       { "levels", COARSE ",epsilon=0.1,levels=1", 320, 1 },
                                       { "levels", COARSE ",epsilon=0.1,levels=2", 320, 0 },
                                       { "levels", COARSE ",epsilon=0.1,levels=4", 320, 1 },

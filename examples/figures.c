@@ -236,7 +236,7 @@ static int table_end(const csv *c, int from)
 
 /* label: how the first row's begins */
 static const struct { const char *file, *scene, *label, *title, *about; } titles[] = {
-    { "lit", "bunny", "1 layer", "Speed against accuracy: bunny and four boxes under a sky, one bounce",
+    { "lit", "bunny", "slices", "Speed against accuracy: bunny and four boxes under a sky, one bounce",
         "![Cost against error, lit](pictures/chart-lit.svg)" },
     { "lit", "bunny", "ambient visibility", "", "" },
     { "lit", "columns", "", "What is hidden: `columns`, made to need several depth layers", "" },

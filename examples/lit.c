@@ -14,8 +14,8 @@
 
 static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 256, 0.4f,
     { { 300, 129, 128, 72 } } };
-static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 512, 1, { { 0 } } };
-static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 512, 1, { { 0 } } };
+static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 256, 1, { { 0 } } };
+static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 256, 1, { { 0 } } };
 static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 115, 150, 128, 72 } } };
 #define BETWEEN_BOXES { { 120, 123, 128, 72 }, { 260, 123, 128, 72 } }
 static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
@@ -49,54 +49,37 @@ static const entry lamp_entries[] = {
 #define PLAIN "fade=none,range=0"
 
 static const entry deep_entries[] = {       /* rows of one label make one curve; directions of 4 points */
-    { "1 layer",             "ssdo-points", "samples=2",                                   0 },
     { "slices",              "ssdo-fast", "",                                       0 },
     { "slices",              "ssdo", "",                                            1 },
     { "slices",              "ssdo-best", "",                                       1 },
     { "slices, solid",       "ssdo", "behind=solid",                                0 },
     { "slices, back faces",  "ssdo", "behind=back",                                 1 },
-    { "slices, two slabs",   "ssdo-fast", "behind=slabs",                           0 },
     { "slices, two slabs",   "ssdo", "behind=slabs",                                1 },
-    { "slices, two slabs",   "ssdo-best", "behind=slabs",                           0 },
     { "slices, for a bounce", "ssdo-bounce", "",                                    1 },
     { "slices, for a bounce", "ssdo-bounce", "margin=0.25",                         1 },
     { "1 layer",             "ssdo-points", "",                                     1 },
-    { "1 layer",             "ssdo-points", "samples=8",                                   0 },
     { "1 layer",             "ssdo-points", "samples=16",                                  1 },
-    { "1 layer, 1 point a direction", "ssdo-points", "samples=8,steps=1," PLAIN,           0 },
     { "1 layer, 1 point a direction", "ssdo-points", "samples=16,steps=1," PLAIN,          1 },
-    { "1 layer, 1 point a direction", "ssdo-points", "samples=64,steps=1," PLAIN,          0 },
     { "2 layers",            "ssdo-points", "layers=2",                                    1 },
-    { "2 layers",            "ssdo-points", "samples=16,layers=2",                         0 },
     { "4 cameras",           "ssdo-points", "views=4",                                     1 },
-    { "4 cameras",           "ssdo-points", "samples=16,views=4",                          1 },
-    { "2 layers, 4 cameras", "ssdo-points", "layers=2,views=4,view_layers=2",              0 },
-    { "harmonics, 1 layer",  "s3ho-points", "samples=2",                                   0 },
     { "harmonics, 1 layer",  "s3ho-points", "",                                     1 },
     { "harmonics, slices",   "s3ho-fast", "",                                       1 },
     { "harmonics, slices",   "s3ho", "",                                            1 },
-    { "harmonics, slices",   "s3ho-best", "",                                       0 },
-    { "harmonics, 1 layer",  "s3ho-points", "samples=8",                                   0 },
-    { "harmonics, 1 layer",  "s3ho-points", "samples=16",                                  1 },
-    { "harmonics, 4 cameras", "s3ho-points", "views=4",                                    0 }
+    { "harmonics, slices",   "s3ho-best", "",                                       0 }
 };
 static const entry extension_entries[] = {
     { "slices",                              "ssdo", "",                               1 },
     { "slices, back faces",                  "ssdo", "behind=back",                    1 },
     { "slices, two slabs",                   "ssdo", "behind=slabs",                   1 },
     { "1 layer",                             "ssdo-points", "",                        1 },
-    { "1 layer, 16 directions of 1 point",   "ssdo-points", "samples=16,steps=1," PLAIN,      1 },
     { "2 layers",                            "ssdo-points", "layers=2",                       1 },
     { "4 layers",                            "ssdo-points", "layers=4",                       1 },
     { "4 cameras",                           "ssdo-points", "views=4",                        1 },
-    { "2 layers, 4 cameras of 2 layers",     "ssdo-points", "layers=2,views=4,view_layers=2", 1 },
     { "harmonics, slices",                   "s3ho", "",                               1 },
     { "harmonics, two slabs",                "s3ho", "behind=slabs",                   1 },
     { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
     { "slices, for a bounce",                "ssdo-bounce", "",                        1 },
-    { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 },
-    { "1 layer, half size",                  "ssdo-points", "half=1",                  0 },
-    { "1 camera, half size",                 "ssdo-points", "half=1,views=1",          1 }
+    { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 }
 };
 static const entry cost_entries[] = {
     { "ambient visibility", "ssao", "blur=0", 1 },
@@ -113,21 +96,11 @@ static const entry harmonics_entries[] = {
     { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
 };
 static const entry probe_entries[] = {      /* the paper's two steps along a direction */
-    { "S3HO",           "s3ho-points", "samples=8,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
     { "S3HO",           "s3ho-points", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO",           "s3ho-points", "samples=32,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho-points", "samples=8,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "S3HO, exact",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho-points", "samples=32,steps=2,indirect=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo-points", "samples=8,steps=2,bounce=none,blur=0," PLAIN, 1 },
     { "SSDO, map",      "ssdo-points", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSDO, map",      "ssdo-points", "samples=32,steps=2,bounce=none,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn-points", "samples=8,steps=2,blur=0," PLAIN, 1 },
     { "SSBN, cone",     "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "SSBN, cone",     "ssbn-points", "samples=32,steps=2,blur=0," PLAIN, 1 },
-    { "SSAO",           "ssao", "samples=8,steps=2,blur=0," PLAIN, 1 },
-    { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
-    { "SSAO",           "ssao", "samples=32,steps=2,blur=0," PLAIN, 1 }
+    { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 }
 };
 static const entry band_entries[] = {
     { "1 band, as published",  "s3ho-points", "bands=1,indirect=none,residual=0", 1 },
@@ -141,14 +114,10 @@ static const entry band_entries[] = {
 };
 static const entry vector_entries[] = {
     { "ambient visibility", "ssao", "samples=16,blur=0," PLAIN, 1 },
-    { "ambient visibility", "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 },
     { "cone", "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
     { "1 band", "s3ho-points", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "1 band", "s3ho-points", "bands=1,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
     { "2 bands", "s3ho-points", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "2 bands", "s3ho-points", "bands=2,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
     { "3 bands", "s3ho-points", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
-    { "3 bands", "s3ho-points", "bands=3,samples=16,steps=2,indirect=none,blur=0," PLAIN, 0 },
     { "4 bands", "s3ho-points", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
     { "4 bands", "s3ho-points", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "4 bands, stored, then met", "s3ho-points", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN,
@@ -156,10 +125,7 @@ static const entry vector_entries[] = {
     { "4 bands, stored packed", "s3ho-points",
       "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
     { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
-    { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 },
-    { "4 bands, light filtered 8x8", "s3ho-points", "samples=16,steps=2,indirect=none,noise=texture,blur=4," PLAIN, 1 },
-    { "4 bands, vectors filtered 8x8", "s3ho-points",
-      "samples=16,steps=2,indirect=none,noise=texture,blur=4,filtered=vectors," PLAIN, 1 }
+    { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 }
 };
 
 typedef struct lit_table {

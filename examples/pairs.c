@@ -42,6 +42,7 @@ static const entry pair_entries[] = {
     { "ssdo-best, slabs",            "ssdo-best", "bounce=none,behind=slabs",        0 },
     { "ssdo, points",                "ssdo-points", "bounce=none",                   0 },
     { "s3ho-fast",                   "s3ho-fast", "indirect=none",                   0 },
+    { "s3ho-fast, 16 frames",        "s3ho-fast", "indirect=none,history=1",         0 },
     { "s3ho",                        "s3ho",      "indirect=none",                   1 },
     { "s3ho, as published",          "s3ho",      "indirect=none,residual=0",        0 },
     { "s3ho, slabs",                 "s3ho",      "indirect=none,behind=slabs",      0 },
