@@ -215,9 +215,11 @@ enum {
     LIT_SETS = LIT_TABLES + BAND_TABLES,
     LIT_WIDTH = 320,
     LIT_HEIGHT = 180,
+    PROBE_STRIDE = 14,
     PHASES = 8
 };
 typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
+_Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");
 static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
 
 /* ---- >>pages ----------------------------------------------------------------------------------------------------- */
@@ -230,13 +232,14 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
     kit_image probe;
     row noise;
     memset(&noise, 0, sizeof noise);
-    if (trace(&probe, s, 4 * s->rays, 23, err) || score(&noise, s, &probe, err)) return -1;
+    if (trace(&probe, s, 4 * s->rays, PROBE_STRIDE, err) || score(&noise, s, &probe, err)) return -1;
     kit_image_free(&probe);
     if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
     fprintf(html,
-            "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel; its own "
-            "error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
+            "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel%s; its "
+            "own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
             t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays,
+            s->stride > 1 ? ", every second one of every second row" : "",
             noise.error[0], noise.error[1], bounce);
     return 0;
 }
@@ -420,7 +423,9 @@ static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *e
     stage s;
     if (!count || (o->quick && !t->quick)) return 0;
     if (!rows) return 1;
-    if (stage_open(&s, &t->view, LIT_WIDTH, LIT_HEIGHT, err)
+    if (stage_load(&s, &t->view, err)) return -1;
+    s.stride = LIT_STRIDE;
+    if (stage_show(&s, &t->view, LIT_WIDTH, LIT_HEIGHT, err)
         || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, t->of == OF_SPLIT ? PHASES : 0,
                    picture, err))
         return -1;

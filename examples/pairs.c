@@ -11,10 +11,8 @@
 #define INTERIOR "/usr/share/blender/datafiles/studiolights/world/interior.exr"
 #define INTERIOR_PACKAGE "blender-data"
 
-/* the truth is traced at every PAIR_STRIDE-th pixel both ways, and probed at some of these */
-enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, PAIR_STRIDE = 2, NOISE_RAYS = 4, NOISE_STRIDE = 10 };
-_Static_assert(NOISE_STRIDE / 2 % PAIR_STRIDE == PAIR_STRIDE / 2 && NOISE_STRIDE % PAIR_STRIDE == 0,
-    "noise is probed where there is no truth");
+enum { PAIR_WIDTH = 320, PAIR_HEIGHT = 180, NOISE_RAYS = 4, NOISE_STRIDE = 10 };
+_Static_assert(ON_STRIDE(NOISE_STRIDE), "noise is probed where there is no truth");
 /* alone, and with boxes beside the bunny; as many rays as bring the truth's noise below 1 % of the mean */
 #define LIT(env, rays, exposure) \
     { { env, { NULL }, 0, 0, 0, rays, exposure, NO_CROPS }, { env, { NULL }, 4, 0, 0, rays, exposure, NO_CROPS } }
@@ -107,7 +105,7 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     v.name = name;
     v.lit = &probes[k % PROBES].lit[scenes[k / PROBES].boxes];
     if (stage_load(&s, &v, err) || stage_look(&s, &v, PAIR_WIDTH, PAIR_HEIGHT, err)) return -1;
-    s.stride = PAIR_STRIDE;
+    s.stride = LIT_STRIDE;
     s.rays = s.lit->rays;                           /* a quick chart's, too: noise below 1 % is what it is for */
     if (stage_compare(&s, err)
         || measure(rows, &s, entries, count, QUICK_ROUNDS, 0, picture, err))

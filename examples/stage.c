@@ -343,6 +343,7 @@ int score(row *r, const stage *s, const kit_image *picture, kit_error *err)
         failed = kit_score_channels(&here, picture, &s->truth, names[g], s->lit ? 3 : 1, mask, err)
                  || kit_score_channels(&unit, &s->unit, &s->truth, names[g], s->lit ? 3 : 1, mask, err);
         const double share = s->lit ? -unit.bias : unit.rmse, known = share > 0 ? 1 / share : (double)NAN;
+        if (s->stride > 1) here.ssim = (double)NAN;      /* has no neighbours */
         if (g % 3 == 0) r->score = here;
         if (g % 3 == 0) r->share = here.rmse * known;
         if (s->lit) r->error[g] = here.rmse * known;
