@@ -61,7 +61,7 @@ static const entry chart_entries[] = {      /* rows of one label make one curve 
     { "march, 4 cameras", "hsao-march", "directions=4,steps=6,views=4",       0 },
     { "hsao, margin",    "hsao",       "margin=0.25",                         1 },
     { "hsao, margin",    "hsao-best",  "margin=0.25",                         0 },
-    { "dss",             "dss",        "",                                    1 }
+    { "dss",             "dss",        "",                                    0 }
 };
 
 /* The demo's strip: a camera that comes round to the demo's own in so many frames. */
