@@ -121,7 +121,8 @@ static const entry deep_mirrors[] = { { "dss-gloss", "dss-gloss", "exponent=8,si
 static const entry deep_marbles[] = { { "dss-scatter", "dss-scatter", MARBLE, 1 },
                                       { "dss-scatter, 5 levels", "dss-scatter", MARBLE ",levels=5", 0 },
                                       { "dss-scatter, epsilon 0.1", "dss-scatter", MARBLE ",epsilon=0.1", 0 },
-                                      { "dss-scatter, shares of triangles", "dss-scatter", MARBLE ",keep_small=0", 1 } };
+                                      { "dss-scatter, shares of triangles", "dss-scatter",
+                                        MARBLE ",keep_small=0", 1 } };
 static const entry deep_effects[] = { { "ambient occlusion", "dss", "way=capture", 1 },
                                       { "directional occlusion, a bounce", "dss-lit", "way=capture", 1 },
                                       { "one specular bounce", "dss-gloss", "way=capture", 1 },

@@ -148,13 +148,13 @@ static const struct { const char *label[2]; setup setup;
                   { { "ball", 1, { -0.6f, 0.501f, 0 } }, { "ball", 1, { 0.6f, 0.501f, 0 } } },
                   NO_BOXES,
                   0,
-                  512 } },
+                  256 } },
               { { "cubes, each traced", "cubes, each by its field" },
                 { CLOSE("two-cubes"),
                   { { "cube", 1, { -0.6f, 0.501f, 0 } }, { "cube", 1, { 0.6f, 0.501f, 0 } } },
                   NO_BOXES,
                   0,
-                  512 } } };
+                  256 } } };
 
 enum {
     FIELD_SCENES = COUNT(field_scenes),

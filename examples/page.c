@@ -626,7 +626,7 @@ void html_terms(FILE *f)
           "<dt>edge, border, inside<dd>Which shares of the squared error sit within 3 pixels of a jump in depth; "
           "elsewhere, nearer to the picture's border than the radius is long; and in the rest. With light: of "
           "irradiance. The CSV has their shares of the pixels, RMSE and bias as well.\n"
-          "<dt>model, noise<dd>Drawn with four phases of its noise: the model's error is what their mean picture is "
+          "<dt>model, noise<dd>Drawn with two phases of its noise: the model's error is what their mean picture is "
           "off, the noise what a pixel varies by, as under light below. The noise is 0 where no phase changes the "
           "picture.\n"
           "<dt>margin<dd>The depth buffer is larger than the picture on each side, by so many radii as projected at "
