@@ -266,8 +266,9 @@ static void deep_about(FILE *html, const stage *s, const char *about)
 {
     fprintf(html, "<p>%s %zu triangles, %d x %d pixels, radius %g. ", about, s->scene.mesh.triangles, s->frame.width,
             s->frame.height, (double)s->radius);
-    fprintf(html, s->otherwise.kind == SCATTER ? "Truth: %d thousand samples.</p>\n" : "Truth: %d rays a pixel.</p>\n",
-            s->rays);
+    fprintf(html,
+            s->otherwise.kind == SCATTER ? "Truth: %d thousand samples%s.</p>\n" : "Truth: %d rays a pixel%s.</p>\n",
+            s->rays, s->stride > 1 ? ", every second pixel of every second row" : "");
 }
 
 /* ---- >>demo ------------------------------------------------------------------------------------------------------ */
@@ -351,6 +352,7 @@ static int deep_table_of(FILE *html, const deep_table *t, const options *o, row 
     if (!rows) return 1;
     if (deep_load(&s, &t->see, err)) return -1;
     if (s.otherwise.kind == SCATTER) s.rays *= 4;
+    if (s.lit) s.stride = LIT_STRIDE;
     if (stage_show(&s, &t->see.view, DEEP_WIDTH, DEEP_HEIGHT, err)) return -1;
     const int more = deep_measure(rows + count, &s, t->see.view.name, entries, all,
                                   t->svg     ? QUICK_ROUNDS

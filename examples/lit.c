@@ -239,7 +239,7 @@ static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
             "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel%s; its "
             "own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
             t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays,
-            s->stride > 1 ? ", every second one of every second row" : "",
+            s->stride > 1 ? ", every second pixel of every second row" : "",
             noise.error[0], noise.error[1], bounce);
     return 0;
 }

@@ -125,7 +125,7 @@ static int pair_unit(FILE *html, const options *o, int k, row *rows, kit_error *
     escaped(html, s.name);
     fprintf(html,
             "</h3>\n<p>%zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel, every "
-            "second one of every second row; its own noise %.4f of the mean.</p>\n",
+            "second pixel of every second row; its own noise %.4f of the mean.</p>\n",
             s.scene.mesh.triangles, s.truth.width, s.truth.height, (double)s.radius, s.rays, beside[2].error[1]);
     if (thumbs(html, o->out, &s, rows, picture, count, err)) return -1;
     for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
