@@ -17,7 +17,7 @@ typedef struct deep_view { view view; float box[4][6]; otherwise otherwise; } de
 static const lit deep_sky    = { DEEP_LIGHT, 128, 0.4f, NO_CROPS };
 static const lit deep_lamp   = { NULL, { "point:0,5,-2.8,60,60,60" }, 0, 1, 0, 128, 0.5f, NO_CROPS };
 static const lit deep_behind = { NULL, { "sun:1,0.5,-0.6,4,4,4" }, 0, 0, 0, 200, 1.5f, NO_CROPS };
-static const lit deep_white  = { "white", { NULL }, 0, 0, 0, 128, 1, NO_CROPS };
+static const lit deep_white  = { "white", { NULL }, 0, 0, 0, 64, 1, NO_CROPS };
 
 #define BUNNY_VIEW(name, ground, radius, lit) \
     { name, BUNNY, ground, { -1.4f, 1.1f, 3.7f }, { 0, -0.13f, 0 }, 33, radius, lit }, NO_BOX
