@@ -33,7 +33,7 @@
    CONFIG       SSGI_STATIC makes every function static. Nothing else changes the header.
    ROOMS        search for ">>"
       >>types      results
-      >>view       projection decode: perspective, orthographic, any handedness and depth; additional cameras
+      >>view       projection decode: perspective, orthographic, any handedness and depth; extra cameras
       >>kernel     low-discrepancy points, sample sets
       >>sh         spherical harmonics: basis, windows, projection of environments, lights, rotation
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
@@ -132,7 +132,7 @@ SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 /* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
-/* An additional camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
+/* An extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
    radius * displacement and looks at centre.
      main_world_to_view  [limit: rigid: rotation and translation; z may be negated]
      centre, radius      [units: world] [limit: radius > 0] the scene's bounding sphere
@@ -190,8 +190,8 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
 SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *const faces[6], int size,
                                           const char **why);
 
-/* Windows: factors of the bands that reduce the ringing of a narrow light. Beside each, for a directional light in 4
-   bands of irradiance 1 on a facing surface: the series' peak, the least irradiance unoccluded, and partly, negated. */
+/* Windows: factors of the bands that reduce a narrow light's ringing. Beside each, for a sun in 4 bands that gives a
+   facing surface irradiance 1: the series' peak; its least irradiance; how far occlusion takes it below 0. */
 enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
        SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
        /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
@@ -358,7 +358,7 @@ typedef struct ssgi_surfel {
 
 typedef struct ssgi_surfel_desc {
     float size;     /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, beyond level 64 or near and far */
+    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, of triangles beyond level 64 */
     float offscreen_growth; /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance
                        outside the frustum, where no visible pixel is close; 1e-6: none, as published */
     int   keep_small;  /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
@@ -534,7 +534,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
    Fitted on ray-traced truth, tested on other scenes: README. A survey improves predictions, a calibration most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
-      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.behind = 2;
+      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.behind = SSGI_PLAN_SLABS;
       ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
       ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
       ssgi_plan plan;
@@ -549,13 +549,13 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.behind, desc.behind */
 enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
-/* RMS over the frame of the occlusion that hsao finds, with slabs where they are drawn; of its change at full size with
-   more taps, which is what it misses of detail; of its change with unlimited thickness, and with slabs, which is what
-   hangs on thickness. occlusion 0: no survey. slabs 0: not drawn. */
+/* RMS over the pixels with a surface: of 1 - visibility (slabs', where drawn), best - hsao (detail), solid - hsao,
+   slabs - hsao. occlusion 0: no survey; slabs 0: not drawn. */
 typedef struct ssgi_survey { float occlusion, detail, solid, slabs; } ssgi_survey;
 
-/* Ambient visibility of pass HSAO by slices, each of count pixels: preset BALANCED; preset BEST; BALANCED with
-   desc.behind SOLID; with SLABS (may be NULL). Pixels that are not finite in all count as not covered. */
+/* From full-size pictures of pass HSAO by slices, filtered, count floats each, one radius: preset BALANCED; BEST;
+   BALANCED with desc.behind SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
+   where there is no surface, set NaN there. SSGI_BAD_ARGUMENT: NULL but for slabs. */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
@@ -588,11 +588,11 @@ typedef struct ssgi_plan_scene {
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
     int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   behind;           /* what may be drawn: 0 nothing, 1 nearest back faces, 2 two slabs as well */
+    int   behind;           /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
     float depth_pass;       /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
     int   history;          /* 1: frames may be averaged: the camera's motion is known, a trail may show */
-    double surfels;         /* that the triangles become at size 0.015 (ssgi_surfels_predict), over the frame's pixels;
-                               0: none may be made */
+    double surfels;         /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
+                               frame's pixels; 0: none may be made */
     double splats;          /* texels of their splats, all levels, over the frame's pixels [default: 170] */
     int   occluders;        /* OBJECTS: with fields */
     float coverage;         /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
@@ -601,12 +601,12 @@ typedef struct ssgi_plan_scene {
 typedef struct ssgi_plan {
     int   method;           /* SSGI_PLAN_NOTHING .. */
     /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
-    int   behind, half, directions, steps, bands, history, levels, filter, resolution;
+    int   behind, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;             /* ssgi_surfel_desc.size */
     float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
                                makes surfels and fields */
     float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.1 x that asked for (predictions' accuracy), and cost within the budget */
+    int   meets;            /* 1: error <= 1.1 x that asked for, cost within the budget; 0 if no error was asked for */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
@@ -3343,52 +3343,52 @@ typedef struct ssgi__plan_row {
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 2, 0, 0, 0, 0, 0.74f, 0.78f, 0.11f, 1.46f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.81f, 0.92f, 0.02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 8, 0, 0, 0, 0, 0.93f, 1.2f, 0.005f, 1.08f, 0, 0, 0, 0, 0, 0, 0.042f),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.33f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 12, 0, 1, 0, 0, 1.54f, 1.71f, 0, 0.9f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 1, 10, 0, 0, 0, 0, 2.55f, 3.45f, 0.002f, 0.87f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 2, 10, 0, 0, 0, 0, 4.28f, 6.3f, 0, 0.82f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.16f, 1.41f, 0, 0.88f, 0.19f, 0, 0, 0, 0, 0, 0.19f),
-    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 8, 0, 0, 0, 0, 1.67f, 2.2f, 0, 0.81f, 0.15f, 0, 0, 0, 0, 0, 0.032f),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.45f, 1.75f, 0.006f, 0, 1.09f, 0, 0, 0, 0, 0, 0.019f),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 2, 0, 0, 0, 0, .78f, .78f, .11f, 1.46f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .82f, .92f, .02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 8, 0, 0, 0, 0, .98f, 1.2f, .005f, 1.08f, 0, 0, 0, 0, 0, 0, .042f),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 12, 0, 1, 0, 0, 1.51f, 1.71f, 0, .9f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 1, 10, 0, 0, 0, 0, 2.58f, 3.45f, .002f, .87f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 0, 2, 10, 0, 0, 0, 0, 4.38f, 6.3f, 0, .82f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 1, 8, 0, 0, 0, 0, 1.18f, 1.41f, 0, .88f, .19f, 0, 0, 0, 0, 0, .19f),
+    SSGI__ROW(VISIBILITY, HSAO, BACK, 1, 2, 8, 0, 0, 0, 0, 1.7f, 2.2f, 0, .81f, .15f, 0, 0, 0, 0, 0, .032f),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 8, 0, 0, 0, 0, 1.41f, 1.75f, .006f, 0, 1.09f, 0, 0, 0, 0, 0, .019f),
     SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.02f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.1f, 2.54f, 0, 0, 0.86f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.02f, 6.2f, 0.001f, 0, 0.81f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.33f, 11.8f, 0, 0, 0.74f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.1f, 20.7f, 0, 0, 0.69f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.03f, 0, 3.08f, 0, 0, 0.48f, 0.021f, 0.37f, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.015f, 0, 3.08f, 0, 0, 0.4f, 0.18f, 0.87f, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 2.08f, 2.54f, 0, 0, .86f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 1, 10, 0, 0, 0, 0, 4.03f, 6.2f, .001f, 0, .81f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 2, 10, 0, 0, 0, 0, 7.38f, 11.8f, 0, 0, .74f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, HSAO, SLABS, 0, 3, 12, 0, 0, 0, 0, 12.0f, 20.7f, 0, 0, .69f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.03f, 5.4f, 3.1f, 0, 0, .48f, .021f, .37f, 0, 0, 0, 0),
+    SSGI__ROW(VISIBILITY, SURFELS, CONSTANT, 0, 0, 0, 0, 0, 0, 0.015f, 5.4f, 3.1f, 0, 0, .4f, .18f, .87f, 0, 0, 0, 0),
     SSGI__ROW(LIGHT, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.71f, 0.92f, 0.072f, 0.91f, 0, 0, 0, 0.004f, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.14f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 1.83f, 2.54f, 0, 0, 0.96f, 0, 0, 0.001f, 0, 0, 0.43f),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.3f, 1.4f, 0.25f, 0.043f, 0, 0, 0, 0.037f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 2, 0, 0, 0, 1.7f, 2.2f, 0.055f, 0.49f, 0, 0, 0, 0.022f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 1.98f, 2.39f, 0.091f, 0.33f, 0, 0, 0, 0.011f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 2.58f, 3.55f, 0.13f, 0, 0.13f, 0, 0, 0.015f, 0, 0, 0),
-    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 9.68f, 13.9f, 0.13f, 0, 0.016f, 0, 0, 0.018f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 1.01f, 1.17f, 0.22f, 0.13f, 0, 0, 0, 0.04f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.77f, 2.15f, 0.11f, 0.22f, 0, 0, 0, 0.023f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.12f, 2.66f, 0.13f, 0, 0.15f, 0, 0, 0.029f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.57f, 3.31f, 0.14f, 0, 0.076f, 0, 0, 0.024f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 9.11f, 13.3f, 0.11f, 0, 0, 0, 0, 0.027f, 0, 0, 0),
-    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 4, 0, 1, 0, 0, 1.81f, 1.71f, 0.21f, 0, 0, 0, 0, 0.043f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .81f, .92f, .072f, .91f, 0, 0, 0, .004f, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.38f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.13f, 2.87f, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(LIGHT, HSAO, SLABS, 1, 1, 12, 0, 1, 0, 0, 1.9f, 2.54f, 0, 0, .96f, 0, 0, .001f, 0, 0, .43f),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.27f, 1.4f, .25f, .043f, 0, 0, 0, .037f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 2, 0, 0, 0, 1.8f, 2.2f, .055f, .49f, 0, 0, 0, .022f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 1.93f, 2.39f, .091f, .33f, 0, 0, 0, .011f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 2.58f, 3.55f, .13f, 0, .13f, 0, 0, .015f, 0, 0, 0),
+    SSGI__ROW(LIGHT, S3HO, SLABS, 0, 2, 10, 4, 0, 0, 0, 8.53f, 13.9f, .13f, 0, .016f, 0, 0, .018f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 1.07f, 1.17f, .22f, .13f, 0, 0, 0, .04f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.83f, 2.15f, .11f, .22f, 0, 0, 0, .023f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 12, 0, 0, 0, 0, 2.13f, 2.66f, .13f, 0, .15f, 0, 0, .029f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 2.37f, 3.31f, .14f, 0, .076f, 0, 0, .024f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 8.68f, 13.3f, .11f, 0, 0, 0, 0, .027f, 0, 0, 0),
+    SSGI__ROW(LIGHT, SSDO, SLABS, 1, 1, 4, 0, 1, 0, 0, 1.79f, 1.71f, .21f, 0, 0, 0, 0, .043f, 0, 0, 0),
     SSGI__ROW(BOUNCE, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 0.7f, 0.92f, 0.1f, 0.87f, 0, 0, 0, 0.004f, 0, 0, 0.13f),
-    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.4f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.96f, 1.77f, 0.5f, 0, 0, 0, 0, 0.034f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 3.09f, 3.5f, 0.4f, 0, 0, 0, 0, 0.019f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 3.95f, 4.68f, 0.32f, 0, 0, 0, 0, 0.021f, 0, 0, 0.47f),
-    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 2.26f, 2.32f, 0.44f, 0, 0, 0, 0, 0.018f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 3.26f, 3.67f, 0.32f, 0, 0, 0, 0, 0.012f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 4.28f, 4.85f, 0.25f, 0, 0, 0, 0, 0.017f, 0, 0, 0),
-    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.2f, 16.8f, 0.21f, 0, 0, 0, 0, 0.014f, 0, 0, 0.1f),
+    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .78f, .92f, .1f, .87f, 0, 0, 0, .004f, 0, 0, .13f),
+    SSGI__ROW(BOUNCE, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.28f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 1, 4, 4, 0, 0, 0, 1.89f, 1.77f, .5f, 0, 0, 0, 0, .034f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, CONSTANT, 1, 2, 8, 4, 0, 0, 0, 3.29f, 3.5f, .4f, 0, 0, 0, 0, .019f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, S3HO, SLABS, 1, 2, 8, 4, 0, 0, 0, 3.77f, 4.68f, .32f, 0, 0, 0, 0, .021f, 0, 0, .47f),
+    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, 2.36f, 2.32f, .44f, 0, 0, 0, 0, .018f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 3.44f, 3.67f, .32f, 0, 0, 0, 0, .012f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 1, 2, 8, 0, 0, 0, 0, 4.05f, 4.85f, .25f, 0, 0, 0, 0, .017f, 0, 0, 0),
+    SSGI__ROW(BOUNCE, SSDO, SLABS, 0, 2, 10, 0, 0, 0, 0, 11.1f, 16.8f, .21f, 0, 0, 0, 0, .014f, 0, 0, .1f),
     SSGI__ROW(OBJECTS, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, 0.05f, 0.05f, 0.016f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, 0.05f, 0.05f, 0.012f, 0, 0, 0, 0, 0, 0, 0, 0.45f)
+    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, .05f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
+    SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, .05f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
 };
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
@@ -3397,7 +3397,7 @@ static const float ssgi__plan_survey[2][3][4] = {
     { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
     { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } } };
 /* What splats cost beside a choice's own: per texel a pixel, per surfel a pixel; in software, on a GPU */
-static const float ssgi__plan_splats[2][2] = { { 0.14f, 72.0f }, { 0.22f, 6.9f } };
+static const float ssgi__plan_splats[2][2] = { { 0.13f, 63.0f }, { 0.22f, 6.9f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
 {
@@ -3448,7 +3448,7 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 {
     const int m = row->method, given = m == SSGI_PLAN_SSDO ? s->map : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
                                      : m != SSGI_PLAN_FIELD || s->occluders > 0;
-    if (row->wanted != s->wanted || !given || row->behind - SSGI_PLAN_SOLID > s->behind || row->history > s->history)
+    if (row->wanted != s->wanted || !given || row->behind > s->behind || row->history > s->history)
         return 0;
     /* skip directional methods when the energy above band 0 is negligible */
     return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
@@ -3509,9 +3509,9 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->behind >= 0 && s->behind <= 2 && s->history >= 0
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->behind >= 0 && s->behind <= SSGI_PLAN_SLABS && s->history >= 0
                 && s->history <= 1 && s->occluders >= 0, "scene.device, .behind, .history, .occluders: must be 0..1, "
-                "0..2, 0..1, 0 or more");
+                "0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
                 && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
                 && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "

@@ -5,11 +5,12 @@
                                         #define SSGI_GL_IMPLEMENTATION
                                         #include "ssgi_gl.h"
 
-   QUICK USE  (compiled and run by tests/test_build.c; examples/minimal.c is the whole of it with GL around)
+   QUICK USE  of one pass alone, by ssgi_gl_emit and ssgi_gl_reflect (compiled and run by tests/test_build.c)
 
+      // Whole chains, with filter and history, come from ssgi_gl_steps: lines in the README, examples/minimal.c.
       ssgi_gl_desc d = { 0 };                               // every choice at its default; C++: ssgi_gl_desc d = {};
       d.pass = SSGI_GL_HSAO;
-      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT);       // snprintf's law
+      size_t length = ssgi_gl_emit(NULL, 0, &d, SSGI_GL_FRAGMENT);       // like snprintf
       char *text = (char *)malloc(length + 1);
       ssgi_gl_emit(text, length + 1, &d, SSGI_GL_FRAGMENT);              // compile this with your own GL ...
       ssgi_gl_io row[SSGI_GL_MAX_IO];
@@ -33,9 +34,9 @@
       near and far behind its getter; for left-handed ones see ssgi_view_from_projection (ssgi.h). No GL is called here.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
-                hsao     ambient visibility: slices through the view direction, or the paper's march [HSAO08]
+                hsao     ambient visibility: slices through the view direction [TLG23], or the paper's march [HSAO08]
                 ssdo     directional occlusion of an environment, one diffuse bounce, or both [SSDO09]
-                s3ho     occlusion as spherical harmonics, to be dotted with light; what blockers reflect [S3HO12]
+                s3ho     occlusion as spherical harmonics, to be dotted with light; what occluders reflect [S3HO12]
                 lights   suns, point lights, virtual point lights; shadow maps, or segments on the screen [SSDO09 4, 5]
                 senders  packs what surfaces send, their normal and depth: one fetch a sample for the bounce
                 shade    shades the coefficients of s3ho: dot product with light, bent normals, cones [S3HO12, SSBN11]
@@ -45,10 +46,16 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
+   SOURCES      as in ssgi.h, and
+                [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
+                [TLG23]  Therrien, Levesque, Gilet 2023, Screen space indirect lighting with visibility bitmask: slices
+                [HHM18]  Heitz, Hill, McGuire 2018, Combining analytic direct illumination and stochastic shadows:
+                         desc.restore
 
    WHAT IS DRAWN, IN WHICH ORDER, INTO WHAT is data: ssgi_gl_steps (>>steps; a loop: examples/minimal.c). Left to you:
       lights       shadow maps are yours, drawn as ever; suns and point lights of t_ssgi_lights are not shadowed without
-      s3ho         keeps coefficients for light that changes more often than geometry: draw the steps from shade on anew
+      s3ho         with chain.vectors its filtered coefficients stay good while the geometry does: where the light alone
+                   changed, draw the steps from shade on again
       field        an ssgi_gl_occluder each, rows of t_ssgi_occluders: no filter. In forward shaders: ssgi_gl_field
       history      frame.phase = ssgi_gl_phase(number); ssgi_gl_frame_history but after a cut or a change of size
       splat        surfels by ssgi_surfels on the CPU, or by pass surfels: rasteriser discarded, transform feedback of
@@ -106,7 +113,7 @@ enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture)
 /* desc.noise: the pattern that decorrelates neighbouring pixels */
 enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
        SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
-enum { SSGI_GL_SLICES = 0,         /* desc.search: planes through the view direction, walked both ways on the screen */
+enum { SSGI_GL_SLICES = 0,         /* desc.search: planes through the view direction, walked both ways [TLG23] */
        SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
        SSGI_GL_MARCH };            /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 /* desc.behind: thickness of visible surfaces, away from the viewer */
@@ -173,7 +180,7 @@ enum { SSGI_GL_ONTO_NONE = 0,
 /* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
    creases: blur puts it back unfiltered, at full size */
 enum { SSGI_GL_RESTORE_NONE = 0,
-       SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [Heitz et al. 2018] */
+       SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
        SSGI_GL_RESTORE_DIFFERENCE }; /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
 enum { SSGI_GL_BILATERAL = 0,      /* desc.filter: box over a tile, weighted by distance to the tangent plane */
        SSGI_GL_GAUSSIAN };         /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
@@ -211,9 +218,9 @@ typedef struct ssgi_gl_desc {
     int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
     int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
                             the next; an odd last one as behind says */
-    int views;           /* all but slices   [limit: 0..4]  extra cameras: a point is visible if one sees it in front of
-                            its depth; occluded if none does and one finds it inside a solid */
-    int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera */
+    int views;           /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
+                            front of its depth; occluded if none does and one finds it inside a solid */
+    int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
     int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
     int normal_rays;     /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
     int hard;            /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
@@ -221,13 +228,13 @@ typedef struct ssgi_gl_desc {
     /* ssdo, and lights */
     int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
     int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
-    int restore;         /* and s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..: before blur with this desc
+    int restore;         /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; until blur with this desc
                             and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
     int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
                             the other. splat   surfels occlude from both sides: for sheets and leaves */
     int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
     int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass wrote */
+    int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
 
     /* s3ho, shade, blur of coefficients */
     int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
@@ -251,12 +258,12 @@ typedef struct ssgi_gl_desc {
                             is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
     int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
                             its centre alone, as published, which finds half at 1/3 radius from a wall */
-    int axis;            /* smooth  0: along x; 1: along y */
+    int axis;            /* smooth   0: along x; 1: along y */
 
     /* blur, history, compose */
     int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
     int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
-    int onto;            /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..: what they write */
+    int onto;            /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..; what they write */
     int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
     int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
     int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
@@ -266,13 +273,16 @@ typedef struct ssgi_gl_desc {
     const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
 } ssgi_gl_desc;
 
-/* Measured settings: the points of the README's chart. Sets the fields of desc->pass and desc->search that trade cost
-   for accuracy (and the filter's, so that the same desc serves blur; with restore for ssdo's environment: it must).
-     slices        FAST half 1x4, BALANCED half 2x8, BEST full size 2x10 (slices x steps)
-     march, ssao   4x6, 6x9 + 1 normal ray, 8x18 + 2; 8, 16, 32 points
-     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points), range, fade
-   All else stays, desc.behind, too: BACK or SLABS where the scene is of closed solids and the passes that draw them
-   are affordable. Bad input leaves desc as it is. */
+/* Measured settings: the points of the README's chart. Sets what trades cost for accuracy in desc->pass with
+   desc->search, and in its filter, so that the same desc serves blur: half, directions or samples, steps, normal_rays,
+   noise, filter, filter_radius; range and fade of points; of ssdo with an environment restore RATIO, without which
+   blur would smooth creases.
+     slices        FAST half size 1x4, BALANCED half 2x8, BEST full 2x10 (slices x steps)
+     march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
+     points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
+     ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
+   All else stays, desc.behind, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
+   without such settings are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
@@ -290,13 +300,15 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 typedef struct ssgi_gl_choice { const char *name, *values, *sentence; size_t offset; int most; } ssgi_gl_choice;
 SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past the last */
 
-/* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text. */
+/* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text.
+     desc   [limit: not NULL, passes ssgi_gl_check] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
-/* Writes the GLSL of one stage. snprintf's law: returns the length of the whole text without its 0, writes at most
-   capacity bytes, always ends them with 0 (when capacity > 0); out may be NULL when capacity is 0. 0 for a bad desc or
-   stage, and nothing is written; for a stage that the pass has not, the 0. The same desc gives the same bytes. */
+/* Writes the GLSL of one stage. Like snprintf: returns the length of the whole text without its terminating 0, writes
+   at most capacity bytes and always terminates them (capacity > 0); out may be NULL when capacity is 0. A stage that
+   the pass does not have gives an empty text. A bad desc or stage returns 0 and writes nothing. The same desc gives
+   the same bytes. */
 SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage);
 
 /* A number for caches of programs: equal when the choices that reach the text are equal (texts in desc.version and
@@ -305,14 +317,14 @@ SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
    (ssgi_sh_turn) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
-   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). snprintf's law. bands [limit: 1..4]; 0 is returned for others. */
+   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
 /* The GLSL of fields for your own shaders, with its samplers, the same for every good desc but VULKAN's. float
    ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
    0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
    GLES: after "precision highp float; precision highp int;"; VULKAN: after "#extension
-   GL_EXT_samplerless_texture_functions : require". snprintf's law; 0 for a bad desc. */
+   GL_EXT_samplerless_texture_functions : require". Like snprintf; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
@@ -386,7 +398,7 @@ typedef struct ssgi_gl_output {
     const char *name;
     int texture;         /* number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format;
-    int slices, slice;   /* 0: GL_TEXTURE_2D; else an array of so many, drawn into one of them */
+    int slices, slice;   /* 0: GL_TEXTURE_2D; else an array texture of so many layers, drawn into layer `slice` */
     int kept;            /* 1: there are two of it, which change places each frame: history */
     int result;          /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
@@ -409,15 +421,16 @@ typedef struct ssgi_gl_step {
     float clear_to;
 } ssgi_gl_step;
 
-/* Writes the draws in their order, at most capacity; returns how many there are, 0 for a bad chain: why. The steps'
-   textures are cleared to 0 once, and start anew with another size. With desc.onto the last draws onto your picture. */
+/* Writes the draws in their order, at most capacity; returns how many there are, also with steps NULL and capacity 0;
+   0 for a bad chain (why says what). Clear the steps' textures to 0 when you make them, and again when the size
+   changes. With desc.onto the last step draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
 /* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
    nothing; filter: GL_TEXTURE_MIN_FILTER; compare: GL_TEXTURE_COMPARE_MODE. */
 typedef struct ssgi_gl_bound { unsigned target, format; int width, height; unsigned filter, compare; } ssgi_gl_bound;
 
-/* What would be drawn wrong, in a sentence that names step, texture and unit; snprintf's law, 0: nothing. For debug
+/* What would be drawn wrong, in a sentence that names step, texture and unit; like snprintf, 0: nothing. For debug
    builds: units of 16, targets of step->outputs, NULL = not looked at. */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets);
@@ -437,11 +450,11 @@ typedef struct ssgi_gl_frame {
     float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.behind has
                             no other; 1 radius suits ssao, 0.5 march, 0.4 light */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float   fade;        /* [units: view] [default: 0.3 radii]  where blockers begin to fade; the radius: nowhere */
+    float   fade;        /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
     float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
     float   max_slope;   /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
-    int32_t lights;      /* rows of t_ssgi_lights */
+    int32_t lights;      /* how many rows of t_ssgi_lights */
     float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
     float   rotation[12]; /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
     float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
@@ -462,7 +475,7 @@ typedef struct ssgi_gl_frame {
     float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
     float   last_from[16]; /* and back: ssgi_gl_frame_history */
     float   oblique[2];  /* desc.oblique: from ssgi_view */
-    int32_t slice, unused; /* desc.array: of your textures; to a block's full 16 bytes */
+    int32_t slice, unused; /* desc.array: the layer of your array textures; fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
 /* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
@@ -473,10 +486,10 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
     const float main_world_to_view[16], const float last_world_to_view[16], const char **why);
 
-/* frame.phase of frame number k, so that the noise of any few frames in a row is spread evenly. */
+/* frame.phase of frame number k, in [0,1): the noise of any few frames in a row is spread evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets what surfels are made with: view, desc (with frame.radius in place of most) and mesh_to_view as in
+/* Sets what surfels are made with: view, desc (frame.radius takes the place of max_distance) and mesh_to_view as in
    ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
    tells how many it asks for. */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
@@ -499,7 +512,8 @@ typedef struct ssgi_gl_views {
                             the open, at depth 1 when perspective; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). */
+/* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). An oblique
+   view is refused. */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
     const float main_world_to_view[16], const float extra_world_to_view[16], const char **why);
 
@@ -519,7 +533,10 @@ typedef struct ssgi_gl_light {
     float tile[4];       /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
-/* Gives a light its shadow map: drawn by a camera (rigid matrix, projection as `view`) at texels x, y of the atlas */
+/* Gives a light its shadow map, drawn by a camera with the projection of `view`. Sets map, patch, decode, tile. An
+   oblique view is refused.
+     x, y       [units: texels] [limit: >= 0] the map's first texel in t_ssgi_shadow
+     matrices   [limit: rigid, finite] world to the main camera's view space, and to the light's */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
     const float main_world_to_view[16], const float light_world_to_view[16], const char **why);
 
@@ -2189,7 +2206,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
     SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
     SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with "
-               "exact less the harmonics (ssgi_sh_residual); for cones k of n ssgi_environment_cone, cosine k/n"),
+               "desc.residual ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
     SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
     SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
     SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
@@ -2431,7 +2448,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
     d.directions = plan->directions, d.steps = plan->steps, d.behind = plan->behind;
-    d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter;
+    d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter_radius;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;
         d.restore = d.transfer ? SSGI_GL_RESTORE_DIFFERENCE : SSGI_GL_RESTORE_RATIO;

@@ -109,7 +109,7 @@ static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world 
 /* Every choice of the plan but surfels and fields: its time over that of an unblurred 16-sample ssao. */
 static int plan_csv(const char *path, kit_gbuffer *g, float radius, const kit_world *world, kit_error *err)
 {
-    ssgi_plan_scene s = { .behind = 2, .history = 1, .map = 1 };
+    ssgi_plan_scene s = { .behind = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
     row unit = { .set = "samples=16,blur=0" }, r = { .set = "" };
     FILE *f = fopen(path, "w");
     int failed = f ? 0 : kit_fail(err, "%s: cannot be written", path);

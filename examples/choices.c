@@ -104,7 +104,7 @@ const variant variants[] = {
     { "`lights`, maps", { .pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL } },
     { "`senders`", { .pass = SSGI_GL_SENDERS } },
     { "`shade`", { .pass = SSGI_GL_SHADE } },
-    { "`shade`, packed, lamps", { .pass = SSGI_GL_SHADE, .packed = 1, .lights = 1 } },
+    { "`shade`, packed, lights", { .pass = SSGI_GL_SHADE, .packed = 1, .lights = 1 } },
     { "`shade`, bent cone", { .pass = SSGI_GL_SHADE, .shading = SSGI_GL_SHADING_BENT_CONE } },
     { "`field`", { .pass = SSGI_GL_FIELD } },
     { "`field`, objects", { .pass = SSGI_GL_FIELD, .objects = SSGI_GL_OBJECTS_TEXTURE } },
@@ -121,7 +121,8 @@ const variant variants[] = {
     { "`blur`, vectors", { .pass = SSGI_GL_BLUR, .colour = SSGI_GL_COEFFICIENTS } },
     { "`history`", { .pass = SSGI_GL_HISTORY } },
     { "`history`, colour", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COLOUR } },
-    { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } }
+    { "`history`, motion", { .pass = SSGI_GL_HISTORY, .motion = 1 } },
+    { "`compose`", { .pass = SSGI_GL_COMPOSE } }
 };
 const int variants_count = (int)(sizeof variants / sizeof variants[0]);
 

@@ -99,8 +99,8 @@ static const entry deep_figure8[] = {
 };
 static const entry deep_choices[] = { DSS("defaults", COARSE, 1),
                                       DSS("every triangle", COARSE ",keep_small=1", 0),
-                                      DSS("aside: as published", COARSE ",offscreen_growth=0", 0),
-                                      DSS("front: the near plane", COARSE ",near_depth=0", 0),
+                                      DSS("no growth off screen: as published", COARSE ",offscreen_growth=0", 0),
+                                      DSS("from the near plane on", COARSE ",near_depth=0", 0),
                                       DSS("near_samples: the centre alone", COARSE ",near_samples=1", 0),
                                       DSS("no smoothing", COARSE ",smooth=0", 0),
                                       DSS("smoothing compares normals", COARSE ",filter_normals=1", 0),

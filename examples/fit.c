@@ -61,7 +61,7 @@ static void literal(double v)
     char text[32];
     size_t n = (size_t)snprintf(text, sizeof text, "%.*f", v < 0.1 ? 3 : v < 10 ? 2 : 1, v);
     while (n > 3 && text[n - 1] == '0' && text[n - 2] != '.') text[--n] = 0;
-    printf(v > 0 ? ", %sf" : ", 0", text);
+    printf(v > 0 ? ", %sf" : ", 0", text + (*text == '0'));
 }
 
 /* A line of plan-fit.csv. */
@@ -198,7 +198,7 @@ int main(int argc, char **argv)
         printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
         for (int k = 0; k < 2; ++k) {
             qsort(costs[k], (size_t)n, sizeof **costs, by_value);
-            literal(k && gpu[c] > 0 ? gpu[c] : r->method == SSGI_PLAN_SURFELS ? base[k]
+            literal(k && gpu[c] > 0 ? gpu[c] : r->method == SSGI_PLAN_SURFELS ? floor(10 * base[k] + 0.5) / 10
                     : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[k] : costs[k][n / 2]);
         }
         for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);

@@ -97,7 +97,7 @@ static const entry harmonics_entries[] = {
 };
 static const entry probe_entries[] = {      /* the paper's two steps along a direction */
     { "S3HO",           "s3ho-points", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
-    { "S3HO, exact",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "S3HO, residual",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
     { "SSDO, map",      "ssdo-points", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
     { "SSBN, cone",     "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
     { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 }

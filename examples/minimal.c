@@ -1,6 +1,6 @@
-/* minimal.c - the smallest honest embedding: OSMesa is the engine's context, a few boxes its scene, and between the
-   lines of "====" stands what ssgi asks of you, a loop over steps. examples/viewer.c has it for a window, frame by
-   frame. Writes ao.pgm.      cc examples/minimal.c -lOSMesa -lm && ./a.out */
+/* minimal.c - a whole program: OSMesa is the engine's context, a few boxes its scene; ssgi's part stands between the
+   lines of "====". It makes programs and textures at each draw: an engine does that once; examples/viewer.c has it for
+   a window, frame by frame. Writes ao.pgm.      cc examples/minimal.c -lOSMesa -lm && ./a.out */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
 #include <GL/glext.h>

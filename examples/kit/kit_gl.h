@@ -320,8 +320,8 @@ void kit_run_close(kit_run *run);
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 
-/* The numbers of a picture that ssgi_plan_make asks for, but error, budget, device and history: a survey; where there is
-   a scene, a calibration by tracing it, its slabs and what surfels of it cost; the harmonics of the environment. */
+/* The numbers of a picture that ssgi_plan_make asks for, but error, budget, device and history: a survey; where there
+   is a scene, a calibration by tracing it and what surfels of it cost; the harmonics of the environment. */
 int kit_plan_numbers(ssgi_plan_scene *numbers, kit_gbuffer *gbuffer, const kit_world *world, float radius, int wanted,
                      kit_error *err);
 /* The method that a plan means, and its settings as kit_method_set takes them; NULL for NOTHING. The same as a method:

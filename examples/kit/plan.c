@@ -8,7 +8,7 @@
 
 enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 768 };
 
-/* What a plan is made from: ambient visibility of four kinds; slabs are there where a scene is. */
+/* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
 static const char *const pictures[PICTURES][2] = { { "hsao", "" }, { "hsao-best", "" }, { "hsao", "behind=solid" },
                                                    { "hsao", "behind=slabs" } };
@@ -202,14 +202,14 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
                      kit_error *err)
 {
     const kit_world dark = { world->scene, NULL };
-    const int count = world->scene ? PICTURES : HSAO_SLABS;
+    const int slabs = world->scene || g->slabs, count = slabs ? PICTURES : HSAO_SLABS;
     kit_image frame, picture[PICTURES];
     double reach = 0, albedo = 0;
     float to_view[16], projection[16];
     size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
-    s->behind = world->scene ? 2 : 0;
+    s->behind = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
     for (int k = 0; k < count; ++k)
         if (drawn(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
@@ -229,7 +229,8 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
         failed = calibrate_visibility(&s->calibration, &frame, picture, world->scene, &g->camera, radius, err);
     else if (!failed && world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting)
         failed = calibrate_light(&s->calibration, &frame, picture, g, world, radius, wanted, err);
-    for (int i = 0; world->scene && i < world->scene->objects; ++i) s->occluders += world->scene->object[i].casts > 0;
+    for (int i = 0; world->scene && i < world->scene->objects; ++i)
+        s->occluders += world->scene->object[i].casts > 0;
     if (!failed && s->occluders && wanted == SSGI_PLAN_OBJECTS)
         failed = objects_of(s, &frame, g, world->scene, err);
     for (int k = 0; k < count; ++k) kit_image_free(&picture[k]);
@@ -244,8 +245,8 @@ const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
                       *const behind[] = { "constant", "solid", "back", "slabs" };
     const struct { const char *key; int value, least; } asked[] = {
         { "half", p->half, p->directions ? 0 : 1 }, { "directions", p->directions, 1 }, { "steps", p->steps, 1 },
-        { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter, 1 }, { "levels", p->levels, 1 },
-        { "resolution", p->resolution, 1 } };
+        { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter_radius, 1 },
+        { "levels", p->levels, 1 }, { "resolution", p->resolution, 1 } };
     size_t n = 0;
     *set = 0;
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
