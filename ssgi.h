@@ -606,7 +606,7 @@ typedef struct ssgi_plan {
     float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
                                makes surfels and fields */
     float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.1 x that asked for, cost within the budget; 0 if no error was asked for */
+    int   meets;            /* 1: error <= 1.05 x that asked for, cost within the budget; 0 if no error was asked for */
     char  why[160];         /* one sentence */
 } ssgi_plan;
 
@@ -618,7 +618,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scen
    empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
    wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
-enum { SSGI_PLAN_CHOICES = 47 };
+enum { SSGI_PLAN_CHOICES = 46 };
 
 #ifdef __cplusplus
 }
@@ -3343,7 +3343,6 @@ typedef struct ssgi__plan_row {
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
-    SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 2, 0, 0, 0, 0, .78f, .78f, .11f, 1.46f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 4, 0, 0, 0, 0, .82f, .92f, .02f, 1.3f, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 1, 8, 0, 0, 0, 0, .98f, 1.2f, .005f, 1.08f, 0, 0, 0, 0, 0, 0, .042f),
     SSGI__ROW(VISIBILITY, HSAO, CONSTANT, 1, 2, 8, 0, 0, 0, 0, 1.35f, 1.77f, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0),
@@ -3530,16 +3529,16 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 10 % of the goal */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 5 % of the goal */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
-        if (p.error > 1.1f * goal || (found && p.cost >= best.cost)) continue;
-        p.meets = s->error > 0.0f && p.error <= 1.1f * s->error;
+        if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
+        p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
         best = p;
         found = 1;
     }
     figure[0] = best.meets || !(s->error > 0.0f) ? best.error : s->error;
     figure[1] = best.meets ? s->error : best.error;
-    words = best.meets ? "*: errs by #.####, the cheapest of all choices within a tenth of #.####"
+    words = best.meets ? "*: errs by #.####, the cheapest of all choices within 5 % of #.####"
           : s->error > 0.0f ? "cannot be met: #.####; the nearest: *: errs by #.####"
           : "*: errs by #.####, the least that may be had";
     for (at = best.why; *words; ++words) {              /* digits by hand: no stdio.h, no locale */

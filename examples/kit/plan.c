@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACES = 3000, PLACE_RAYS = 64, LIGHT_RAYS = 768 };
+enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
 
 /* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
 enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
@@ -135,7 +135,7 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
                            kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
 {
     static const int of[3] = { PICTURES /* none */, HSAO, HSAO_SLABS };
-    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / LIGHT_PLACES));
     const size_t pixels = (size_t)frame->width * (size_t)frame->height;
     double error[3];
     kit_image truth, lit;
