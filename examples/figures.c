@@ -398,10 +398,10 @@ static void others(const csv *c, const char *const *scenes, int count, int first
     int any = 0;
     for (int i = 0; i < first; ++i) any |= *text_of(c, i, "share_fitted") != 0;
     if (!any) return;
-    heading("What others have: mean of the scenes", "Passes from npm, driven by their own code, denoisers included: by "
-            "default, and with the radius matched to ours and the\nrest as it does best in a coarse sweep. Worst: of "
-            "the scenes. Fitted: after the best gain and power for each picture,\nwith the truth in hand; ours, first, "
-            "are raw.", chart_note);
+    heading("What others have: mean of the scenes",
+            "Passes from npm, driven by their own code, denoisers included, the radius matched to ours and the rest\n"
+            "as it does best in a coarse sweep. Worst: of the scenes. Fitted: after the best gain and power for each\n"
+            "picture, with the truth in hand; ours, first, are raw.", chart_note);
     fputs("| pass | fetches | time | raw | worst | fitted | worst |\n", page);
     ruler(7);
     for (int peers = 0; peers < 2; ++peers)
