@@ -265,12 +265,6 @@ static int list(const char *name, kit_error *err)
     return 0;
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void camera_of(kit_camera *c, const options *o)
 {
     if (o->has_camera) { memcpy(c->eye, o->camera, sizeof c->eye); memcpy(c->target, o->camera + 3, sizeof c->target); }
@@ -594,11 +588,8 @@ static int draw(job *j, kit_error *err)
             kit_run_draw(run, 1);
             for (int i = 0; i < run->passes; ++i) j->r.ms[run->passes + i * frames + f] = run->pass[i].ms;
         }
-        for (int i = 0; i < run->passes; ++i) {
-            double *t = j->r.ms + run->passes + i * frames;
-            qsort(t, (size_t)frames, sizeof *t, by_value);
-            j->r.ms[i] = t[frames / 2];
-        }
+        for (int i = 0; i < run->passes; ++i)
+            j->r.ms[i] = kit_median(j->r.ms + run->passes + i * frames, frames);
     }
     return kit_run_read(&j->r.picture, run, err);
 }
