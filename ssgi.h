@@ -3269,8 +3269,8 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
     SSGI__THERE3(survey, hsao, best);
     SSGI__THERE(solid);
     for (size_t i = 0; i < count; ++i) {
-        const float thick = slabs ? slabs[i] : hsao[i];
-        const float change[4] = { 1.0f - thick, best[i] - hsao[i], solid[i] - hsao[i], thick - hsao[i] };
+        const float slab = slabs ? slabs[i] : hsao[i];
+        const float change[4] = { 1.0f - slab, best[i] - hsao[i], solid[i] - hsao[i], slab - hsao[i] };
         if (!ssgi__finite(change[0] + change[1] + change[2] + change[3])) continue;
         for (int k = 0; k < 4; ++k) sum[k] += (double)change[k] * (double)change[k];
         ++covered;

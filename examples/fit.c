@@ -186,7 +186,7 @@ int main(int argc, char **argv)
             for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
             equations[n].square = row[i].error * row[i].error;
             ssgi__plan_terms(equations[n].term, r, &row[i].scene);
-            /* one thickness model's error tells of its own rows */
+            /* a row's error follows the calibration of its own thickness model */
             if (!r->behind && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
             if (r->behind == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
             ++n;

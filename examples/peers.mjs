@@ -337,8 +337,8 @@ const slope = 1 / radius;
 
 /* Matched: beside the radius what of theirs shapes the effect, as it came nearest to the truth in the chart's scenes,
    in coarse steps; of Babylon.js and PlayCanvas in bunny, room and colonnade. R: the radius.
-   Babylon.js: at the sizes that its documentation shows (these are its defaults here, too) or at full size, with 16
-   samples, all that its text tells apart, and without its limits of near and far depths.
+   Babylon.js: at the sizes that its documentation shows or at full size, with 16 samples, all that its text tells
+   apart, and without its limits of near and far depths.
    PlayCanvas: 2 R, as its text takes any field of view for one of 53 degrees, and the scene in such units that R is 20,
    as its blur takes a step of 1 for an edge. */
 const matched = { aoRadius: radius, intensity: 2 }, words = 'radius R, intensity 2';

@@ -89,6 +89,8 @@ static int planned_open(stage *s, const plan_view *p, const lit *light, int suns
     return stage_look(s, &v, of[0], of[1], err) ? -1 : 1;
 }
 
+static double model_of(const kit_run *run) { return KIT_FETCH_OPERATIONS * run->fetches + kit_run_operations(run); }
+
 /* The picture of a choice, and its time; of light, what visibility leaves of an open surface's. */
 static int planned_draw(kit_image *out, double *time, double *model, stage *s, const ssgi_plan *p, int wanted,
                         kit_run *fixed, kit_error *err)
@@ -107,8 +109,8 @@ static int planned_draw(kit_image *out, double *time, double *model, stage *s, c
     if (draw_settled(&run, 0, 1, err) < 0 || kit_run_read(out, &run, err)
         || (s->lit && !run.lit && light_by(out, s, err)))
         return -1;
-    *model = KIT_FETCH_OPERATIONS * run.fetches + run.operations;
-    const double slow = kit_run_ms(&run);           /* is not drawn twice */
+    *model = model_of(&run);
+    const double slow = kit_run_ms(&run);           /* slow choices are timed as they were first drawn */
     before = draw(fixed);
     const double ms = p->cost < PLANNED_SLOW ? draw(&run) : slow;
     after = draw(fixed);
@@ -132,8 +134,8 @@ static int planned_measure(planned_row *r, stage *s, kit_image *truth, const cha
         r->error[i] = r->cost[i] = r->model[i] = (double)NAN;
         if (!ssgi_plan_choice(&p, i, &r->numbers)) continue;
         if (planned_draw(&picture, &r->cost[i], &r->model[i], s, &p, wanted, &fixed, err)) return -1;
-        r->model[i] /= KIT_FETCH_OPERATIONS * fixed.fetches + fixed.operations;
-        r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted == SSGI_PLAN_OBJECTS ? 0 : wanted);
+        r->model[i] /= model_of(&fixed);
+        r->error[i] = kit_plan_error(&picture, truth, &s->frame, wanted);
         kit_image_free(&picture);
     }
     kit_run_close(&fixed);
@@ -321,8 +323,8 @@ int plan_chart(FILE *html, const options *o, kit_error *err)
     }
     fprintf(html,
             "</table></div>\n<p>Without history, as above, and with it, good: %d of %d; where doing nothing would not "
-            "do: %d of %d; within 1.2 of the error alone: %d. From a survey, without a calibration: %d of %d, %d. What "
-            "no choice meets, of which so much is said to be so: %d of %d; without a calibration %d. The same as text: "
+            "do: %d of %d; within 1.2 of the error alone: %d. From a survey, without a calibration: %d of %d, %d. Of "
+            "errors that no choice meets the plan reports %d of %d, without a calibration %d. The same as text: "
             "<a href=\"plan.csv\">plan.csv</a>, <a href=\"plan-numbers.csv\">plan-numbers.csv</a>.</p>\n",
             v[0].good, v[0].pairs, v[0].good_needed, v[0].needed, v[0].within, v[1].good, v[1].pairs, v[1].within,
             v[0].told, v[0].beyond, v[1].told);

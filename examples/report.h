@@ -18,7 +18,8 @@
 enum { RAYS = 256, FLOOR_STRIDE = 4, CHART_ROUNDS = 5, QUICK_ROUNDS = 3, LEAST_ROUNDS = 2, SLOW = 5, AO_WIDTH = 640,
     AO_HEIGHT = 360, AO_PHASES = 2 };
 #define AGREED 0.05
-/* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these */
+/* of light the truth is traced at every LIT_STRIDE-th pixel both ways, and probed at some of these. A stride's pixel is
+   the middle one of its block: strides on which that is traced, too */
 enum { LIT_STRIDE = 2 };
 #define ON_STRIDE(stride) ((stride) % LIT_STRIDE == 0 && (stride) / 2 % LIT_STRIDE == LIT_STRIDE / 2)
 /* a quick chart's pictures have so many times shorter sides, and its truth that squared fewer rays, but no fewer than

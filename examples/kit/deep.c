@@ -178,7 +178,6 @@ int kit_open_deep(kit_making *m, const ssgi_view *view, const float picture[16])
     }
     for (int l = 0; l < m->gather.levels; ++l) run->splat_pixels += cost.pixels[l];
     run->fetches += run->splat_pixels / ((double)view->width * view->height);
-    run->operations += kit_operations(&m->gather) * run->splat_pixels / ((double)view->width * view->height);
     if (way) run->buffers[0] = buffer_of(vertices, 27 * (size_t)(patches[0] + patches[1]) * sizeof *vertices);
     else run->buffers[0] = buffer_of(surfels, (run->surfels + 1) * sizeof *surfels);
     run->arrays[0] = array_of(run->buffers[0], 3, way ? 3 : 4, way ? 0 : 1);

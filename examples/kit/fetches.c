@@ -24,7 +24,7 @@ typedef struct walk {
     token    *t;
     /* names from frame on are those of the function that is walked */
     int       count, names, frame, globals, functions, loops, depth;
-    int       operations;                  /* 1: what is counted are operators and calls of GLSL's own functions */
+    int       operations;                  /* 1: counts operators, constructors and calls of GLSL's own functions */
     unsigned  asked;                       /* loops whose counters a decision hung on */
     name      name[MOST_NAMES];
     function  function[MOST_FUNCTIONS];

@@ -290,7 +290,6 @@ typedef struct kit_run {
     /* the environment, interleaved; its harmonics, if a pass reads them (with the suns, as lobes, for s3ho) */
     float        *equirect, harmonics[48];
     double        fetches;                 /* texel fetches a pixel of the picture, all passes */
-    double        operations;              /* the same of operations */
     /* moved a pixel of the picture, all passes: each reads each texel of its inputs once and writes each of its
        outputs once, as stored, of farther layers those that it asks for; of splats surfels once and each texel that
        they cover, read and written. NAN: the context cannot tell */
@@ -312,6 +311,7 @@ int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
 /* The texture of the run that inputs of that name read; 0: none is read. instead, unless 0, replaces it for all. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
 int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
+double kit_run_operations(const kit_run *run);     /* as run->fetches: kit_operations of all passes */
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */
@@ -340,8 +340,8 @@ int  kit_light_by(kit_image *visibility, kit_gbuffer *gbuffer, const kit_world *
 /* The most texels that a pixel (of pass surfels: a surfel) fetches, as the emitted text has it: lights and occluders
    count as one of each. 0 for a bad desc. */
 int    kit_fetches(const ssgi_gl_desc *desc);
-/* The same of operators and calls of GLSL's own functions, vectors counting once. The plan's model of a GPU's time:
-   KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
+/* The same of operators, constructors and calls of GLSL's own functions, vectors counting once. The plan's model of a
+   GPU's time: KIT_FETCH_OPERATIONS for a fetch, 1 for an operation. */
 int    kit_operations(const ssgi_gl_desc *desc);
 enum { KIT_FETCH_OPERATIONS = 8 };
 /* Compiles all stages of a pass for the context that is open, with the dialect that suits it, and binds its samplers

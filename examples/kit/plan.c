@@ -110,11 +110,12 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
     static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" },
                                              { "bounce.R", "bounce.G", "bounce.B" } };
     const float *z = kit_image_channel(frame, "Z");
+    const int lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
     double square = 0, mean = 0;
     size_t count = 0;
-    for (int c = 0; c < (wanted ? 3 : 1); ++c) {
-        const float *a = kit_image_channel(picture, wanted ? names[0][c] : "Y"),
-                    *b = kit_image_channel(truth, wanted ? names[0][c] : "Y");
+    for (int c = 0; c < (lit ? 3 : 1); ++c) {
+        const float *a = kit_image_channel(picture, lit ? names[0][c] : "Y"),
+                    *b = kit_image_channel(truth, lit ? names[0][c] : "Y");
         const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL,
                     *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
         for (int i = 0; i < truth->width * truth->height; ++i) {
@@ -126,7 +127,18 @@ double kit_plan_error(const kit_image *picture, const kit_image *truth, const ki
             ++count;
         }
     }
-    return sqrt(square / (double)count) / (wanted ? mean / (double)count : 1);
+    return sqrt(square / (double)count) / (lit ? mean / (double)count : 1);
+}
+
+/* What the environment brings to open surfaces; the lights with their shadows, where there are any. */
+static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const kit_world *world, float radius,
+                    kit_error *err)
+{
+    memset(direct, 0, sizeof *direct);
+    /* nothing is in the way within so small a radius */
+    if (drawn(open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
+    if (!world->lighting || !world->lighting->lights) return 0;
+    return drawn(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
 }
 
 /* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open
@@ -138,18 +150,21 @@ static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame
     const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / LIGHT_PLACES));
     const size_t pixels = (size_t)frame->width * (size_t)frame->height;
     double error[3];
-    kit_image truth, lit;
-    if (kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
-                      wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
+    kit_image truth, lit, open, direct;
+    if (light_of(&open, &direct, g, world, radius, err)
+        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
+                         wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
         return -1;
     for (int k = 0; k < 3; ++k) {
         if (kit_image_new(&lit, frame->width, frame->height, "Y", err)) return -1;
         for (size_t i = 0; i < pixels; ++i) lit.data[i] = of[k] < PICTURES ? picture[of[k]].data[i] : 1;
-        if (kit_light_by(&lit, g, world, radius, err)) return -1;
+        if (kit_dim(&lit, &open, direct.data ? &direct : NULL, err)) return -1;
         error[k] = kit_plan_error(&lit, &truth, frame, wanted);
         kit_image_free(&lit);
     }
     kit_image_free(&truth);
+    kit_image_free(&open);
+    kit_image_free(&direct);
     /* else all is dark */
     if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
     return 0;
@@ -191,7 +206,7 @@ static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuf
         || kit_image_new(&none, frame->width, frame->height, "Y", err))
         return -1;
     for (int i = 0; i < frame->width * frame->height; ++i) none.data[i] = 1;
-    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, 0);
+    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, SSGI_PLAN_OBJECTS);
     s->calibration.known = 1;
     kit_image_free(&truth);
     kit_image_free(&none);
@@ -285,14 +300,11 @@ int kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direc
 
 int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, float radius, kit_error *err)
 {
-    const int lights = world->lighting && world->lighting->lights;
-    kit_image open, direct = { 0 };
-    int failed;
-    /* nothing is in the way within so small a radius */
-    if (drawn(&open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
-    failed = (lights && drawn(&direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err))
-             || kit_dim(visibility, &open, lights ? &direct : NULL, err);
+    kit_image open, direct;
+    int failed = light_of(&open, &direct, g, world, radius, err);
+    if (failed) return -1;
+    failed = kit_dim(visibility, &open, direct.data ? &direct : NULL, err);
     kit_image_free(&open);
     kit_image_free(&direct);
-    return failed ? -1 : 0;
+    return failed;
 }

@@ -134,11 +134,9 @@ static kit_pass *add_pass(kit_making *m, const ssgi_gl_step *step, GLuint textur
     for (int i = 0; i < step->outputs; ++i)
         if (step->output[i].format->type != GL_UNSIGNED_INT)
             glClearBufferfv(GL_COLOR, i, (const GLfloat[4]) { 0, 0, 0, 0 });
-    if (step->desc.pass != SSGI_GL_SPLAT && !aside) {
-        const double share = (double)p->width * p->height / ((double)run->frame.size[0] * run->frame.size[1]);
-        run->fetches += kit_fetches(&step->desc) * share;
-        run->operations += kit_operations(&step->desc) * share;
-    }
+    if (step->desc.pass != SSGI_GL_SPLAT && !aside)
+        run->fetches += kit_fetches(&step->desc) * (double)p->width * p->height
+                        / ((double)run->frame.size[0] * run->frame.size[1]);
     return p;
 }
 
@@ -368,7 +366,7 @@ static void limit_passes(kit_run *run)
             }
         }
     }
-    run->fetches = run->operations = 0;
+    run->fetches = 0;
     for (int i = 0; i < run->passes; ++i) {
         kit_pass *p = &run->pass[i];
         const int half = p->step->size == SSGI_GL_SIZE_HALF, from = run->margin - rim[i];
@@ -377,9 +375,7 @@ static void limit_passes(kit_run *run)
             p->box[k] = half ? from / 2 : from;
             p->box[2 + k] = (half ? (to + 1) / 2 : to) - p->box[k];
         }
-        if (p->aside) continue;
-        run->fetches += kit_fetches(&p->desc) * drawn_by(p) / shown;
-        run->operations += kit_operations(&p->desc) * drawn_by(p) / shown;
+        if (!p->aside) run->fetches += kit_fetches(&p->desc) * drawn_by(p) / shown;
     }
 }
 
@@ -595,6 +591,17 @@ int kit_run_keeps(const kit_run *run)
     int kept = 0;
     for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
     return kept;
+}
+
+double kit_run_operations(const kit_run *run)
+{
+    double operations = 0;
+    for (int i = 0; i < run->passes; ++i) {
+        const kit_pass *p = &run->pass[i];
+        const double texels = p->desc.pass == SSGI_GL_SPLAT ? run->splat_pixels : drawn_by(p);
+        if (!p->aside && p->step->outputs) operations += kit_operations(&p->desc) * texels;
+    }
+    return operations / shown_by(run);
 }
 
 double kit_run_ms(const kit_run *run)
