@@ -693,6 +693,12 @@ SSGI__FN int ssgi__within(float x, float least, float most)
     return ssgi__finite(x) && x >= least && x <= most;
 }
 
+/* A choice whose 0 means its default. */
+SSGI__FN int ssgi__zero_or(float x, float least, float most)
+{
+    return ssgi__within(x, 0.0f, 0.0f) || ssgi__within(x, least, most);
+}
+
 /* A radiance or flux: 0 if not finite, clamped so that sums over any image stay finite. */
 static double ssgi__light(float x, float least)
 {
@@ -2127,7 +2133,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
 {
     SSGI__THERE(desc);
     SSGI__CHECK(view && view->width > 0 && view->height > 0, "view: must come from ssgi_view_from_projection");
-    SSGI__CHECK(desc->size == 0.0f || (desc->size >= 1e-4f && desc->size <= 1.0f),
+    SSGI__CHECK(ssgi__zero_or(desc->size, 1e-4f, 1.0f),
                 "desc.size: must be 1e-4..1, or 0 for the default");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
@@ -2317,7 +2323,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
-    SSGI__CHECK(splat->epsilon == 0.0f || (splat->epsilon >= 1e-6f && splat->epsilon <= 1.0f),
+    SSGI__CHECK(ssgi__zero_or(splat->epsilon, 1e-6f, 1.0f),
                 "splat.epsilon: must be 1e-6..1, or 0 for the default");
     SSGI__CHECK(ssgi__positive(&splat->max_distance, 1), "splat.max_distance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->max_radiance, 1), "splat.max_radiance: must be 0 or more and finite");
@@ -2392,7 +2398,7 @@ SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3]
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
     SSGI__THERE3(dipole, sigma_s, sigma_a);
-    SSGI__CHECK(eta >= 1.0f && eta <= 3.0f, "eta: must be 1..3");
+    SSGI__CHECK(ssgi__within(eta, 1.0f, 3.0f), "eta: must be 1..3");
     for (int c = 0; c < 3; ++c) {
         SSGI__CHECK(sigma_s[c] > 0.0f && ssgi__finite(sigma_s[c]), "sigma_s: must be above 0 and finite");
         SSGI__CHECK(ssgi__positive(&sigma_a[c], 1), "sigma_a: must be 0 or more and finite");
@@ -3006,7 +3012,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     SSGI__ZERO_OR(desc->resolution, "desc.resolution", 2, 128);
     SSGI__ZERO_OR(desc->radii, "desc.radii", 4, 64);
     SSGI__ZERO_OR(desc->rays, "desc.rays", 16, 65536);
-    SSGI__CHECK(desc->reach == 0.0f || ssgi__within(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
+    SSGI__CHECK(ssgi__zero_or(desc->reach, 1.5f, 64.0f), "desc.reach: must be 0 or 1.5..64");
     return SSGI_OK;
 }
 
@@ -3515,7 +3521,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
                 && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
                 && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
                 ".coverage: must be finite and 0 or more");
-    SSGI__CHECK(s->surfels >= 0.0 && s->surfels < 1e18 && s->splats >= 0.0 && s->splats < 1e18,
+    SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
     SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao + s->calibration.slabs),

@@ -239,7 +239,8 @@ typedef struct ssgi_gl_desc {
     /* s3ho, shade, blur of coefficients */
     int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
     int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
-    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed */
+    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing
+                            is restored, since it has no unoccluded light */
     int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
     int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
                             visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
@@ -402,7 +403,9 @@ typedef struct ssgi_gl_output {
     int kept;            /* 1: there are two of it, which change places each frame: history */
     int result;          /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
-enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT /* or ambient visibility */, SSGI_GL_RESULT_BOUNCE };
+/* LIGHT: or ambient visibility, or bent normals. A chain has one of it, or of BOUNCE, or both; on your picture neither
+   is asked for. */
+enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT, SSGI_GL_RESULT_BOUNCE };
 enum { SSGI_GL_SIZE_FULL = 0, SSGI_GL_SIZE_HALF, SSGI_GL_SIZE_LEVELS };
 
 /* One draw. Text of each stage: ssgi_gl_emit of desc. */
@@ -595,9 +598,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_inside", __LINE__, "bool ssgi_inside(ivec2 p) {\n"
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n}\n" },
 { "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
-    "    float w = u_ssgi_decode.x + u_ssgi_decode.y * d;\n"
-    "    return d != u_ssgi_decode.z && w > 0.0 && w < SSGI_FAR ? w : SSGI_FAR; // #if orthographic\n"
-    "    return d != u_ssgi_decode.z && w > 1.0 / SSGI_FAR ? 1.0 / w : SSGI_FAR; // #if !orthographic\n}\n" },
+    "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d; // #if orthographic\n"
+    "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d); // #if !orthographic\n"
+    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n}\n" },
 { "ssgi_unskew", __LINE__, "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
     "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n}\n" },
@@ -620,7 +623,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
     "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p)); // #if depth == WINDOW && oblique\n"
     "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
-    "    return mix(z, vec3(SSGI_FAR), lessThanEqual(z, vec3(0.0))); // #if depth != WINDOW\n}\n" },
+    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR); // #if depth != WINDOW\n}\n" },
 { "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
@@ -650,12 +653,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
     "    vec2 x = at.xy, cc = x * x + z * z, off = cc - r * r, t = sqrt(max(off, 0.0));\n"
-    "    vec2 a = z * t + x * r, b = z * t - x * r, from = (x - chord) / near, to = (x + chord) / near;\n"
-    "    if (off.x > 0.0 && a.x * t.x > near * cc.x) from.x = (x.x * t.x - z * r) / a.x;\n"
-    "    if (off.y > 0.0 && a.y * t.y > near * cc.y) from.y = (x.y * t.y - z * r) / a.y;\n"
-    "    if (off.x > 0.0 && b.x * t.x > near * cc.x) to.x = (x.x * t.x + z * r) / b.x;\n"
-    "    if (off.y > 0.0 && b.y * t.y > near * cc.y) to.y = (x.y * t.y + z * r) / b.y;\n"
-    "    vec4 p = vec4(from, to) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
+    "    vec2 a = z * t + x * r, b = z * t - x * r, low = (x - chord) / near, high = (x + chord) / near;\n"
+    "    if (off.x > 0.0 && a.x * t.x > near * cc.x) low.x = (x.x * t.x - z * r) / a.x;\n"
+    "    if (off.y > 0.0 && a.y * t.y > near * cc.y) low.y = (x.y * t.y - z * r) / a.y;\n"
+    "    if (off.x > 0.0 && b.x * t.x > near * cc.x) high.x = (x.x * t.x + z * r) / b.x;\n"
+    "    if (off.y > 0.0 && b.y * t.y > near * cc.y) high.y = (x.y * t.y + z * r) / b.y;\n"
+    "    vec4 p = vec4(low, high) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#endif\n"
     "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n}\n" },
 { "ssgi_octahedral", __LINE__, "vec2 ssgi_octahedral(vec3 d) { // a direction on the octahedral map's square, [-1,1]\n"
@@ -796,9 +799,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(weight, 1e-6); // above 0: it is an occluder\n}\n" },
 { "ssgi_view_depth", __LINE__, "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
-    "    float w = decode.x + decode.y * d;\n"
-    "    if (d == decode.z || w <= 1.0 / SSGI_FAR) return SSGI_FAR;\n"
-    "    return decode.w > 0.0 ? w : 1.0 / w;\n}\n" },
+    "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
+    "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n}\n" },
 { "ssgi_surface", __LINE__, "float ssgi_surface(int v, ivec2 p, int j) { // view depth of camera v's layer j at p\n"
     "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j); // #if views\n"
     "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x); // #if views\n"
@@ -1220,7 +1222,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_n = n; // #if range || bounce == PATCH\n"
     "    vec3 bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
     "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, vec3(0.0, 0.0, 1.0)); // #if environment == SH\n"
-    "    int set = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y)); // #if kernel\n"
+    "    int row = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y)); // #if kernel\n"
     "    mat3 basis = ssgi_basis(n); // #if kernel\n"
     "    float a = 6.28318531 * xi.x, c = cos(a), s = sin(a); // #if !kernel\n"
     "    mat3 basis = ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0); // #if !kernel\n"
@@ -1228,7 +1230,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 all = vec3(0.0), dark = vec3(0.0); // #if environment == MAP\n"
     "    vec3 start = ssgi_lift(P, n);\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
-    "        vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, set), 0); // #if kernel\n"
+    "        vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, row), 0); // #if kernel\n"
     "        vec4 k = SSGI_KERNEL[i]; // #if !kernel\n"
     "#if steps > 1\n"
     "        vec3 w = basis * k.xyz * u_ssgi_radius;\n"
@@ -1327,8 +1329,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
 { "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
 { "SSGI_JOINED", __LINE__, "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
-{ "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 from, vec2 to) { // the sectors from one to another, a bit each\n"
-    "    uvec2 a = uvec2(from), b = uvec2(to), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
+{ "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
+    "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
     "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n}\n" },
 { "ssgi_count", __LINE__, "vec2 ssgi_count(uvec2 m) {\n"
     "    return vec2(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
@@ -1369,12 +1371,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_second", __LINE__, "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
-    "    vec2 front = vec2(slab0.x, slab1.x), to = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
-    "    vec2 from = min(ssgi_behind(s, bx, by, front, ssgi_deep(front, vec2(slab0.y, slab1.y), 2.0 * gap)), to);\n"
+    "    vec2 front = vec2(slab0.x, slab1.x), high = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
+    "    vec2 low = min(ssgi_behind(s, bx, by, front, ssgi_deep(front, vec2(slab0.y, slab1.y), 2.0 * gap)), high);\n"
     "    vec2 far = sqrt(x * x + y * y);\n"
     "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "    return ssgi_fresh(mask, ssgi_between(from, mix(from, to, seen)), far);\n}\n" },
+    "    return ssgi_fresh(mask, ssgi_between(low, mix(low, high, seen)), far);\n}\n" },
 { "ssgi_got", __LINE__, "struct ssgi_got { // sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
     "    float all; // #if pass == HSAO\n"
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
@@ -1431,29 +1433,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
     "        bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
     "        c = mix(c, -c, lessThan(x, vec2(0.0)));\n"
-    "        vec2 to = ssgi_sector(s, c, up), w;\n"
+    "        vec2 high = ssgi_sector(s, c, up), w;\n"
     "#if behind == SOLID\n"
-    "        w = ssgi_fresh(mask, ssgi_between(vec2(0.0), to), 0.5 * (far + last)) * s.share;\n"
+    "        w = ssgi_fresh(mask, ssgi_between(vec2(0.0), high), 0.5 * (far + last)) * s.share;\n"
     "#else\n"
     "        vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: from tap to tap\n"
     "        gap *= share; // #if span\n"
     "        before = u;\n"
     "#if behind == CONSTANT\n"
-    "        vec2 from = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), to);\n"
+    "        vec2 low = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), high);\n"
     "        bvec2 joined = lessThan(abs(z - was), SSGI_JOINED * gap);\n"
     "#else\n"
     "        vec3 back0 = ssgi_slabs(q0), back1 = ssgi_slabs(q1);\n"
     "        vec2 deep = ssgi_deep(z, vec2(back0.x, back1.x), gap), end_ = z + deep;\n"
-    "        vec2 from = min(ssgi_behind(s, bx, by, z, deep), to);\n"
+    "        vec2 low = min(ssgi_behind(s, bx, by, z, deep), high);\n"
     "        bvec2 joined = lessThan(max(z - ended, was - end_), gap); // their depths overlap\n"
     "        ended = mix(vec2(-SSGI_FAR), end_, seen);\n"
     "        far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
     "#endif\n"
     "        joined = bvec2(joined.x && seen.x, joined.y && seen.y);\n"
-    "        uvec2 arc = ssgi_between(mix(from, min(from, bottom), joined), mix(to, max(to, top), joined));\n"
+    "        uvec2 arc = ssgi_between(mix(low, min(low, bottom), joined), mix(high, max(high, top), joined));\n"
     "        w = ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined))) * s.share;\n"
     "        was = mix(vec2(-SSGI_FAR), z, seen);\n"
-    "        bottom = from, top = to;\n"
+    "        bottom = low, top = high;\n"
     "#endif\n"
     "        last = min(far, u_ssgi_radius);\n"
     "        got.all += w.x + w.y; // #if pass == HSAO\n"
@@ -1787,12 +1789,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // hashed: round-robin would correlate with the tessellation order\n"
     "    int mask = (1 << l) - 1, seed = int(turned.w * 16777216.0);\n"
     "    ivec2 sub = ivec2(seed, seed >> 8) & mask;\n"
-    "    vec2 from = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
+    "    vec2 corner = vec2(sub * ((u_ssgi_size + mask) >> l) + ivec2(0, l * u_ssgi_level.y));\n"
     "    v_ssgi_at = vec4(at.xyz, at.w * at.w);\n"
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
-    "    return b + from.xyxy;\n}\n" },
+    "    return b + corner.xyxy;\n}\n" },
 { "main_quad", __LINE__, "void main() {\n"
     "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
@@ -2005,6 +2007,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
     "    o_ssgi_ao = ao; // #if !onto\n"
     "#endif\n}\n" },
+{ "ssgi_finite", __LINE__, "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
+    "bool ssgi_finite(vec4 v) {\n"
+    "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n}\n" },
 { "ssgi_texel", __LINE__, "// light or visibility, view depth\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
     "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
@@ -2033,8 +2038,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    at = (at - 0.5) / wide;\n"
     "    result = means = vec4(0.0);\n"
-    "    bool seen = all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2))); // not where it is no number\n"
-    "    if (!(seen && was.z > 0.0 && u_ssgi_history > 1.0)) return best;\n"
+    "    bool seen = all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2))) && ssgi_finite(vec4(at, was.z, 0.0));\n"
+    "    if (!seen || was.z <= 0.0 || u_ssgi_history <= 1.0) return best;\n"
     "    for (int k = 0; k < 2; ++k) { // the second: where the first one's offset says\n"
     "        ivec2 q = clamp(ivec2(floor(at - carried + 0.5)), ivec2(0), size - 1);\n"
     "        vec4 t = ssgi_texel(t_ssgi_history, first + q), m = texelFetch(t_ssgi_means, first + q, 0);\n"
@@ -2044,7 +2049,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        carried = clamp(vec2(column, m.w - 32.0 * column) * 0.0625 - 1.0, -1.0, 1.0);\n"
     "        vec2 off = vec2(q) - at + carried;\n"
     "        bool near = abs(dot(plane, Q)) < slack && dot(off, off) < least && m.z >= 1.0;\n"
-    "        if (!(near && all(lessThan(abs(m) + abs(t), vec4(1e9))))) continue;\n"
+    "        if (!near || !ssgi_finite(m) || !ssgi_finite(t)) continue;\n"
     "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
     "    }\n"
     "    return best;\n}\n" },
@@ -2467,7 +2472,8 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     const int slices = (pass == SSGI_GL_HSAO || ssdo || s3ho) && d.search == SSGI_GL_SLICES;
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     const int averages = blur || pass == SSGI_GL_HISTORY;
-    const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce);
+    const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
+        && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
@@ -2495,7 +2501,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     if (reflected || d.shading || d.environment == SSGI_GL_ENVIRONMENT_MAP
         || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
-    if (!(shade || restores) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
+    if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
     if (d.shading && !d.lights && d.bands > 2) d.bands = 2;                 /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
@@ -2919,17 +2925,24 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect) {
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
-static int ssgi_gl__finite(const float m[16]) {
-    int i = 0;
-    while (i < 16 && m[i] > -SSGI_FAR && m[i] < SSGI_FAR) ++i;
-    return i == 16;
+/* Whether all are finite and none is larger than the most [limit: >= 0]; by the bits, which -ffast-math leaves. */
+static int ssgi_gl__within(const float *v, int count, float most) {
+    uint32_t limit, bits;
+    memcpy(&limit, &most, sizeof limit);
+    for (; count > 0; ++v, --count) {
+        memcpy(&bits, v, sizeof bits);
+        if ((bits & 0x7fffffffu) > limit) return 0;
+    }
+    return 1;
 }
+static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && x > 0.0f; }
+#define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why) {
     ssgi_gl_frame f;
     SSGI_GL__THERE(frame);
     SSGI_GL__VIEW(view);
-    SSGI_GL__CHECK(radius > 0.0f && radius < SSGI_FAR, "radius: must be > 0 and finite");
+    SSGI_GL__CHECK(ssgi_gl__above(radius), "radius: must be > 0 and finite");
     memset(&f, 0, sizeof f);
     memcpy(f.project, view->project, sizeof f.project);
     memcpy(f.unproject, view->unproject, sizeof f.unproject);
@@ -2959,9 +2972,9 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why) {
     float scale[4];
-    int size[2];
+    int size[2] = { 0, 0 };
     SSGI_GL__THERE(frame);
-    SSGI_GL__CHECK(!mesh_to_view || ssgi_gl__finite(mesh_to_view), "mesh_to_view: must be finite");
+    if (mesh_to_view) SSGI_GL__MATRIX(mesh_to_view);
     SSGI_GL__TRY(ssgi_surfel_scale(scale, desc, view, why));
     SSGI_GL__TRY(ssgi_splat_size(size, view->width, view->height, levels, why));
     memcpy(frame->surfel, scale, sizeof scale);
@@ -2981,8 +2994,13 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
     SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
-    for (c = 0; sky && c < 3; ++c)
-        SSGI_GL__CHECK(sky[c] >= 0.0f && sky[c] < SSGI_FAR, "sky: must be 0 or more and finite");
+    SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
+                   "sky: must be 0 or more and finite");
+    for (size_t i = 0; i < count; ++i)                  /* position to colour */
+        SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
+    for (int k = 0; k < light_count; ++k)
+        SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
+                       "lights: must be finite");
     for (int pass = 0; pass < 2; ++pass)
         for (size_t i = 0; i < count; ++i) {
             const ssgi_surfel *s = &surfels[i];
@@ -3028,14 +3046,17 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
 }
 
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why) {
+    float scaled[16] = { 0 };
     SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
-    SSGI_GL__CHECK(unit > 0.0f && unit < SSGI_FAR, "unit: must be > 0 and finite");
+    SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
     for (int c = 0; c < 3; ++c) {
-        frame->dipole[c] = (float)dipole->z_r[c] * unit;
-        frame->dipole[4 + c] = (float)dipole->z_v[c] * unit;
-        frame->dipole[8 + c] = (float)dipole->sigma_tr[c] / unit;
-        frame->dipole[12 + c] = 0.25f * (float)dipole->albedo[c];       /* pi r^2 over 4 pi */
+        scaled[c] = (float)dipole->z_r[c] * unit;
+        scaled[4 + c] = (float)dipole->z_v[c] * unit;
+        scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
+        scaled[12 + c] = 0.25f * (float)dipole->albedo[c];              /* pi r^2 over 4 pi */
     }
+    SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
+    memcpy(frame->dipole, scaled, sizeof scaled);
     return SSGI_OK;
 }
 
@@ -3045,6 +3066,8 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(coefficients);
     SSGI_GL__CHECK(bands >= 1 && bands <= 4, "bands: must be 1..4");
+    SSGI_GL__CHECK(ssgi_gl__within(coefficients, 3 * bands * bands, 1e30f), "coefficients: must be finite");
+    if (world_to_view) SSGI_GL__MATRIX(world_to_view);
     memcpy(turned, coefficients, 3 * (size_t)(bands * bands) * sizeof *turned);
     if (world_to_view) ssgi_sh_rotate(turned, bands, turned, 3, world_to_view);
     for (int i = 0; i < 48; ++i) frame->harmonics[12 * (i / 12) + 4 * (i % 3) + i / 3 % 4] = turned[i];
@@ -3069,7 +3092,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
     double m[16], b[16];
     SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
-    SSGI_GL__CHECK(ssgi_gl__finite(main_view) && ssgi_gl__finite(other),
+    SSGI_GL__CHECK(ssgi_gl__within(main_view, 16, SSGI_FAR) && ssgi_gl__within(other, 16, SSGI_FAR),
                    "main_world_to_view: both matrices must be finite");
     ssgi_gl__relative(m, other, main_view);
     ssgi_gl__relative(b, main_view, other);
@@ -3158,11 +3181,13 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
     SSGI_GL__CHECK(slice >= 0 && slice <= 2047, "slice: must be 0..2047");
     SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
     l = limits ? *limits : ssgi_field_limits_of(field);
+    SSGI_GL__CHECK(ssgi_gl__within(&l.ramp, 1, SSGI_FAR) && ssgi_gl__within(&l.reach, 1, SSGI_FAR)
+                   && ssgi_gl__within(&l.inside, 1, SSGI_FAR), "limits: must be finite");
     SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
                    "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
     SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
-    SSGI_GL__CHECK(l.power > 0.0f && l.power < SSGI_FAR, "limits.power: must be above 0 and finite");
-    SSGI_GL__CHECK(ssgi_gl__finite(m), "mesh_to_view: must be finite");
+    SSGI_GL__CHECK(ssgi_gl__above(l.power), "limits.power: must be above 0 and finite");
+    SSGI_GL__MATRIX(mesh_to_view);
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) {
             square[i] += (double)m[4 * i + k] * (double)m[4 * i + k];
@@ -3206,11 +3231,12 @@ static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
     "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient" };
 
-/* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none. */
+/* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none;
+   picture: a step has drawn onto yours. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare;
-    int capacity, count, textures, names, light, bounce;
+    int capacity, count, textures, names, light, bounce, picture;
     struct { const char *name; int texture; } written[32];
     const char *why;
 } ssgi_gl__build;
@@ -3246,7 +3272,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    int rows, patches, half, level[2];
+    int rows, patches, half, level[2] = { 0, 0 };
     d.pass = pass;
     ++b->count;
     memset(s, 0, sizeof *s);
@@ -3302,6 +3328,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
             out->kept = pass == SSGI_GL_HISTORY;
             if (pass == SSGI_GL_SENDERS) continue;      /* a slice of what all of them write */
             out->texture = d.onto ? -1 : b->textures++;
+            b->picture |= d.onto != SSGI_GL_ONTO_NONE;
             *ssgi_gl__texture(b, name) = out->texture;
         }
     }
@@ -3318,7 +3345,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     *held = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
     if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
-    return grey && b->chain->blur && d.onto ? -1 : *held;
+    return b->picture ? -1 : *held;
 }
 
 /* Your lights over what `light` holds, -1: nothing. */
@@ -3379,6 +3406,9 @@ static void ssgi_gl__hidden(ssgi_gl__build *b) {
         const int camera = k < first ? k / view_layers : -1, layer = k < first ? k % view_layers : last - k;
         if (albedo || ssgi_gl__direct(b, camera, layer) >= 0)
             ssgi_gl__send(b, camera, layer, albedo ? SSGI_GL_RADIANCE_ALBEDO : SSGI_GL_RADIANCE_LIGHT);
+        else if (b->chain->direct)
+            b->why = "chain.direct: is what the picture shows; hidden senders (desc.layers, views) need "
+                     "desc.environment or chain.lights";
     }
 }
 
@@ -3415,6 +3445,12 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b) {
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
 }
 
+/* Bent normals instead of light. */
+static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain) {
+    const ssgi_gl_desc *const d = &chain->desc;
+    return d->pass == SSGI_GL_S3HO && d->shading == SSGI_GL_SHADING_BENT && (chain->vectors || !d->shaded);
+}
+
 static void ssgi_gl__s3ho(ssgi_gl__build *b) {
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
@@ -3431,6 +3467,10 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b) {
         d.half = 0;
     }
     if (!d.shaded) ssgi_gl__add(b, &d, SSGI_GL_SHADE, 0);
+    if (ssgi_gl__directions_alone(chain)) {
+        b->light = *ssgi_gl__texture(b, "bent");
+        return;
+    }
     b->light = chain->vectors ? *ssgi_gl__texture(b, "light") : ssgi_gl__filter(b, &d, "light");
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
@@ -3458,6 +3498,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
         near.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
         near.filter_radius = 1;
         near.filter_normals = bounce;
+        near.onto = SSGI_GL_ONTO_NONE;                  /* sum reads it */
         ssgi_gl__add(b, &near, SSGI_GL_BLUR, 0);
     }
     ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
@@ -3481,37 +3522,63 @@ static void ssgi_gl__deep(ssgi_gl__build *b) {
     if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why) {
-    const int pass = chain ? chain->desc.pass : 0;
-    ssgi_gl__build b;
-    if (!chain) return ssgi_gl__bad(why, "chain: must not be NULL"), 0;
-    if (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT)
-        return ssgi_gl__bad(why, "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT"), 0;
+/* What a chain is made of must be there, and go together. */
+static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain) {
+    if (!chain) return "chain: must not be NULL";
+    const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_LIGHTS;
+    if (pass < 0 || (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT))
+        return "chain.desc.pass: must be SSGI_GL_SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT";
     if (chain->width < 1 || chain->width > 16384 || chain->height < 1 || chain->height > 16384)
-        return ssgi_gl__bad(why, "chain.width, height: must be 1..16384"), 0;
+        return "chain.width, height: must be 1..16384";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
-        return ssgi_gl__bad(why, "chain.history: averages light, not coefficients: needs vectors = 0"), 0;
+        return "chain.history: averages light, not coefficients: needs vectors = 0";
+    if (ssgi_gl__directions_alone(chain) && (lit || chain->history || chain->desc.onto
+                                             || (chain->blur && !chain->vectors)))
+        return "chain.desc.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another shading, "
+               "blur needs vectors = 1";
+    return NULL;
+}
+
+/* Puts ambient visibility, or light with the bounce, onto your picture, unless blur has done so. */
+static void ssgi_gl__compose(ssgi_gl__build *b) {
+    ssgi_gl_desc d = b->chain->desc;
+    const int grey = d.pass < SSGI_GL_SSDO || d.pass == SSGI_GL_FIELD || (d.pass == SSGI_GL_SPLAT && !d.effect);
+    if (!d.onto || b->picture) return;
+    d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
+    d.bounce = b->light >= 0 && b->bounce >= 0;
+    *ssgi_gl__texture(b, "light") = b->light < 0 ? b->bounce : b->light;
+    *ssgi_gl__texture(b, "bounce") = b->bounce;
+    ssgi_gl__add(b, &d, SSGI_GL_COMPOSE, 0);
+}
+
+static void ssgi_gl__build_chain(ssgi_gl__build *b) {
+    const ssgi_gl_desc *const d = &b->chain->desc;
+    if (d->pass == SSGI_GL_SSDO) ssgi_gl__ssdo(b);
+    else if (d->pass == SSGI_GL_S3HO) ssgi_gl__s3ho(b);
+    else if (d->pass == SSGI_GL_SPLAT) ssgi_gl__deep(b);
+    else b->light = ssgi_gl__add(b, d, d->pass, 0)->output[0].texture;
+    if (d->pass < SSGI_GL_SSDO) b->light = ssgi_gl__filter(b, d, "ao");
+    if (!b->why && b->light < 0 && b->bounce < 0 && !b->picture)
+        b->why = "chain: nothing lights it: desc.environment, lights, or direct";
+    if (!b->why) ssgi_gl__compose(b);
+}
+
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why) {
+    const char *const bad = ssgi_gl__chain_bad(chain);
+    ssgi_gl_chain own;
+    ssgi_gl__build b;
+    if (bad) return ssgi_gl__bad(why, bad), 0;
+    own = *chain;
+    if (own.desc.pass != SSGI_GL_S3HO)                  /* fields of s3ho and shade that blur looks at, too */
+        own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
+    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3;       /* blur's default is 4 */
     for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {        /* checks all, then writes */
-        ssgi_gl_desc d = chain->desc;
         memset(&b, 0, sizeof b);
-        b.chain = chain;
+        b.chain = &own;
         b.steps = steps;
         b.capacity = turn ? capacity : 0;
         b.light = b.bounce = -1;
-        if (pass == SSGI_GL_SSDO) ssgi_gl__ssdo(&b);
-        else if (pass == SSGI_GL_S3HO) ssgi_gl__s3ho(&b);
-        else if (pass == SSGI_GL_SPLAT) ssgi_gl__deep(&b);
-        else b.light = ssgi_gl__add(&b, &d, pass, 0)->output[0].texture;
-        if (pass < SSGI_GL_SSDO) b.light = ssgi_gl__filter(&b, &d, "ao");
-        if (d.onto && (pass > SSGI_GL_HSAO || !chain->blur)) {
-            d.colour = pass < SSGI_GL_SSDO || pass == SSGI_GL_FIELD || (pass == SSGI_GL_SPLAT && !d.effect)
-                     ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-            d.bounce = b.light >= 0 && b.bounce >= 0;
-            *ssgi_gl__texture(&b, "light") = b.light < 0 ? b.bounce : b.light;
-            *ssgi_gl__texture(&b, "bounce") = b.bounce;
-            ssgi_gl__add(&b, &d, SSGI_GL_COMPOSE, 0);
-        }
-        if (!b.count && !b.why) b.why = "chain: nothing lights it: desc.environment, lights, or direct";
+        ssgi_gl__build_chain(&b);
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
     for (int i = 0; i < b.count && i < b.capacity; ++i) for (int k = 0; k < steps[i].outputs; ++k) {

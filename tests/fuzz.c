@@ -21,39 +21,103 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
         } \
     } while (0)
 
-enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE = 16, MOST = 32 * 1024 };
+enum { FIELDS = (int)(sizeof ssgi_gl__fields / sizeof ssgi_gl__fields[0]), CODE = 16, MOST = 32 * 1024,
+       FLAGS = (int)((sizeof(ssgi_gl_chain) - offsetof(ssgi_gl_chain, blur)) / sizeof(int)),
+       CHAIN = 2 * FIELDS + FLAGS + 2 };    /* bytes of a chain */
 
-/* A desc that is right as a chain: each texture that is read is yours, or written before, or the last frame's. */
-static void chains(const ssgi_gl_desc *d, const uint8_t *data, size_t size)
+/* A step's input is a texture of yours, or one that an earlier step wrote, or one of this frame's as the last frame
+   left it; no step reads what it writes. */
+static void inputs(const ssgi_gl_step *step, int count, int i)
+{
+    for (int k = 0; k < step[i].inputs; ++k) {
+        const ssgi_gl_input *in = &step[i].input[k];
+        int before = 0, anywhere = 0, by_itself = 0;
+        MUST(in->unit >= 0 && in->unit < 16);
+        if (in->meaning >= 0) {
+            MUST(in->meaning < SSGI_GL_YOURS && in->texture == -1 && !in->last);
+            continue;
+        }
+        for (int j = 0; j < count; ++j)
+            for (int o = 0; o < step[j].outputs; ++o) {
+                const int same = step[j].output[o].texture == in->texture;
+                before |= same && j < i;
+                anywhere |= same;
+                by_itself |= same && j == i;
+            }
+        MUST(in->texture >= 0 && in->format && (in->last ? anywhere : before && !by_itself));
+    }
+}
+
+/* What blur puts back, what it filters went without. */
+static void restored(const ssgi_gl_step *step, int i)
+{
+    const ssgi_gl_desc blur = ssgi_gl_resolve(&step[i].desc);
+    int texture = step[i].input[0].texture;
+    if (blur.pass != SSGI_GL_BLUR || blur.colour != SSGI_GL_COLOUR) return;
+    for (int k = 0; k < step[i].inputs; ++k)
+        if (!strcmp(step[i].input[k].name, "t_ssgi_light")) texture = step[i].input[k].texture;
+    for (int j = i - 1; j >= 0; --j)
+        for (int o = 0; o < step[j].outputs; ++o) {
+            const ssgi_gl_desc wrote = ssgi_gl_resolve(&step[j].desc);
+            if (step[j].output[o].texture != texture || wrote.pass == SSGI_GL_HISTORY) continue;
+            const int bounce = !strcmp(step[j].output[o].name, "o_ssgi_bounce");
+            MUST(blur.restore == (bounce ? SSGI_GL_RESTORE_NONE : wrote.restore));
+            const int map = blur.environment == SSGI_GL_ENVIRONMENT_MAP;
+            MUST(!blur.restore || (map == (wrote.environment == SSGI_GL_ENVIRONMENT_MAP)
+                                   && blur.shading == wrote.shading && blur.residual == wrote.residual
+                                   && blur.lights == wrote.lights && (map || blur.bands == wrote.bands)));
+            return;
+        }
+}
+
+/* The ints of a desc, a byte each: one that the field may have, or what the byte says. */
+static void fill(ssgi_gl_desc *d, const uint8_t *data)
+{
+    memset(d, 0, sizeof *d);
+    for (int i = 0; i < FIELDS; ++i) {
+        const int value = data[i];
+        memcpy((char *)d + ssgi_gl__fields[i].offset, &value, sizeof value);
+    }
+    d->fetch = " ";
+}
+
+/* A chain of two descs and flags: either refused with a sentence, or every step can be drawn and there is one result,
+   which is ambient visibility or light, a bounce beside it or alone, or your picture. */
+static void chains(const uint8_t *data)
 {
     ssgi_gl_chain chain;
     const char *why = NULL;
+    int results[3] = { 0, 0, 0 }, pictures = 0;
     memset(&chain, 0, sizeof chain);
-    chain.desc = chain.lights = *d;
-    chain.lights.pass = size > 3 && data[3] & 1 ? SSGI_GL_LIGHTS : 0;
-    chain.width = size > 0 ? 1 + 64 * data[0] : 1;
-    chain.height = size > 1 ? data[1] : 1;
-    for (size_t k = 0; k < (sizeof chain - offsetof(ssgi_gl_chain, blur)) / sizeof(int) && size > 2; ++k) {
-        const int flag = data[2] >> k % 8 & 1;
-        memcpy((char *)&chain + offsetof(ssgi_gl_chain, blur) + k * sizeof flag, &flag, sizeof flag);
+    fill(&chain.desc, data);
+    fill(&chain.lights, data + FIELDS);
+    data += 2 * FIELDS;
+    for (int k = 0; k < FLAGS; ++k) {
+        const int flag = data[k];
+        memcpy((char *)&chain + offsetof(ssgi_gl_chain, blur) + (size_t)k * sizeof flag, &flag, sizeof flag);
     }
-    const int n = ssgi_gl_steps(NULL, 0, &chain, &why), room = size > 4 && data[4] & 1 ? n : n / 2;
-    MUST(n ? n < 200 : why != NULL);
-    ssgi_gl_step *step = n ? (ssgi_gl_step *)malloc((size_t)(room ? room : 1) * sizeof *step) : NULL;
+    chain.width = 1 + 64 * data[FLAGS];
+    chain.height = data[FLAGS + 1];
+    const int n = ssgi_gl_steps(NULL, 0, &chain, &why);
+    const int room = data[FLAGS] % 4 == 0 && n > 1 ? n / 2 : n;
+    MUST(n ? n < 200 : why && strstr(why, ": "));
+    ssgi_gl_step *step = n ? (ssgi_gl_step *)malloc((size_t)room * sizeof *step) : NULL;
     if (!step) return;
     MUST(ssgi_gl_steps(step, room, &chain, NULL) == n);
     for (int i = 0; i < room; ++i) {
-        for (int k = 0; k < step[i].inputs; ++k) {
-            const ssgi_gl_input *in = &step[i].input[k];
-            int written = in->meaning >= 0 || in->last;
-            for (int j = 0; j < i; ++j)
-                for (int o = 0; o < step[j].outputs; ++o) written |= step[j].output[o].texture == in->texture;
-            MUST(written && in->unit >= 0 && in->unit < 16 && (in->meaning < 0) == (in->texture >= 0 || in->last));
+        MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK && step[i].width > 0 && step[i].height > 0);
+        if (room == n) inputs(step, n, i);
+        /* surfels multiply by what slices keep of light: nothing is put back */
+        if (room == n && chain.desc.pass != SSGI_GL_SPLAT) restored(step, i);
+        for (int k = 0; k < step[i].outputs; ++k) {
+            const ssgi_gl_output *o = &step[i].output[k];
+            MUST(o->format ? o->texture >= 0 : o->texture == -1 && i == n - 1);
+            ++results[o->result];
+            pictures += !o->format;
         }
-        for (int k = 0; k < step[i].outputs; ++k)
-            MUST(step[i].output[k].format ? step[i].output[k].texture >= 0 : step[i].output[k].texture == -1);
-        MUST(ssgi_gl_check(&step[i].desc, NULL) == SSGI_OK);
     }
+    if (room == n)
+        MUST(results[1] <= 1 && results[2] <= 1 && results[1] + results[2] > 0 && pictures == !!chain.desc.onto);
     free(step);
 }
 
@@ -91,7 +155,6 @@ static void descs(const uint8_t *data, size_t size)
     MUST(ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO) > 0
          && !ssgi_gl_emit(text, sizeof text, &d, (int)(sum % 100) + SSGI_GL_STAGES));
     if (sum % 8) return;
-    chains(&d, data, size);
     size_t n = 0;
     int stage = (int)(sum / 8 % SSGI_GL_STAGES);
     for (int tries = 0; tries < SSGI_GL_STAGES && !n; ++tries) {    /* not all passes have all */
@@ -189,7 +252,7 @@ static void cameras(const float *f, size_t count, const ssgi_view *view)
                  && all_finite(to, 16));
     }
     if (ssgi_gl_views_set(&views, (int)(count % 4), view, f, last, &why) != SSGI_OK)
-        MUST(!strncmp(why, "main_world_to_view:", 19)
+        MUST((!strncmp(why, "main_world_to_view:", 19) || !strncmp(why, "view: its near plane", 20))
              && ssgi_gl_light_map(&light, view, 0, 0, f, last, NULL) != SSGI_OK);
     else MUST(ssgi_gl_light_map(&light, view, 1, 2, f, last, NULL) == SSGI_OK && light.tile[1] == 2.0f);
 }
@@ -224,8 +287,10 @@ static void surfels(const float *f, size_t count, const ssgi_view *view)
                  && made[i].seed >= 0.0f && made[i].seed < 1.0f);
     }
     if (ssgi_surfels_predict(&cost, &d, &splat, view, &source, &why) != SSGI_OK) MUST(strchr(why, ':'));
-    else MUST(cost.surfels == many);
-    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
+    else {
+        MUST(cost.surfels == many);
+        for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) MUST(cost.pixels[l] >= 0.0);
+    }
     if (ssgi_gl_surfels_set(&frame, view, &d, levels, source.to_view, &why) != SSGI_OK) MUST(strchr(why, ':'));
 }
 
@@ -363,6 +428,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static float f[256 * 9];
     const size_t count = size / sizeof *f < sizeof f / sizeof *f ? size / sizeof *f : sizeof f / sizeof *f;
+    if (size == CHAIN) { chains(data); return 0; }
     if (size) descs(data, size);
     if (count) memcpy(f, data, count * sizeof *f);
     if (count >= 9) {
@@ -375,6 +441,24 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 #ifndef SSGI_LIBFUZZER
 static uint32_t next(uint32_t *state) { *state = *state * 1664525u + 1013904223u; return *state >> 8; }
+
+static uint8_t legal(size_t field, uint32_t *state)
+{
+    return (uint8_t)(next(state) % ((uint32_t)ssgi_gl__fields[field].most + 1u));
+}
+
+/* A chain most of whose fields have their default. */
+static void random_chain(uint8_t bytes[CHAIN], uint32_t *state)
+{
+    static const uint8_t passes[] = { SSGI_GL_SSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_SSDO, SSGI_GL_SSDO,
+                                      SSGI_GL_S3HO, SSGI_GL_S3HO, SSGI_GL_FIELD, SSGI_GL_SPLAT, SSGI_GL_SPLAT };
+    for (size_t k = 0; k < 2 * FIELDS; ++k) bytes[k] = next(state) % 3 ? 0 : legal(k % FIELDS, state);
+    bytes[0] = passes[next(state) % sizeof passes];        /* pass is the first field */
+    bytes[FIELDS] = next(state) % 2 ? SSGI_GL_LIGHTS : 0;
+    for (size_t k = 2 * FIELDS; k < CHAIN; ++k) bytes[k] = next(state) % 2;
+    for (size_t k = CHAIN - 2; k < CHAIN; ++k) bytes[k] = (uint8_t)next(state);
+}
+
 int main(int argc, char **argv)
 {
     static const float plain[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2f, 0 };
@@ -382,17 +466,21 @@ int main(int argc, char **argv)
     uint32_t state = argc > 2 ? (uint32_t)atol(argv[2]) : 1;
     uint8_t bytes[4 * 9 * 64];
     for (long i = 0; i < times; ++i) {
+        if (i % 2) {
+            random_chain(bytes, &state);
+            LLVMFuzzerTestOneInput(bytes, CHAIN);
+            continue;
+        }
         /* most inputs: a desc that is right but for a byte or none */
         size_t size = FIELDS + next(&state) % CODE, k;
-        if (i % 16 == 0) size = next(&state) % (sizeof bytes + 1);
+        if (i % 32 == 0) size = next(&state) % (sizeof bytes + 1);
         for (k = 0; k < size; ++k)
-            bytes[k] = (uint8_t)(k < FIELDS && i % 16 ? next(&state) % ((uint32_t)ssgi_gl__fields[k].most + 1u)
-                                                      : next(&state));
+            bytes[k] = k < FIELDS && i % 32 ? legal(k, &state) : (uint8_t)next(&state);
         if (i % 3 == 0) bytes[next(&state) % FIELDS] = (uint8_t)next(&state);
         /* floats of a size that means something, and a projection */
-        if (i % 32 == 0)
+        if (i % 64 == 0)
             for (k = 0; 4 * k + 4 <= size; ++k) {
-                float x = k < 16 && i % 64 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);
+                float x = k < 16 && i % 128 == 0 ? plain[k] : ((float)next(&state) - 8e6f) * (i % 5 ? 1e-6f : 1e24f);
                 memcpy(bytes + 4 * k, &x, sizeof x);
             }
         LLVMFuzzerTestOneInput(bytes, size);

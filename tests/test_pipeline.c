@@ -1274,17 +1274,23 @@ static void filter_keeps_its_word(void)
 
 /* ---- over frames ------------------------------------------------------------------------------------------------- */
 
+static int opened_on(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting,
+                     const char *name, const char *set)
+{
+    const kit_world world = { scene, lighting };
+    kit_method m;
+    return TRY(kit_method_find(&m, name, &err)) && TRY(kit_method_set(&m, set, &err))
+        && TRY(kit_run_open(run, g, &m, scene->radius, &world, &err));
+}
+
 /* A run of a method on a built-in scene at a small size. */
 static int seen_as(kit_run *run, kit_gbuffer *g, const kit_scene *scene, const kit_lighting *lighting, int width,
                    const char *name, const char *set)
 {
-    const kit_world world = { scene, lighting };
     kit_camera c = scene->camera;
-    kit_method m;
     c.width = width;
     c.height = width * 9 / 16;
-    return TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err)) && TRY(kit_method_find(&m, name, &err))
-        && TRY(kit_method_set(&m, set, &err)) && TRY(kit_run_open(run, g, &m, scene->radius, &world, &err));
+    return TRY(kit_gbuffer_from_scene(g, scene, &c, NULL, &err)) && opened_on(run, g, scene, lighting, name, set);
 }
 
 /* One frame, sixteen, the mean of many; then a cut. */
@@ -1439,36 +1445,52 @@ static void motion_is_followed(void)
     kit_image_free(&mean); kit_image_free(&single); kit_scene_free(&scene);
 }
 
-/* A hundred last frames of anything; then two sound ones bring back what there is to see. */
+static kit_pass *history_of(kit_run *run)
+{
+    kit_pass *p = run->pass;
+    while (p->desc.pass != SSGI_GL_HISTORY) ++p;
+    return p;
+}
+
+/* The texture that a pass reads under a name. */
+static GLuint *read_as(kit_pass *p, const char *name)
+{
+    for (int k = 0; k < p->step->inputs; ++k) if (!strcmp(p->step->input[k].name, name)) return &p->input[k];
+    return NULL;
+}
+
+static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -1, 1e38f, -1e38f, 1e9f, 1e-30f, 0.5f, 1, 3, 528 };
+enum { ODD = (int)(sizeof odd / sizeof odd[0]) };
+
+/* A hundred last frames of anything, depth too: all of one kind, or a mixture. Two sound ones then bring back what
+   there is to see. */
 static void hostile_history(void)
 {
-    static const float odd[] = { NAN, INFINITY, -INFINITY, 0, -1, 1e38f, -1e38f, 1e9f, 1e-30f, 0.5f, 1, 3, 528 };
-    enum { ODD = (int)(sizeof odd / sizeof odd[0]) };
+    static const char *const names[2] = { "t_ssgi_history", "t_ssgi_means" };
     kit_lighting lighting = { .lights = 0 };
     kit_scene scene;
     if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "white", &err))) return;
     for (int lit = 0; lit < 2; ++lit) {
         kit_gbuffer g;
         kit_run run;
-        float *texels;
         int bad = 0;
         if (!seen_as(&run, &g, &scene, &lighting, 64, lit ? "ssdo-fast" : "hsao-fast",
                      lit ? "bounce=none,history=1" : "history=1"))
             return;
-        kit_pass *p = run.pass;
-        while (p->desc.pass != SSGI_GL_HISTORY) ++p;
-        texels = malloc(4 * (size_t)(p->width * p->height) * sizeof *texels);
+        kit_pass *const p = history_of(&run);
+        float *const texels = malloc(4 * (size_t)(p->width * p->height) * sizeof *texels);
         kit_run_draw(&run, 0);
         for (unsigned f = 1; f < 104; ++f) {
-            const GLuint sound[2] = { p->target[0], p->target[1] };
-            GLuint hostile[2] = { 0, 0 };
+            GLuint hostile[2] = { 0, 0 }, sound[2];
             kit_image out;
             TRY(kit_run_follow(&run, &run, f, &err));
             random_state = f;
             for (int k = 0; k < 2 && f < 101; ++k) {
-                for (int i = 0; i < 4 * p->width * p->height; ++i)      /* all of one kind, or a mixture */
+                GLuint *const at = read_as(p, names[k]);
+                for (int i = 0; i < 4 * p->width * p->height; ++i)
                     texels[i] = f < ODD ? odd[f] : below(4) ? odd[below(ODD)] : (float)below(1000) * 0.01f;
-                p->last[k] = hostile[k] = kit_texture(p->width, p->height, GL_RGBA32F, texels);
+                sound[k] = *at;
+                *at = hostile[k] = kit_texture(p->width, p->height, GL_RGBA32F, texels);
             }
             kit_run_draw(&run, 0);
             TRY(kit_run_read(&out, &run, &err));
@@ -1479,11 +1501,93 @@ static void hostile_history(void)
                 bad += !((v > 0.05f || (lit && !(v > 0))) && v < 1.05f);
             }
             kit_image_free(&out);
-            for (int k = 0; k < 2 && f < 101; ++k) p->last[k] = sound[k];
+            for (int k = 0; k < 2 && hostile[k]; ++k) *read_as(p, names[k]) = sound[k];
             glDeleteTextures(2, hostile);
         }
         CHECK(!bad, "%s: %d values are none, below 0 or too large", lit ? "ssdo" : "hsao", bad);
         free(texels);
+        kit_run_close(&run);
+        kit_gbuffer_free(&g);
+    }
+    kit_image_free(&lighting.env);
+    kit_scene_free(&scene);
+}
+
+/* A copy of a pass's texture in which one lane of every third texel is no number; the others, and depth, are right. */
+static GLuint poisoned(const kit_pass *p, GLuint texture, int lane, float value)
+{
+    const size_t texels = (size_t)p->width * (size_t)p->height;
+    float *const texel = malloc(4 * texels * sizeof *texel);
+    GLuint copy = 0;
+    if (CHECK(!kit_texture_read(texture, p->width, p->height, 4, texel), "no texture to poison")) {
+        for (size_t i = 0; i < texels; i += 3) texel[4 * i + (size_t)lane] = value;
+        copy = kit_texture(p->width, p->height, GL_RGBA32F, texel);
+    }
+    free(texel);
+    return copy;
+}
+
+/* One frame in which a lane of what history reads is NaN or infinity at depths that are right, whatever is restored:
+   every frame is of numbers, and a few sound ones later nothing of it is left. */
+static void poisoned_history(void)
+{
+    static const struct { const char *method, *set; } kept[] = {
+        { "hsao-fast", "history=1" }, { "ssdo-fast", "bounce=none,history=1,restore=none" },
+        { "ssdo-fast", "bounce=none,history=1,restore=ratio" },
+        { "ssdo-fast", "bounce=none,history=1,restore=difference" },
+        { "s3ho-fast", "indirect=joint,history=1,restore=difference" } };
+    static const struct { const char *name; int lane; float value; } poison[] = {
+        { "t_ssgi_history", 0, NAN }, { "t_ssgi_history", 0, INFINITY }, { "t_ssgi_means", 0, NAN },
+        { "t_ssgi_means", 1, NAN }, { "t_ssgi_means", 2, NAN }, { "t_ssgi_means", 3, NAN },
+        { "t_ssgi_means", 1, -INFINITY }, { "t_ssgi_motion", 0, NAN }, { "t_ssgi_motion", 1, INFINITY },
+        { NULL, 0, NAN }, { NULL, 0, -INFINITY } };        /* NULL: this frame's */
+    enum { BEFORE = 3, AFTER = 6 };
+    kit_lighting lighting = { .lights = 0 };
+    kit_scene scene;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_env_read(&lighting.env, "sky", &err))) return;
+    for (size_t m = 0; m < sizeof kept / sizeof *kept; ++m) {
+        kit_gbuffer g;
+        kit_run run;
+        kit_image sound = { 0 };
+        double left = 0;
+        kit_camera c = scene.camera;
+        c.width = 64;
+        c.height = 36;
+        if (!TRY(kit_gbuffer_from_scene(&g, &scene, &c, NULL, &err))) return;
+        g.motion = kit_texture(g.width, g.height, GL_RG32F, NULL);             /* nothing moves */
+        if (!opened_on(&run, &g, &scene, &lighting, kept[m].method, kept[m].set)) return;
+        kit_pass *const p = history_of(&run);
+        for (int i = -1; i < (int)(sizeof poison / sizeof *poison); ++i) {      /* -1: none, to compare with */
+            const char *const of = i < 0 ? NULL : poison[i].name ? poison[i].name : strcmp(kept[m].method, "hsao-fast")
+                                 ? "t_ssgi_light" : "t_ssgi_ao";
+            int bad = 0;
+            run.frame.history = 0;
+            run.frame.phase = 0;
+            kit_run_update(&run);
+            kit_run_draw(&run, 0);
+            for (unsigned f = 1; f <= BEFORE + AFTER; ++f) {
+                GLuint copy = 0, was = 0, *at = of && f == BEFORE ? read_as(p, of) : NULL;
+                kit_image out;
+                TRY(kit_run_follow(&run, &run, f, &err));
+                if (at) {                                  /* 0: of the G-buffer */
+                    was = *at;
+                    *at = copy = poisoned(p, was ? was : g.motion, poison[i].lane, poison[i].value);
+                }
+                kit_run_draw(&run, 0);
+                if (at) *at = was;
+                glDeleteTextures(1, &copy);
+                if (!TRY(kit_run_read(&out, &run, &err))) return;
+                for (int k = 0; k < out.channels * out.width * out.height; ++k) bad += !isfinite(out.data[k]);
+                if (f == BEFORE + AFTER && i < 0) { sound = out; continue; }
+                if (f == BEFORE + AFTER) left = fmax(left, difference(&out, &sound, 0, 0, 0));
+                kit_image_free(&out);
+            }
+            CHECK(!bad, "%s %s: %s %d %g: %d values are no numbers", kept[m].method, kept[m].set, of ? of : "none",
+                  of ? poison[i].lane : 0, of ? (double)poison[i].value : 0, bad);
+        }
+        CHECK(left < 0.03, "%s %s: %.3f is left of it", kept[m].method, kept[m].set, left);
+        t_note("%s %s: %.4f is left of a frame after %d sound ones", kept[m].method, kept[m].set, left, AFTER);
+        kit_image_free(&sound);
         kit_run_close(&run);
         kit_gbuffer_free(&g);
     }
@@ -1563,6 +1667,7 @@ void test_pipeline(void)
     RUN("over sixteen frames noise falls; the first after a cut is a single one", history_is_quiet);
     RUN("what moves by motion vectors is averaged as what a camera passes by", motion_is_followed);
     RUN("a hundred frames of hostile history leave no trace", hostile_history);
+    RUN("a frame of NaN at depths that are right leaves none, whatever is restored", poisoned_history);
     RUN("the filter keeps constants, edges and ramps, and averages a tile of noise", filter_keeps_its_word);
     kit_gl_close();
 }

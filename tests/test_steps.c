@@ -326,11 +326,28 @@ static void onto_a_picture(void)
 /* What a chain may not ask for is named, and nothing is written. */
 static void refusals(void)
 {
+    enum { BENT = SSGI_GL_SHADING_BENT, ONTO = SSGI_GL_ONTO_MULTIPLY };
     static const struct { const char *names; ssgi_gl_chain chain; } row[] = {
         { "chain.desc.pass", { .desc = { .pass = SSGI_GL_BLUR }, .width = 8, .height = 8 } },
         { "chain.width, height", { .desc = { .pass = SSGI_GL_HSAO }, .width = 0, .height = 8 } },
         { "chain.history", { .desc = { .pass = SSGI_GL_S3HO }, .width = 8, .height = 8, .history = 1, .vectors = 1 } },
         { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SSDO, .bounce = 1 }, .width = 8, .height = 8 } },
+        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SSDO, .bounce = 1, .onto = ONTO }, .width = 8,
+                                     .height = 8 } },
+        { "chain: nothing lights", { .desc = { .pass = SSGI_GL_SPLAT, .effect = SSGI_GL_EFFECT_LIGHT }, .width = 8,
+                                     .height = 8 } },
+        { "chain.direct", { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = 1, .views = 1 },
+                            .width = 8, .height = 8, .direct = 1 } },
+        { "chain.direct", { .desc = { .pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .bounce = 1, .layers = 2 },
+                            .width = 8, .height = 8, .direct = 1 } },
+        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
+                                  .blur = 1 } },
+        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
+                                  .history = 1 } },
+        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT, .onto = ONTO }, .width = 8,
+                                  .height = 8 } },
+        { "chain.desc.shading", { .desc = { .pass = SSGI_GL_S3HO, .shading = BENT }, .width = 8, .height = 8,
+                                  .lights = { .pass = SSGI_GL_LIGHTS } } },
         { "desc.steps", { .desc = { .pass = SSGI_GL_HSAO, .steps = 65 }, .width = 8, .height = 8 } },
         { "desc.packed", { .desc = { .pass = SSGI_GL_S3HO, .transfer = 1 }, .width = 8, .height = 8 } }
     };
@@ -344,6 +361,34 @@ static void refusals(void)
               "%d: %d, \"%s\" (expected %s)", i, n, why, row[i].names);
     }
     CHECK(!ssgi_gl_steps(NULL, 0, NULL, NULL), "a chain of NULL");
+}
+
+/* What the last step of a chain brings, by its output's name, and whether that is its result or your picture. */
+static void results(void)
+{
+    static const struct { const char *output; int steps; ssgi_gl_chain chain; } row[] = {
+        { "o_ssgi_bent", 2, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
+                              .height = 8 } },
+        { "o_ssgi_bent", 3, { .desc = { .pass = SSGI_GL_S3HO, .shading = SSGI_GL_SHADING_BENT }, .width = 8,
+                              .height = 8, .blur = 1, .vectors = 1 } },
+        { "o_ssgi_light", 2, { .desc = { .pass = SSGI_GL_SSDO, .environment = SSGI_GL_ENVIRONMENT_SH }, .width = 8,
+                               .height = 8, .blur = 1 } },
+        { "o_ssgi_picture", 9, { .desc = { .pass = SSGI_GL_SPLAT, .span = 4, .levels = 2,
+                                           .onto = SSGI_GL_ONTO_MULTIPLY }, .width = 8, .height = 8 } },
+    };
+    for (int i = 0; i < (int)(sizeof row / sizeof *row); ++i) {
+        ssgi_gl_step step[STEPS];
+        const char *why = "";
+        const int n = ssgi_gl_steps(step, STEPS, &row[i].chain, &why), picture = row[i].chain.desc.onto != 0;
+        if (!CHECK(n == row[i].steps, "%d: %d steps: %s", i, n, why)) continue;
+        const ssgi_gl_output *last = step[n - 1].output;
+        CHECK(!strcmp(last->name, row[i].output) && picture == (last->texture < 0)
+                  && (picture || last->result == SSGI_GL_RESULT_LIGHT),
+              "%d: the last step writes %s, result %d, texture %d", i, last->name, last->result, last->texture);
+        for (int k = 0; k < n - 1; ++k)
+            for (int o = 0; o < step[k].outputs; ++o)
+                CHECK(step[k].output[o].texture >= 0, "%d: step %d draws onto the picture", i, k);
+    }
 }
 
 void test_steps(void)
@@ -361,6 +406,7 @@ void test_steps(void)
             RUN("what is bound wrong is named before it is drawn", wrong_things);
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
+            RUN("every chain ends with its result, or on the picture", results);
         }
         kit_fields_free();
         kit_gl_close();

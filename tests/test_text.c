@@ -1122,20 +1122,40 @@ static void toolboxes(void)
 
 /* ---- >>lint ------------------------------------------------------------------------------------------------------ */
 
-static int reserved(const char *word, size_t n)   /* in any dialect, and not used by us as what it is */
+/* The words of tests/reserved.txt, with a blank before and behind each, less those that we use as what they are. */
+static char reserved_words[1 << 14];
+
+static int reserved_words_read(void)
 {
-    static const char words[] = " common partition active asm class union enum typedef template this resource goto "
-                                "inline noinline public static extern external interface long "
-                                "short half fixed unsigned superp input output filter sizeof cast namespace using "
-                                "sample patch subroutine coherent volatile restrict readonly writeonly shared buffer "
-                                "atomic_uint precise smooth noperspective centroid attribute varying double switch "
-                                "case default do while image1D image2D lowp mediump invariant "
-                                "hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 dvec2 dvec3 dvec4 sampler3DRect texture texture2D "
-                                "noise1 noise2 row_major packed ";
+    static const char ours[] =
+        " break const continue discard else false for if layout return struct bool precision highp ";
+    char path[4096], line[256], word[64];
+    size_t used = 1;
+    int used_line = 0;
+    snprintf(path, sizeof path, "%s/tests/reserved.txt", getenv("PWD"));
+    FILE *file = fopen(path, "r");
+    if (!file) return 0;
+    reserved_words[0] = ' ';
+    while (fgets(line, sizeof line, file)) {
+        const int blank = *line == '\n';
+        used_line = blank || *line == '#' ? 0 : used_line + 1;             /* a paragraph's first names its language */
+        if (used_line < 2) continue;
+        for (const char *at = line; (at += strspn(at, " \n")), *at; at += strcspn(at, " \n")) {
+            snprintf(word, sizeof word, " %.*s ", (int)strcspn(at, " \n"), at);
+            if (!strstr(ours, word) && used + strlen(word) < sizeof reserved_words)
+                used += (size_t)sprintf(reserved_words + used, "%s", word + 1);
+        }
+    }
+    fclose(file);
+    return used > 4000 && used < sizeof reserved_words - 64;
+}
+
+static int reserved(const char *word, size_t n)            /* in any language, and not used by us as what it is */
+{
     char key[64];
     if (n > 60) return 1;
     snprintf(key, sizeof key, " %.*s ", (int)n, word);
-    return strstr(words, key) != NULL;
+    return strstr(reserved_words, key) != NULL;
 }
 
 static void lint_line(const char *t, const char *end, int vulkan)
@@ -1154,6 +1174,7 @@ static void lint_line(const char *t, const char *end, int vulkan)
         CHECK(!strncmp(name, "ssgi_", 5) || !strncmp(name, "SSGI_", 5) || !strncmp(name, "main(", 5),
               "not our name: %.*s", (int)(end - line), line);
     }
+    if (!strncmp(t, "layout(", 7)) t += strcspn(t, ")") + 1;               /* qualifiers have words of their own */
     while (t < end && !(t[0] == '/' && t[1] == '/')) {
         size_t k = 0;
         while (PART(t[k])) ++k;
@@ -1169,6 +1190,9 @@ static void lint(void)
 {
     static char text[TEXT];
     static set_of lines;
+    if (!CHECK(reserved_words_read() && reserved("from", 4) && reserved("lineadj", 7) && reserved("kernel", 6)
+                   && reserved("hvec3", 5) && !reserved("ssgi", 4), "tests/reserved.txt cannot be read"))
+        return;
     for (int i = 0; i < texts; ++i) {
         const char *c = source_of(text, &spoken[i].desc, spoken[i].stage);
         for (const char *line = c, *end; *line && spoken[i].stage != TOOLBOX; line = end + 1) {
@@ -1552,7 +1576,7 @@ void test_text(void)
     RUN("what is off leaves nothing: every name that a text uses is declared there, and every one declared is used",
         closed);
     RUN("the functions of fields alone are those of the pass, and declare what they use", toolboxes);
-    RUN("text is plain: ASCII, our own names, nothing reserved in any dialect", lint);
+    RUN("text is plain: ASCII, our own names, nothing reserved in GLSL, HLSL, MSL or WGSL", lint);
     RUN("every bad field is named, and what was given stays untouched", sentences);
     RUN("defaults written out give the same text, and as many fetches as counted by hand", defaults);
     if (desktop) kit_gl_close();

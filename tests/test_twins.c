@@ -287,10 +287,12 @@ static void twin_views(void)
         float m[16] = { 1.3f,           0, 0, 0, 0, k & 1 ? -2.1f : 2.1f, 0, 0, 0.07f, -0.03f, (float)z[k][0], -1, 0, 0,
                         (float)z[k][1], 0 };
         int ortho = k >= 4, clip = k == 1 || k == 2 || k == 5 ? SSGI_CLIP_ZERO : SSGI_CLIP_GL;
-        ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho };
+        ssgi_gl_desc d = { .dialect = SSGI_GL_450, .orthographic = ortho }, mapped = d;
         ssgi_gl_frame frame;
         ssgi_view view;
         const char *why = "";
+        mapped.pass = SSGI_GL_LIGHTS;
+        mapped.shadow = SSGI_GL_SHADOW_MAP;
         if (ortho) { m[8] = m[9] = m[11] = 0; m[12] = 0.07f; m[13] = -0.03f; m[15] = 1; }
         if (!CHECK(ssgi_view_from_projection(&view, m, clip, 1280, 720, &why) == SSGI_OK
                        && ssgi_gl_frame_init(&frame, &view, 1, &why) == SSGI_OK,
@@ -298,7 +300,9 @@ static void twin_views(void)
             continue;
         frame.offset = 1;
         for (int i = 0; i < MANY; ++i) {                  /* window depth; a pixel; view depth */
-            float a[4] = { i < 2   ? (float)i
+            static const float special[] = { 0, 1, NAN, INFINITY, -INFINITY, 1e38f, -1e38f };
+            enum { SPECIAL = (int)(sizeof special / sizeof *special) };
+            float a[4] = { i < SPECIAL ? special[i]
                            : i & 1 ? uniform(0, 1)
                                    : 1 - powf(10, uniform(-7, 0)),
                            uniform(-50, 1330), uniform(-50, 770), expf(uniform(-4, 7)) };
@@ -323,6 +327,14 @@ static void twin_views(void)
             NEAR(out[i][1], p[0], 3e-7 * x * scale, "ssgi_position.x");
             NEAR(out[i][2], p[1], 3e-7 * y * scale, "ssgi_position.y");
             NEAR(out[i][3], p[2], 0, "ssgi_position.z");
+        }
+        if (!probe(&mapped, &frame, 0, ortho ? "o = vec4(ssgi_view_depth(vec4(u_ssgi_decode.xyz, 1.0), a.x));"
+                                             : "o = vec4(ssgi_view_depth(vec4(u_ssgi_decode.xyz, 0.0), a.x));"))
+            break;
+        for (int i = 0; i < MANY; ++i) {
+            const float depth = ssgi_view_depth(&view, in[i][0]);
+            if (depth >= 1e17f) CHECK(out[i][0] >= 1e17f && out[i][0] <= SSGI_FAR, "ssgi_view_depth(%g): %g",
+                                      (double)in[i][0], (double)out[i][0]);
         }
         for (int i = 0; i < MANY; ++i) ssgi_view_position(&view, in[i][1], in[i][2], in[i][3], in[i]);
         if (!probe(&d, &frame, 0,

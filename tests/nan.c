@@ -1,0 +1,160 @@
+/* nan.c - every float that a function takes is set to NaN and to the infinities: each is refused with a sentence, and
+   nothing is written. Compiled by test_build.c with and without -ffast-math, which takes NaN for a number wherever the
+   library compares instead of looking at the bits. */
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "../ssgi_gl.h"
+
+#include <stdio.h>
+
+/* Arguments that are right. */
+static float projection[16] = { 1.3f, 0, 0, 0, 0, 2.4f, 0, 0, 0, 0, -1.002f, -1, 0, 0, -0.2002f, 0 };
+static float rigid[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1 };
+static float other[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1f, 0, -2, 1 };
+static float triangle[9] = { 0, 0, -1, 1, 0, -1, 0, 1, -1 };
+static float colour[3] = { 1, 2, 3 }, up[3] = { 0, 1, 0 }, coefficients[48] = { 1 }, image[8 * 4 * 3] = { 1 };
+static float number = 0.5f;
+static ssgi_view view;
+static ssgi_surfel_desc surfels = { 0.2f, 4, 0.1f, 0, 5 };
+static ssgi_surfel_source source;
+static ssgi_splat splat = { 0.1f, 1, 1, 0.1f, 4 };
+static ssgi_surfel surfel[2] = { { { 0, 0, -1 }, 0.1f, { 0, 0, 1 }, 0.5f, { 1, 1, 1 }, 0 },
+                                 { { 0, 1, -1 }, 0.1f, { 0, 0, 1 }, 0.5f, { 1, 1, 1 }, 0 } };
+static ssgi_gl_light light = { { 0, 0, 1 }, 0, { 1, 1, 1 }, 0, { 0, 0, 0 }, 0, { { 0 } }, { 0 }, { 0 } };
+static ssgi_dipole dipole;
+static ssgi_field_desc baked;
+static ssgi_field field;
+static ssgi_field_limits limits;
+static uint32_t texels[432];
+static ssgi_trace trace;
+static ssgi_plan_scene scene;
+
+/* Outputs. */
+static struct {
+    ssgi_gl_frame frame;
+    ssgi_gl_views views;
+    ssgi_gl_light light;
+    ssgi_gl_occluder occluder;
+    ssgi_view view;
+    ssgi_dipole dipole;
+    ssgi_surfel surfel[64];
+    ssgi_surfel_cost cost;
+    ssgi_calibration calibration;
+    ssgi_plan plan;
+    float floats[3 * 64];
+    size_t count;
+} out;
+
+static const char *why;
+
+#define CALL(name, expression) static ssgi_result name(void) { return expression; }
+CALL(view_of, ssgi_view_from_projection(&out.view, projection, SSGI_CLIP_GL, 64, 36, &why))
+CALL(extra, ssgi_extra_camera(out.floats, out.floats + 16, rigid, up, number, colour, &why))
+CALL(sh_light, ssgi_sh_light(out.floats, 3, up, number, colour, SSGI_SH_WINDOW_HANN, &why))
+CALL(map, ssgi_environment_map(out.floats, 8, image, 8, 4, number, &why))
+CALL(cone, ssgi_environment_cone(out.floats, 8, image, 8, 4, number, &why))
+CALL(scale, ssgi_surfel_scale(out.floats, &surfels, &view, &why))
+CALL(divide, ssgi_surfels_divide(out.floats, 2, &out.count, &surfels, &view, &source, &why))
+CALL(make, ssgi_surfels(out.surfel, 64, &out.count, &surfels, &view, &source, &why))
+CALL(predict, ssgi_surfels_predict(&out.cost, &surfels, &splat, &view, &source, &why))
+CALL(scattering, ssgi_dipole_set(&out.dipole, colour, up, number + 1, &why))
+CALL(calibrate, ssgi_plan_calibrate(&out.calibration, &trace, up, up, &number, NULL, 1, 2, number, &why))
+CALL(plan, ssgi_plan_make(&out.plan, &scene, &why))
+CALL(frame, ssgi_gl_frame_init(&out.frame, &view, number, &why))
+CALL(last, ssgi_gl_frame_history(&out.frame, &view, rigid, other, &why))
+CALL(surfels_of, ssgi_gl_surfels_set(&out.frame, &view, &surfels, 4, rigid, &why))
+CALL(sent, ssgi_gl_sent_set(&out.frame, surfel, 2, &light, 1, up, &why))
+CALL(dipole_of, ssgi_gl_dipole_set(&out.frame, &dipole, number, &why))
+CALL(harmonics, ssgi_gl_harmonics_set(&out.frame, coefficients, 4, rigid, &why))
+CALL(views, ssgi_gl_views_set(&out.views, 0, &view, rigid, other, &why))
+CALL(mapped, ssgi_gl_light_map(&out.light, &view, 0, 0, rigid, other, &why))
+CALL(occluder, ssgi_gl_occluder_set(&out.occluder, &field, &limits, rigid, 0, 1, &why))
+
+static ssgi_result bake_size(void)          /* 0 bytes: bad arguments */
+{
+    why = "desc:";
+    return ssgi_field_bake_size(&baked, 1) ? SSGI_OK : SSGI_BAD_ARGUMENT;
+}
+
+static int wrong;
+
+/* The call takes what it is given; with any of these floats no number it refuses, names it, and writes nothing. */
+static void refuses(const char *name, ssgi_result (*call)(void), float *v, size_t count)
+{
+    static const uint32_t bad[] = { 0x7fc00000u, 0xffc00000u, 0x7f800001u, 0x7f800000u, 0xff800000u };
+    static unsigned char was[sizeof out];
+    if (call() != SSGI_OK) { printf("%s refuses what is right: %s\n", name, why); ++wrong; }
+    memcpy(was, &out, sizeof out);
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < sizeof bad / sizeof *bad; ++k) {
+            const float good = v[i];
+            memcpy(&v[i], &bad[k], sizeof bad[k]);
+            why = "";
+            const ssgi_result result = call();
+            if (result != SSGI_BAD_ARGUMENT || !strchr(why, ':')) {
+                printf("%s takes %08x as its %zu. float: \"%s\"\n", name, (unsigned)bad[k], i, why);
+                ++wrong;
+            }
+            if (memcmp(was, &out, sizeof out)) {
+                printf("%s writes something although its %zu. float is %08x\n", name, i, (unsigned)bad[k]);
+                memcpy(was, &out, sizeof out);
+                ++wrong;
+            }
+            v[i] = good;
+        }
+}
+#define REFUSES(call, v) refuses(#call, call, (float *)(v), sizeof *(v) / sizeof(float))
+#define REFUSES_ONE(call, v) refuses(#call, call, v, 1)
+
+int main(void)
+{
+    static float work[1 << 17];
+    static unsigned char memory[4096];
+    memset(&out, 0x5a, sizeof out);
+    baked.resolution = baked.radii = 4;
+    memcpy(source.to_view, rigid, sizeof rigid);
+    source.position = triangle;
+    source.triangles = 1;
+    scene.error = 0.03f;
+    scene.screen_radius = 0.1f;
+    if (ssgi_view_from_projection(&view, projection, SSGI_CLIP_GL, 64, 36, &why) != SSGI_OK
+        || ssgi_dipole_set(&dipole, colour, up, 1.5f, &why) != SSGI_OK
+        || ssgi_trace_build(&trace, memory, sizeof memory, triangle, 12, NULL, 1, &why) != SSGI_OK
+        || ssgi_field_bake(&field, texels, work, sizeof work, &baked, triangle, 12, NULL, 1, &why) != SSGI_OK) {
+        puts(why);
+        return 1;
+    }
+    limits = ssgi_field_limits_of(&field);
+
+    REFUSES(view_of, &projection);
+    REFUSES(extra, &rigid); REFUSES(extra, &up); REFUSES(extra, &colour); REFUSES_ONE(extra, &number);
+    REFUSES(sh_light, &up); REFUSES(sh_light, &colour); REFUSES_ONE(sh_light, &number);
+    REFUSES_ONE(map, &number);
+    REFUSES_ONE(cone, &number);
+    REFUSES_ONE(scale, &surfels.size); REFUSES_ONE(scale, &surfels.offscreen_growth);
+    REFUSES_ONE(scale, &surfels.max_distance);
+    REFUSES(divide, &source.to_view);
+    REFUSES(make, &source.to_view);
+    REFUSES(predict, &source.to_view); REFUSES_ONE(predict, &splat.epsilon); REFUSES_ONE(predict, &splat.near_depth);
+    REFUSES_ONE(predict, &splat.max_distance); REFUSES_ONE(predict, &splat.max_radiance);
+    REFUSES(scattering, &colour); REFUSES(scattering, &up); REFUSES_ONE(scattering, &number);
+    REFUSES_ONE(bake_size, &baked.reach);
+    REFUSES_ONE(calibrate, &number);
+    REFUSES_ONE(plan, &scene.error); REFUSES_ONE(plan, &scene.budget); REFUSES_ONE(plan, &scene.screen_radius);
+    REFUSES(plan, &scene.survey); REFUSES(plan, &scene.energy); REFUSES_ONE(plan, &scene.albedo);
+    REFUSES_ONE(plan, &scene.depth_pass); REFUSES_ONE(plan, &scene.coverage);
+    REFUSES_ONE(plan, &scene.calibration.unoccluded); REFUSES_ONE(plan, &scene.calibration.hsao);
+    REFUSES_ONE(plan, &scene.calibration.slabs);
+
+    REFUSES_ONE(frame, &number);
+    REFUSES(last, &rigid); REFUSES(last, &other);
+    REFUSES(surfels_of, &rigid); REFUSES_ONE(surfels_of, &surfels.size);
+    refuses("sent", sent, surfel[1].position, 11);                      /* position to colour */
+    REFUSES(sent, &light); REFUSES(sent, &up);
+    REFUSES_ONE(dipole_of, &number);
+    REFUSES(harmonics, &coefficients); REFUSES(harmonics, &rigid);
+    REFUSES(views, &rigid); REFUSES(views, &other);
+    REFUSES(mapped, &rigid); REFUSES(mapped, &other);
+    REFUSES(occluder, &rigid); REFUSES(occluder, &limits);
+    return wrong != 0;
+}
