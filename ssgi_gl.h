@@ -594,28 +594,46 @@ typedef struct ssgi_gl__code { const char *name; int line; const char *text; } s
 
 static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
-{ "SSGI_FAR", __LINE__, "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
-{ "ssgi_inside", __LINE__, "bool ssgi_inside(ivec2 p) {\n"
-    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n}\n" },
-{ "ssgi_decode", __LINE__, "float ssgi_decode(float d) {\n"
+
+{ "SSGI_FAR", __LINE__ + 1,
+    "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
+
+{ "ssgi_inside", __LINE__ + 1,
+    "bool ssgi_inside(ivec2 p) {\n"
+    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
+    "}\n" },
+
+{ "ssgi_decode", __LINE__ + 1,
+    "float ssgi_decode(float d) {\n"
     "    float z = u_ssgi_decode.x + u_ssgi_decode.y * d; // #if orthographic\n"
     "    float z = 1.0 / (u_ssgi_decode.x + u_ssgi_decode.y * d); // #if !orthographic\n"
-    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n}\n" },
-{ "ssgi_unskew", __LINE__, "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
+    "    return d != u_ssgi_decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "}\n" },
+
+{ "ssgi_unskew", __LINE__ + 1,
+    "// window depth at a pixel as u_ssgi_decode wants it where the near plane is oblique\n"
     "float ssgi_unskew(float d, ivec2 p) {\n"
-    "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n}\n" },
-{ "ssgi_depth", __LINE__, "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
+    "    return d == u_ssgi_decode.z ? d : d + dot(vec2(p) + 0.5, u_ssgi_oblique);\n"
+    "}\n" },
+
+{ "ssgi_depth", __LINE__ + 1,
+    "float ssgi_depth(ivec2 p) { // view depth at a pixel\n"
     "    return ssgi_decode(texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x); // #if depth == WINDOW && !oblique\n"
     "    float z = texelFetch(t_ssgi_depth, p + u_ssgi_origin, 0).x; // #if depth == LINEAR || !depth && oblique\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, 0); // #if depth == CUSTOM\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
-{ "ssgi_layer", __LINE__, "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
+    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
+    "}\n" },
+
+{ "ssgi_layer", __LINE__ + 1,
+    "float ssgi_layer(ivec2 p, int j) { // view depth of a hidden layer, 1 .., at a pixel\n"
     "    float z = texelFetch(t_ssgi_layers, ivec3(p + u_ssgi_origin, j - 1), 0).x; // #if depth != CUSTOM\n"
     "    float z = ssgi_custom_depth(p + u_ssgi_origin, j); // #if depth == CUSTOM\n"
     "    return ssgi_decode(z); // #if depth == WINDOW && !oblique\n"
     "    return ssgi_decode(ssgi_unskew(z, p)); // #if depth == WINDOW && oblique\n"
-    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n}\n" },
+    "    return z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR; // #if depth != WINDOW\n"
+    "}\n" },
+
 { "ssgi_slabs", __LINE__ + 1,
     "// view depths: the nearest back face at or behind what is seen, the next front face behind it, and its end\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
@@ -623,25 +641,43 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
     "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p)); // #if depth == WINDOW && oblique\n"
     "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
-    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR); // #if depth != WINDOW\n}\n" },
-{ "ssgi_position", __LINE__, "// the view-space point seen at a pixel position, at a view depth\n"
+    "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR); // #if depth != WINDOW\n"
+    "}\n" },
+
+{ "ssgi_position", __LINE__ + 1,
+    "// the view-space point seen at a pixel position, at a view depth\n"
     "vec3 ssgi_position(vec2 pixel, float z) {\n"
     "    return vec3(pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw, -z); // #if orthographic\n"
-    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n}\n" },
-{ "ssgi_project", __LINE__, "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point before the eye\n"
+    "    return vec3((pixel * u_ssgi_unproject.xy + u_ssgi_unproject.zw) * z, -z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_project", __LINE__ + 1,
+    "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point before the eye\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
-    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n}\n" },
-{ "ssgi_footprint", __LINE__, "float ssgi_footprint(float z) { // width of a pixel at a view depth\n"
+    "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_footprint", __LINE__ + 1,
+    "float ssgi_footprint(float z) { // width of a pixel at a view depth\n"
     "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)); // #if orthographic\n"
-    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n}\n" },
-{ "ssgi_screen", __LINE__, "// pixels that a small step along t from P covers, per unit of length\n"
+    "    return max(abs(u_ssgi_unproject.x), abs(u_ssgi_unproject.y)) * z; // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_screen", __LINE__ + 1,
+    "// pixels that a small step along t from P covers, per unit of length\n"
     "vec2 ssgi_screen(vec3 P, vec3 t) {\n"
     "    return t.xy * u_ssgi_project.xy; // #if orthographic\n"
-    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n}\n" },
-{ "ssgi_toward", __LINE__, "vec3 ssgi_toward(vec3 P) { // unit vector to the eye\n"
+    "    return (t.xy - P.xy * (t.z / P.z)) * (u_ssgi_project.xy / -P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_toward", __LINE__ + 1,
+    "vec3 ssgi_toward(vec3 P) { // unit vector to the eye\n"
     "    return vec3(0.0, 0.0, 1.0); // #if orthographic\n"
-    "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n}\n" },
-{ "ssgi_sphere", __LINE__, "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
+    "    return P * -inversesqrt(dot(P, P)); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_sphere", __LINE__ + 1,
+    "// pixel bounds of the part of a sphere beyond the near depth; empty if there is none\n"
     "vec4 ssgi_sphere(vec4 at) {\n"
     "#if orthographic\n"
     "    if (at.w - at.z <= u_ssgi_near_depth) return vec4(0.0);\n"
@@ -660,32 +696,53 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (off.y > 0.0 && b.y * t.y > near * cc.y) high.y = (x.y * t.y + z * r) / b.y;\n"
     "    vec4 p = vec4(low, high) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#endif\n"
-    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n}\n" },
-{ "ssgi_octahedral", __LINE__, "vec2 ssgi_octahedral(vec3 d) { // a direction on the octahedral map's square, [-1,1]\n"
+    "    return vec4(min(p.xy, p.zw), max(p.xy, p.zw));\n"
+    "}\n" },
+
+{ "ssgi_octahedral", __LINE__ + 1,
+    "vec2 ssgi_octahedral(vec3 d) { // a direction on the octahedral map's square, [-1,1]\n"
     "    vec2 e = d.xy / (abs(d.x) + abs(d.y) + abs(d.z));\n"
-    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n}\n" },
-{ "ssgi_octahedral_decode", __LINE__, "vec3 ssgi_octahedral_decode(vec2 e) { // and back; not unit\n"
+    "    return d.z >= 0.0 ? e : (1.0 - abs(e.yx)) * vec2(e.x >= 0.0 ? 1.0 : -1.0, e.y >= 0.0 ? 1.0 : -1.0);\n"
+    "}\n" },
+
+{ "ssgi_octahedral_decode", __LINE__ + 1,
+    "vec3 ssgi_octahedral_decode(vec2 e) { // and back; not unit\n"
     "    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));\n"
     "    float t = max(-n.z, 0.0);\n"
-    "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n}\n" },
-{ "ssgi_unit", __LINE__, "vec3 ssgi_unit(vec3 n) { // a unit normal from whatever the texture held\n"
+    "    return vec3(n.x + (n.x >= 0.0 ? -t : t), n.y + (n.y >= 0.0 ? -t : t), n.z);\n"
+    "}\n" },
+
+{ "ssgi_unit", __LINE__ + 1,
+    "vec3 ssgi_unit(vec3 n) { // a unit normal from whatever the texture held\n"
     "    float l = dot(n, n);\n"
-    "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n}\n" },
-{ "ssgi_normal_texel", __LINE__, "vec4 ssgi_normal_texel(ivec2 p) {\n"
+    "    return l > 1e-12 && l < 1e12 ? n * inversesqrt(l) : vec3(0.0, 0.0, 1.0);\n"
+    "}\n" },
+
+{ "ssgi_normal_texel", __LINE__ + 1,
+    "vec4 ssgi_normal_texel(ivec2 p) {\n"
     "    return texelFetch(t_ssgi_normal, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0); // #if receiver\n"
-    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n}\n" },
-{ "ssgi_raw_normal", __LINE__, "vec3 ssgi_raw_normal(ivec2 p) {\n"
+    "    return texelFetch(t_ssgi_normal, p + u_ssgi_origin, 0); // #if !receiver\n"
+    "}\n" },
+
+{ "ssgi_raw_normal", __LINE__ + 1,
+    "vec3 ssgi_raw_normal(ivec2 p) {\n"
     "    return ssgi_normal_texel(p).xyz; // #if normal == SIGNED\n"
     "    return ssgi_normal_texel(p).xyz * 2.0 - 1.0; // #if normal == UNSIGNED\n"
     "    return ssgi_octahedral_decode(ssgi_normal_texel(p).xy); // #if normal == OCTAHEDRAL\n"
-    "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n}\n" },
-{ "ssgi_tangent", __LINE__, "// difference along +step to the neighbour on either side whose depth is closer\n"
+    "    return ssgi_custom_normal(p + u_ssgi_origin); // #if normal == CUSTOM\n"
+    "}\n" },
+
+{ "ssgi_tangent", __LINE__ + 1,
+    "// difference along +step to the neighbour on either side whose depth is closer\n"
     "vec3 ssgi_tangent(ivec2 p, vec3 P, ivec2 step_) {\n"
     "    float a = ssgi_inside(p + step_) ? ssgi_depth(p + step_) : SSGI_FAR;\n"
     "    float b = ssgi_inside(p - step_) ? ssgi_depth(p - step_) : SSGI_FAR;\n"
     "    vec3 A = ssgi_position(vec2(p + step_) + 0.5, a) - P, B = P - ssgi_position(vec2(p - step_) + 0.5, b);\n"
-    "    return abs(A.z) < abs(B.z) ? A : B;\n}\n" },
-{ "ssgi_normal", __LINE__, "#if normal == FROM_DEPTH\n"
+    "    return abs(A.z) < abs(B.z) ? A : B;\n"
+    "}\n" },
+
+{ "ssgi_normal", __LINE__ + 1,
+    "#if normal == FROM_DEPTH\n"
     "// unit view-space normal at a pixel whose point is P, facing the viewer\n"
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    vec3 x = ssgi_tangent(p, P, ivec2(1, 0)), y = ssgi_tangent(p, P, ivec2(0, 1));\n"
@@ -697,8 +754,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_normal(ivec2 p, vec3 P) {\n"
     "    return ssgi_unit(u_ssgi_rotation * ssgi_raw_normal(p)); // #if world_normals\n"
     "    return ssgi_unit(ssgi_raw_normal(p) * vec3(1.0, 1.0, -1.0)); // #if left_handed && !world_normals\n"
-    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !left_handed && !world_normals\n}\n#endif\n" },
-{ "ssgi_noise", __LINE__, "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
+    "    return ssgi_unit(ssgi_raw_normal(p)); // #if !left_handed && !world_normals\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_noise", __LINE__ + 1,
+    "vec2 ssgi_noise(ivec2 p) { // in [0,1): x turns the directions, y offsets the steps\n"
     "#if noise == GRADIENT\n"
     "    // interleaved gradient noise, evenly spread over every 3x3 block; the R2 sequence over the image\n"
     "    float gradient = 52.9829189 * fract(dot(vec2(p), vec2(0.06711056, 0.00583715)));\n"
@@ -707,18 +768,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 tile = textureSize(t_ssgi_noise, 0);\n"
     "    vec2 xi = texelFetch(t_ssgi_noise, ivec2(p.x % tile.x, p.y % tile.y), 0).wz + vec2(0.0, 0.5);\n"
     "#endif\n"
-    "    return fract(xi + u_ssgi_phase);\n}\n" },
-{ "ssgi_basis", __LINE__, "mat3 ssgi_basis(vec3 n) { // any rotation that takes +z to unit n [Duff et al. 2017]\n"
+    "    return fract(xi + u_ssgi_phase);\n"
+    "}\n" },
+
+{ "ssgi_basis", __LINE__ + 1,
+    "mat3 ssgi_basis(vec3 n) { // any rotation that takes +z to unit n [Duff et al. 2017]\n"
     "    float s = n.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z), b = n.x * n.y * a;\n"
-    "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n}\n" },
-{ "ssgi_environment", __LINE__, "vec3 ssgi_environment(vec3 d) { // its radiance about a direction in the world\n"
+    "    return mat3(1.0 + s * n.x * n.x * a, s * b, -s * n.x, b, s + n.y * n.y * a, -n.y, n);\n"
+    "}\n" },
+
+{ "ssgi_environment", __LINE__ + 1,
+    "vec3 ssgi_environment(vec3 d) { // its radiance about a direction in the world\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
-    "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n}\n" },
-{ "ssgi_irradiance_texel", __LINE__, "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
+    "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
+    "}\n" },
+
+{ "ssgi_irradiance_texel", __LINE__ + 1,
+    "vec3 ssgi_irradiance_texel(ivec2 p, ivec2 last, int slice) {\n"
     "    // beyond an edge the octahedral square continues mirrored\n"
     "    if (p.x < 0 || p.x > last.x) p = ivec2(clamp(p.x, 0, last.x), last.y - p.y);\n"
     "    if (p.y < 0 || p.y > last.y) p = ivec2(last.x - p.x, clamp(p.y, 0, last.y));\n"
-    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n}\n" },
+    "    return texelFetch(t_ssgi_irradiance, ivec3(p, slice), 0).xyz;\n"
+    "}\n" },
+
 { "ssgi_irradiance_map", __LINE__ + 1,
     "// bilinear: unoccluded irradiance over pi for a world-space normal, or the mean radiance of a cone about it\n"
     "vec3 ssgi_irradiance_map(vec3 n, int slice) {\n"
@@ -727,58 +799,102 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = ivec2(floor(t)); t -= vec2(p);\n"
     "    vec3 a = ssgi_irradiance_texel(p, last, slice), b = ssgi_irradiance_texel(p + ivec2(1, 0), last, slice);\n"
     "    vec3 c = ssgi_irradiance_texel(p + ivec2(0, 1), last, slice), d = ssgi_irradiance_texel(p + 1, last, slice);\n"
-    "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n}\n" },
+    "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
+    "}\n" },
+
 /* ---- what senders write, one fetch a sample */
-{ "ssgi_unpack_radiance", __LINE__, "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
+{ "ssgi_unpack_radiance", __LINE__ + 1,
+    "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
     "vec3 ssgi_unpack_radiance(uint u) {\n"
     "    vec3 m = vec3(float(u & 511u), float((u >> 9u) & 511u), float((u >> 18u) & 511u));\n"
-    "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n}\n" },
-{ "ssgi_unpack_depth", __LINE__, "float ssgi_unpack_depth(uint u) {\n"
-    "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n}\n" },
-{ "ssgi_unpack_normal", __LINE__, "vec3 ssgi_unpack_normal(uint u) {\n"
-    "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n}\n" },
-{ "ssgi_pack_radiance", __LINE__, "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
+    "    return m * uintBitsToFloat(((u >> 27u) + 103u) << 23u);\n"
+    "}\n" },
+
+{ "ssgi_unpack_depth", __LINE__ + 1,
+    "float ssgi_unpack_depth(uint u) {\n"
+    "    return u < 0xfffff000u ? uintBitsToFloat(((u >> 12u) + (107u << 14u)) << 9u) : SSGI_FAR;\n"
+    "}\n" },
+
+{ "ssgi_unpack_normal", __LINE__ + 1,
+    "vec3 ssgi_unpack_normal(uint u) {\n"
+    "    return ssgi_octahedral_decode((vec2(float(u & 63u), float((u >> 6u) & 63u)) - 32.0) / 31.0);\n"
+    "}\n" },
+
+{ "ssgi_pack_radiance", __LINE__ + 1,
+    "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
     "    // rounds up to the next exponent where 9 bits would overflow\n"
     "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
-    "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n}\n" },
-{ "ssgi_pack_place", __LINE__, "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
+    "    return m.x | (m.y << 9u) | (m.z << 18u) | (e << 27u);\n"
+    "}\n" },
+
+{ "ssgi_pack_place", __LINE__ + 1,
+    "// view depth in [1e-6, 1e13], to 3e-5 of it, and a normal, to 4 degrees\n"
     "uint ssgi_pack_place(float z, vec3 n) {\n"
     "    uvec2 e = uvec2(round(ssgi_octahedral(n) * 31.0) + 32.0);\n"
     "    uint depth = ((floatBitsToUint(clamp(z, 1e-6, 1e13)) + 256u) >> 9u) - (107u << 14u);\n"
-    "    return (depth << 12u) | (e.y << 6u) | e.x;\n}\n" },
+    "    return (depth << 12u) | (e.y << 6u) | e.x;\n"
+    "}\n" },
+
 /* ==== >>visibility: is this point behind a surface, and which one =============================================== */
-{ "ssgi_lift", __LINE__, "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
+
+{ "ssgi_lift", __LINE__ + 1,
+    "// the receiver lifted, so that nearest fetches of its plane stay below it [HSAO08 eq. 13]\n"
     "vec3 ssgi_lift(vec3 P, vec3 n) {\n"
-    "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n}\n" },
-{ "ssgi_segment_length", __LINE__, "float ssgi_segment_length; // length of the segment that is tested\n" },
-{ "ssgi_thickness", __LINE__, "float ssgi_thickness() { // constant thickness of visible surfaces\n"
+    "    return P + n * (u_ssgi_offset * 0.5 * ssgi_footprint(-P.z));\n"
+    "}\n" },
+
+{ "ssgi_segment_length", __LINE__ + 1,
+    "float ssgi_segment_length; // length of the segment that is tested\n" },
+
+{ "ssgi_thickness", __LINE__ + 1,
+    "float ssgi_thickness() { // constant thickness of visible surfaces\n"
     "    // short segments must not hit surfaces that float far in front of them\n"
     "    return min(u_ssgi_thickness, 2.0 * ssgi_segment_length); // #if pass == LIGHTS\n"
-    "    return u_ssgi_thickness; // #if pass != LIGHTS\n}\n" },
-{ "ssgi_deep", __LINE__, "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face\n"
+    "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
+    "}\n" },
+
+{ "ssgi_deep", __LINE__ + 1,
+    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face\n"
     "// is the visible surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
     "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
-    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n}\n" },
+    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n"
+    "}\n" },
+
 /* ---- the occluder: what it sends, its distance */
-{ "ssgi_P", __LINE__, "vec3 ssgi_P; // the receiver\n" },
-{ "ssgi_n", __LINE__, "vec3 ssgi_n; // its normal\n" },
-{ "ssgi_point", __LINE__, "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
+{ "ssgi_P", __LINE__ + 1,
+    "vec3 ssgi_P; // the receiver\n" },
+
+{ "ssgi_n", __LINE__ + 1,
+    "vec3 ssgi_n; // its normal\n" },
+
+{ "ssgi_point", __LINE__ + 1,
+    "// the view-space point of a pixel and depth of camera v; -1 is the main one\n"
     "vec3 ssgi_point(int v, ivec2 p, float z) {\n"
     "    float unit = u_ssgi_view_decode[max(v, 0)].w > 0.0 ? 1.0 : z; // #if views\n"
     "    if (v >= 0) return (u_ssgi_view_from[v] * vec4((vec2(p) + 0.5) * unit, z, 1.0)).xyz; // #if views\n"
-    "    return ssgi_position(vec2(p) + 0.5, z);\n}\n" },
-{ "ssgi_sender", __LINE__, "vec4 ssgi_sender; // radiance from it to the receiver; its distance from the sample\n" },
-{ "ssgi_sender_place", __LINE__, "uint ssgi_sender_place; // its normal, packed\n" },
-{ "ssgi_held", __LINE__, "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
+    "    return ssgi_position(vec2(p) + 0.5, z);\n"
+    "}\n" },
+
+{ "ssgi_sender", __LINE__ + 1,
+    "vec4 ssgi_sender; // radiance from it to the receiver; its distance from the sample\n" },
+
+{ "ssgi_sender_place", __LINE__ + 1,
+    "uint ssgi_sender_place; // its normal, packed\n" },
+
+{ "ssgi_held", __LINE__ + 1,
+    "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
     "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
-    "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n}\n" },
-{ "ssgi_sent", __LINE__, "vec3 ssgi_sent(uvec2 s, vec3 Q) { // radiance from a surface at Q to the receiver\n"
+    "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
+    "}\n" },
+
+{ "ssgi_sent", __LINE__ + 1,
+    "vec3 ssgi_sent(uvec2 s, vec3 Q) { // radiance from a surface at Q to the receiver\n"
     "#if bounce == PATCH\n"
     "    vec3 d = ssgi_P - Q;\n"
     "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
@@ -789,32 +905,49 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#else\n"
     "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
     "    return ssgi_unpack_radiance(s.x);\n"
-    "#endif\n}\n" },
-{ "ssgi_faded", __LINE__, "float ssgi_faded(vec3 Q) { // weight of an occluder at Q in the depth buffer\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_faded", __LINE__ + 1,
+    "float ssgi_faded(vec3 Q) { // weight of an occluder at Q in the depth buffer\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
     "    weight -= smoothstep(u_ssgi_fade, u_ssgi_radius * 1.0001, t * u_ssgi_radius); // #if fade == SMOOTH\n"
     "    weight /= 1.0 + u_ssgi_lambda * t; // #if fade == LAMBDA\n"
-    "    return max(weight, 1e-6); // above 0: it is an occluder\n}\n" },
-{ "ssgi_view_depth", __LINE__, "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
+    "    return max(weight, 1e-6); // above 0: it is an occluder\n"
+    "}\n" },
+
+{ "ssgi_view_depth", __LINE__ + 1,
+    "// view depth of a depth texel; decode: ssgi_view.depth[0], [1], clear, orthographic\n"
     "float ssgi_view_depth(vec4 decode, float d) {\n"
     "    float w = decode.x + decode.y * d, z = decode.w > 0.0 ? w : 1.0 / w;\n"
-    "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n}\n" },
-{ "ssgi_surface", __LINE__, "float ssgi_surface(int v, ivec2 p, int j) { // view depth of camera v's layer j at p\n"
+    "    return d != decode.z && z > 0.0 && z < SSGI_FAR ? z : SSGI_FAR;\n"
+    "}\n" },
+
+{ "ssgi_surface", __LINE__ + 1,
+    "float ssgi_surface(int v, ivec2 p, int j) { // view depth of camera v's layer j at p\n"
     "    ivec3 at = ivec3(p, v * SSGI_VIEW_LAYERS + j); // #if views\n"
     "    if (v >= 0) return ssgi_view_depth(u_ssgi_view_decode[v], texelFetch(t_ssgi_views, at, 0).x); // #if views\n"
     "    if (j > 0) return ssgi_layer(p, j); // #if layers > 1\n"
-    "    return ssgi_depth(p);\n}\n" },
-{ "ssgi_way", __LINE__, "vec3 ssgi_way; // from the receiver to the sample\n" },
-{ "ssgi_offer", __LINE__, "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
+    "    return ssgi_depth(p);\n"
+    "}\n" },
+
+{ "ssgi_way", __LINE__ + 1,
+    "vec3 ssgi_way; // from the receiver to the sample\n" },
+
+{ "ssgi_offer", __LINE__ + 1,
+    "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
     "void ssgi_offer(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
     "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
     "    ssgi_sender = vec4(L, gap);\n"
-    "    ssgi_sender_place = s.y; // #if transfer\n}\n" },
-{ "ssgi_occupancy", __LINE__, "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd\n"
+    "    ssgi_sender_place = s.y; // #if transfer\n"
+    "}\n" },
+
+{ "ssgi_occupancy", __LINE__ + 1,
+    "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd\n"
     "// layer to the next; -1 in front of the visible surface by more than the slack; 0 unknown.\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
     "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
@@ -837,8 +970,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        // within the slack in front of a surface is unknown, too\n"
     "        known = known || s < back || far >= SSGI_FAR;\n"
     "    }\n"
-    "    return found;\n}\n" },
-{ "ssgi_blocked", __LINE__, "#if layers > 1 || views\n"
+    "    return found;\n"
+    "}\n" },
+
+{ "ssgi_blocked", __LINE__ + 1,
+    "#if layers > 1 || views\n"
     "float ssgi_blocked(vec3 S) { // occlusion of S: inside solid geometry\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    ssgi_sender = vec4(0.0, 0.0, 0.0, SSGI_FAR); // #if bounce\n"
@@ -856,8 +992,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        }\n"
     "    }\n"
     "#endif\n"
-    "    return max(found, 0.0);\n}\n#endif\n" },
-{ "ssgi_blocked", __LINE__, "#if !(layers > 1 || views)\n"
+    "    return max(found, 0.0);\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_blocked", __LINE__ + 1,
+    "#if !(layers > 1 || views)\n"
     "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
@@ -878,16 +1018,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    found = found || second; // #if behind == SLABS\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
-    "        ? 1.0 : 0.0; // #if !(fade || range)\n}\n#endif\n" },
+    "        ? 1.0 : 0.0; // #if !(fade || range)\n"
+    "}\n"
+    "#endif\n" },
+
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
+
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
-{ "ssgi_sh", __LINE__, "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
+{ "ssgi_sh", __LINE__ + 1,
+    "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
     "    vec4 b, c; // #if bands > 2\n"
-    "    vec4 d; // #if bands > 3\n};\n" },
-{ "ssgi_coefficients", __LINE__, "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
+    "    vec4 d; // #if bands > 3\n"
+    "};\n" },
+
+{ "ssgi_coefficients", __LINE__ + 1,
+    "struct ssgi_coefficients { ssgi_sh c[3]; }; // #if transfer\n"
     "struct ssgi_coefficients { ssgi_sh c[1]; }; // #if !transfer\n" },
-{ "ssgi_sh_basis", __LINE__, "// real spherical harmonics of a unit direction, l*l + l + m, no Condon-Shortley sign\n"
+
+{ "ssgi_sh_basis", __LINE__ + 1,
+    "// real spherical harmonics of a unit direction, l*l + l + m, no Condon-Shortley sign\n"
     "ssgi_sh ssgi_sh_basis(vec3 n) {\n"
     "    ssgi_sh y;\n"
     "    y.a = vec4(0.28209479, 0.0, 0.0, 0.0);\n"
@@ -905,28 +1055,45 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    y.d = vec4(n.z * (1.86588166 * zz - 1.11952900), n.x * five, 1.44530572 * n.z * (q.x - q.y),\n"
     "               0.59004359 * n.x * (q.x - 3.0 * q.y));\n"
     "#endif\n"
-    "    return y;\n}\n" },
-{ "SSGI_COSINE", __LINE__, "// zonal harmonics of the clamped cosine\n"
+    "    return y;\n"
+    "}\n" },
+
+{ "SSGI_COSINE", __LINE__ + 1,
+    "// zonal harmonics of the clamped cosine\n"
     "const vec4 SSGI_COSINE = vec4(0.88622693, 1.02332671, 0.49541591, 0.0);\n" },
-{ "ssgi_sh_zonal", __LINE__, "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n: zonal has a lane a band\n"
+
+{ "ssgi_sh_zonal", __LINE__ + 1,
+    "ssgi_sh ssgi_sh_zonal(vec4 zonal, vec3 n) { // a lobe about n: zonal has a lane a band\n"
     "    ssgi_sh y = ssgi_sh_basis(n);\n"
     "    zonal *= vec4(3.54490770, 2.04665341, 1.58533092, 1.33984917);\n"
     "    y.a *= zonal.xyyy;\n"
     "    y.b *= zonal.z, y.c *= zonal.zwww; // #if bands > 2\n"
     "    y.d *= zonal.w; // #if bands > 3\n"
-    "    return y;\n}\n" },
-{ "ssgi_sh_add", __LINE__, "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
+    "    return y;\n"
+    "}\n" },
+
+{ "ssgi_sh_add", __LINE__ + 1,
+    "void ssgi_sh_add(inout ssgi_sh s, ssgi_sh y, float w) {\n"
     "    s.a += y.a * w;\n"
     "    s.b += y.b * w, s.c += y.c * w; // #if bands > 2\n"
-    "    s.d += y.d * w; // #if bands > 3\n}\n" },
-{ "ssgi_sh_dot", __LINE__, "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product\n"
+    "    s.d += y.d * w; // #if bands > 3\n"
+    "}\n" },
+
+{ "ssgi_sh_dot", __LINE__ + 1,
+    "float ssgi_sh_dot(ssgi_sh x, ssgi_sh y) { // the integral of the product\n"
     "    float s = dot(x.a, y.a);\n"
     "    s += dot(x.b, y.b) + dot(x.c, y.c); // #if bands > 2\n"
     "    s += dot(x.d, y.d); // #if bands > 3\n"
-    "    return s;\n}\n" },
-{ "ssgi_sh_complex", __LINE__, "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
-    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n}\n" },
-{ "ssgi_sh_about_z", __LINE__, "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
+    "    return s;\n"
+    "}\n" },
+
+{ "ssgi_sh_complex", __LINE__ + 1,
+    "vec2 ssgi_sh_complex(vec2 a, vec2 b) {\n"
+    "    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);\n"
+    "}\n" },
+
+{ "ssgi_sh_about_z", __LINE__ + 1,
+    "// turns the bands from the third on about z, by the angle of cosine and sine u\n"
     "void ssgi_sh_about_z(inout ssgi_sh s, vec2 u) {\n"
     "    vec2 uu = ssgi_sh_complex(u, u), t = ssgi_sh_complex(vec2(s.c.x, s.b.x), uu);\n"
     "    s.b.wy = ssgi_sh_complex(s.b.wy, u);\n"
@@ -936,8 +1103,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 three = ssgi_sh_complex(vec2(s.d.w, s.c.y), ssgi_sh_complex(uu, u));\n"
     "    s.d.yzw = vec3(one.x, two.x, three.x);\n"
     "    s.c.yzw = vec3(three.y, two.y, one.y);\n"
-    "#endif\n}\n" },
-{ "ssgi_sh_quarter", __LINE__, "// and about x by a quarter, forth (1) or back (-1)\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_sh_quarter", __LINE__ + 1,
+    "// and about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
@@ -948,8 +1118,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "                   way * (0.61237244 * o.z + 0.79056942 * o.w));\n"
     "    s.d = vec4(way * (-0.79056942 * o.x - 0.61237244 * o.y), -0.25 * s.d.y - 0.96824584 * s.d.w,\n"
     "               way * (0.61237244 * o.x - 0.79056942 * o.y), 0.25 * s.d.w - 0.96824584 * s.d.y);\n"
-    "#endif\n}\n" },
-{ "ssgi_sh_turn", __LINE__, "// turns a function by a rotation: its value at n goes to R n\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_sh_turn", __LINE__ + 1,
+    "// turns a function by a rotation: its value at n goes to R n\n"
     "void ssgi_sh_turn(inout ssgi_sh s, mat3 R) {\n"
     "    s.a.yzw = (R * s.a.wyz).yzx; // #if bands > 1\n"
     "#if bands > 2\n"
@@ -964,8 +1137,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_sh_about_z(s, vec2(R[2].z, sqrt(m)));\n"
     "    ssgi_sh_quarter(s, -1.0);\n"
     "    ssgi_sh_about_z(s, phi);\n"
-    "#endif\n}\n" },
-{ "ssgi_pack_half", __LINE__, "uint ssgi_pack_half(vec2 v) {\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_pack_half", __LINE__ + 1,
+    "uint ssgi_pack_half(vec2 v) {\n"
     "    v = clamp(v, -65504.0, 65504.0);\n"
     "    return packHalf2x16(v); // #if dialect != 330 && dialect != 410\n"
     "#if dialect == 330 || dialect == 410\n"
@@ -974,23 +1150,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uvec2 small = floatBitsToUint(uintBitsToFloat(a) + 0.5) - 0x3f000000u; // below 2^-14 the sum rounds\n"
     "    h = uvec2(a.x < 0x38800000u ? small.x : h.x, a.y < 0x38800000u ? small.y : h.y) | ((u >> 16u) & 0x8000u);\n"
     "    return h.x | (h.y << 16u);\n"
-    "#endif\n}\n" },
-{ "ssgi_unpack_half", __LINE__, "vec2 ssgi_unpack_half(uint u) {\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_unpack_half", __LINE__ + 1,
+    "vec2 ssgi_unpack_half(uint u) {\n"
     "    return unpackHalf2x16(u); // #if dialect != 330 && dialect != 410\n"
     "#if dialect == 330 || dialect == 410\n"
     "    uvec2 h = uvec2(u & 0xffffu, u >> 16u), e = h & 0x7c00u;\n"
     "    vec2 v = uintBitsToFloat(((h & 0x7fffu) << 13u) + 0x38000000u), small = vec2(h & 0x3ffu) * 5.9604645e-8;\n"
     "    v = vec2(e.x == 0u ? small.x : v.x, e.y == 0u ? small.y : v.y);\n"
     "    return vec2(h.x > 0x7fffu ? -v.x : v.x, h.y > 0x7fffu ? -v.y : v.y);\n"
-    "#endif\n}\n" },
-{ "ssgi_unpack", __LINE__, "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_unpack", __LINE__ + 1,
+    "ssgi_sh ssgi_unpack(uvec4 u, uvec4 v) {\n"
     "    ssgi_sh s;\n"
     "    s.a = vec4(ssgi_unpack_half(u.x), ssgi_unpack_half(u.y));\n"
     "    s.b = vec4(ssgi_unpack_half(u.z), ssgi_unpack_half(u.w)); // #if bands > 2\n"
     "    s.c = vec4(ssgi_unpack_half(v.x), ssgi_unpack_half(v.y)); // #if bands > 2\n"
     "    s.d = vec4(ssgi_unpack_half(v.z), ssgi_unpack_half(v.w)); // #if bands > 3\n"
-    "    return s;\n}\n" },
-{ "ssgi_load", __LINE__, "ssgi_coefficients ssgi_load(ivec2 p) { // what s3ho wrote at a texel of its targets\n"
+    "    return s;\n"
+    "}\n" },
+
+{ "ssgi_load", __LINE__ + 1,
+    "ssgi_coefficients ssgi_load(ivec2 p) { // what s3ho wrote at a texel of its targets\n"
     "    ssgi_coefficients v;\n"
     "#if transfer\n"
     "    uvec4 red = uvec4(0u), green = red, blue = red; // #if bands < 3\n"
@@ -1010,16 +1195,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v.c[0].c = texelFetch(t_ssgi_sh2, p, 0); // #if bands == 4\n"
     "    v.c[0].d = texelFetch(t_ssgi_sh3, p, 0); // #if bands == 4\n"
     "#endif\n"
-    "    return v;\n}\n" },
-{ "ssgi_pack_first", __LINE__, "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7, 8..15\n"
+    "    return v;\n"
+    "}\n" },
+
+{ "ssgi_pack_first", __LINE__ + 1,
+    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7, 8..15\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
     "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
-    "    return u;\n}\n" },
-{ "ssgi_pack_more", __LINE__, "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
+    "    return u;\n"
+    "}\n" },
+
+{ "ssgi_pack_more", __LINE__ + 1,
+    "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
-    "    return u;\n}\n" },
-{ "ssgi_store", __LINE__, "void ssgi_store(ssgi_coefficients v) {\n"
+    "    return u;\n"
+    "}\n" },
+
+{ "ssgi_store", __LINE__ + 1,
+    "void ssgi_store(ssgi_coefficients v) {\n"
     "#if transfer\n"
     "    o_ssgi_red0 = ssgi_pack_first(v.c[0]), o_ssgi_green0 = ssgi_pack_first(v.c[1]);\n"
     "    o_ssgi_blue0 = ssgi_pack_first(v.c[2]);\n"
@@ -1032,29 +1226,47 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_sh0 = v.c[0].a;\n"
     "    o_ssgi_sh1 = v.c[0].b, o_ssgi_sh2 = v.c[0].c; // #if bands > 2\n"
     "    o_ssgi_sh3 = v.c[0].d; // #if bands > 3\n"
-    "#endif\n}\n" },
-{ "ssgi_coefficients_none", __LINE__, "ssgi_coefficients ssgi_coefficients_none() {\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_coefficients_none", __LINE__ + 1,
+    "ssgi_coefficients ssgi_coefficients_none() {\n"
     "    ssgi_coefficients v;\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(vec4(0.0), vec3(0.0, 0.0, 1.0));\n"
-    "    return v;\n}\n" },
-{ "ssgi_ambient", __LINE__, "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
+    "    return v;\n"
+    "}\n" },
+
+{ "ssgi_ambient", __LINE__ + 1,
+    "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
-    "    return clamp(a * 1.12837917, 0.0, 1.0);\n}\n" },
-{ "ssgi_incoming", __LINE__, "float ssgi_incoming(int c, ssgi_sh s) { // a channel of irradiance [S3HO12 eq. 3]\n"
+    "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
+    "}\n" },
+
+{ "ssgi_incoming", __LINE__ + 1,
+    "float ssgi_incoming(int c, ssgi_sh s) { // a channel of irradiance [S3HO12 eq. 3]\n"
     "    float e = dot(u_ssgi_harmonics[c], s.a);\n"
     "    e += dot(u_ssgi_harmonics[3 + c], s.b) + dot(u_ssgi_harmonics[6 + c], s.c); // #if bands > 2\n"
     "    e += dot(u_ssgi_harmonics[9 + c], s.d); // #if bands > 3\n"
-    "    return e;\n}\n" },
-{ "ssgi_irradiance", __LINE__, "// and all three, over pi, of a surface with normal n\n"
+    "    return e;\n"
+    "}\n" },
+
+{ "ssgi_irradiance", __LINE__ + 1,
+    "// and all three, over pi, of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
     "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
-    "    return e;\n}\n" },
+    "    return e;\n"
+    "}\n" },
+
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
-{ "ssgi_light", __LINE__, "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
+
+{ "ssgi_light", __LINE__ + 1,
+    "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
     "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
-{ "ssgi_light_at", __LINE__, "ssgi_light ssgi_light_at(int i, vec3 P) { // row i of t_ssgi_lights, as it shines on P\n"
+
+{ "ssgi_light_at", __LINE__ + 1,
+    "ssgi_light ssgi_light_at(int i, vec3 P) { // row i of t_ssgi_lights, as it shines on P\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
     "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
@@ -1063,13 +1275,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    s.d = sqrt(dd), s.l /= s.d;\n"
     "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
     "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
-    "    return s;\n}\n" },
-{ "ssgi_segment", __LINE__, "// 1 if any point of a segment from the lifted receiver is occluded\n"
+    "    return s;\n"
+    "}\n" },
+
+{ "ssgi_segment", __LINE__ + 1,
+    "// 1 if any point of a segment from the lifted receiver is occluded\n"
     "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
     "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
     "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
-    "    return 0.0;\n}\n" },
-{ "ssgi_shadow", __LINE__, "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by\n"
+    "    return 0.0;\n"
+    "}\n" },
+
+{ "ssgi_shadow", __LINE__ + 1,
+    "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by\n"
     "// the bias that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against\n"
     "// the map. contact returns how far along the ray to the light the map sees what may be the plane itself or an\n"
     "// occluder that the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
@@ -1089,8 +1307,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    // plus the rounding of the map's depth and of P\n"
     "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    contact = max(q.z - slack - z, 0.0) * length_;\n"
-    "    return q.z - b - slack > z ? 1.0 : 0.0;\n}\n" },
-{ "ssgi_lit", __LINE__, "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
+    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
+    "}\n" },
+
+{ "ssgi_lit", __LINE__ + 1,
+    "// irradiance of P by the rows of t_ssgi_lights, shadowed as desc.shadow says\n"
     "vec3 ssgi_lit(vec3 P, vec3 n, float xi) {\n"
     "    vec3 sum = vec3(0.0);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
@@ -1114,8 +1335,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
-    "    return sum;\n}\n" },
-{ "main_lights", __LINE__, "void main() {\n"
+    "    return sum;\n"
+    "}\n" },
+
+{ "main_lights", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
     "    float z = ssgi_depth(p); // #if !receiver\n"
@@ -1124,8 +1348,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
     "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989; // #if shadow == SEGMENT || shadow == FILL\n"
     "    o_ssgi_light.xyz = ssgi_lit(P, n, 0.0) * 0.31830989; // #if shadow != SEGMENT && shadow != FILL\n"
-    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n}\n" },
-{ "main_senders", __LINE__, "void main() {\n"
+    "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
+    "}\n" },
+
+{ "main_senders", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
     "    float z = ssgi_depth(p); // #if !receiver\n"
@@ -1138,14 +1365,20 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
     "    vec3 n = ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n}\n" },
-{ "ssgi_bent", __LINE__, "// mean unoccluded direction (band 1), cosine c of the half-angle of a cone of its spread:\n"
+    "    o_ssgi_sender = uvec2(ssgi_pack_radiance(sum), ssgi_pack_place(z, n));\n"
+    "}\n" },
+
+{ "ssgi_bent", __LINE__ + 1,
+    "// mean unoccluded direction (band 1), cosine c of the half-angle of a cone of its spread:\n"
     "// cosine-weighted directions in it have a mean of length 2/3 (1 + c + c^2) / (1 + c) [SSBN11]\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
     "    vec3 m = s.a.wyz * 0.65147002;\n"
     "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
-    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n}\n" },
-{ "ssgi_light_harmonics", __LINE__, "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
+    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
+    "}\n" },
+
+{ "ssgi_light_harmonics", __LINE__ + 1,
+    "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
     "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
     "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
@@ -1159,8 +1392,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
     "    float lost = max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
     "    e += ssgi_ambient(v) * lost; // #if residual\n"
-    "    return s.colour.xyz * e * s.g;\n}\n" },
-{ "ssgi_shaded", __LINE__, "// irradiance over pi from the coefficients of a receiver\n"
+    "    return s.colour.xyz * e * s.g;\n"
+    "}\n" },
+
+{ "ssgi_shaded", __LINE__ + 1,
+    "// irradiance over pi from the coefficients of a receiver\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
     "    vec3 sum = ssgi_irradiance(v, n); // #if shading == HARMONICS\n"
     "    vec3 sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0)); // #if shading != HARMONICS\n"
@@ -1173,17 +1409,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice)); // #if shading == BENT_CONE\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) // #if lights\n"
     "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989; // #if lights\n"
-    "    return sum;\n}\n" },
-{ "ssgi_open", __LINE__, "vec3 ssgi_open(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
+    "    return sum;\n"
+    "}\n" },
+
+{ "ssgi_open", __LINE__ + 1,
+    "vec3 ssgi_open(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
     "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment == MAP\n"
     "    ssgi_coefficients v; // #if environment != MAP\n"
     "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment != MAP\n"
-    "    return ssgi_shaded(v, P, n); // #if environment != MAP\n}\n" },
-{ "ssgi_kept", __LINE__, "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
+    "    return ssgi_shaded(v, P, n); // #if environment != MAP\n"
+    "}\n" },
+
+{ "ssgi_kept", __LINE__ + 1,
+    "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
     "    return max(light, 0.0); // #if !restore\n"
     "    return clamp(light / max(ssgi_open(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n}\n" },
-{ "main_shade", __LINE__, "void main() {\n"
+    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n"
+    "}\n" },
+
+{ "main_shade", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "    float z = ssgi_depth(p);\n"
@@ -1197,20 +1442,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore && (bands > 1 || shading))\n"
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n), P, n);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
-    "#endif\n}\n" },
+    "#endif\n"
+    "}\n" },
+
 /* ==== >>gather: sampling around a pixel ========================================================================== */
-{ "SSGI_KERNEL", __LINE__, "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
-{ "ssgi_length", __LINE__, "float ssgi_length(float xi) { // distance of a sample along its direction\n"
+
+{ "SSGI_KERNEL", __LINE__ + 1,
+    "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
+
+{ "ssgi_length", __LINE__ + 1,
+    "float ssgi_length(float xi) { // distance of a sample along its direction\n"
     "    return sqrt(xi); // #if falloff == SQUARE\n"
-    "    return xi; // #if falloff != SQUARE\n}\n" },
+    "    return xi; // #if falloff != SQUARE\n"
+    "}\n" },
+
 /* Points along cosine-weighted directions: one loop for ssao, ssdo and s3ho, whose occluded ones count differently. */
-{ "ssgi_reflected", __LINE__, "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5]\n"
+{ "ssgi_reflected", __LINE__ + 1,
+    "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5]\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) { // ours of solid angle\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
     "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n}\n" },
-{ "ssgi_gather", __LINE__, "#if search == POINTS\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
+    "}\n" },
+
+{ "ssgi_gather", __LINE__ + 1,
+    "#if search == POINTS\n"
     "// occlusion; the distribution of lengths attenuates by falloff // #if pass == SSAO\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSAO\n"
     "    float sum = 0.0; // #if pass == SSAO\n"
@@ -1265,26 +1522,44 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if !restore\n"
     "    o_ssgi_light.xyz = (o_ssgi_light.xyz - 1.0) * ssgi_open(P, n); // #if restore == DIFFERENCE\n"
     "#endif\n"
-    "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n}\n#endif\n" },
-{ "ssgi_surfel_radius", __LINE__, "float ssgi_surfel_radius(float depth) {\n"
+    "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_surfel_radius", __LINE__ + 1,
+    "float ssgi_surfel_radius(float depth) {\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
-    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n}\n" },
-{ "ssgi_span", __LINE__, "float ssgi_span; // how far slices see what surfels do not, view units\n" },
-{ "ssgi_near", __LINE__, "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
-    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n}\n" },
-{ "ssgi_attenuation", __LINE__, "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_span", __LINE__ + 1,
+    "float ssgi_span; // how far slices see what surfels do not, view units\n" },
+
+{ "ssgi_near", __LINE__ + 1,
+    "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
+    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
+    "}\n" },
+
+{ "ssgi_attenuation", __LINE__ + 1,
+    "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
     "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
     "    d /= u_ssgi_radius; // #if !hard\n"
     "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
-    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n}\n" },
-{ "ssgi_ray", __LINE__, "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
+    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
+    "}\n" },
+
+{ "ssgi_ray", __LINE__ + 1,
+    "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
     "float ssgi_ray(vec3 start, vec3 direction, float xi) {\n"
     "    for (int i = 0; i < SSGI_STEPS; ++i) {\n"
     "        float d = u_ssgi_radius * (float(i) + xi) / float(SSGI_STEPS);\n"
     "        if (ssgi_blocked(start + direction * d) > 0.0) return ssgi_attenuation(d);\n"
     "    }\n"
-    "    return 0.0;\n}\n" },
-{ "ssgi_horizon", __LINE__, "// The horizon along tangent t, by deflecting a ray toward the surface [HSAO08 fig. 4]:\n"
+    "    return 0.0;\n"
+    "}\n" },
+
+{ "ssgi_horizon", __LINE__ + 1,
+    "// The horizon along tangent t, by deflecting a ray toward the surface [HSAO08 fig. 4]:\n"
     "// H, the sine of its elevation; occlusion below it: increments of H^2, attenuated by where each was found.\n"
     "vec2 ssgi_horizon(vec3 P, vec3 start, vec3 n, vec3 t, float beta) {\n"
     "    vec3 h = t;\n"
@@ -1305,46 +1580,67 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            }\n"
     "        }\n"
     "    }\n"
-    "    return r;\n}\n" },
-{ "ssgi_above", __LINE__, "// occlusion above H in direction t: even over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
+    "    return r;\n"
+    "}\n" },
+
+{ "ssgi_above", __LINE__ + 1,
+    "// occlusion above H in direction t: even over z^2 in [H^2, 1] [HSAO08 3.3, corrected]\n"
     "float ssgi_above(vec3 start, vec3 n, vec3 t, float H, vec2 xi) {\n"
     "    float sum = 0.0;\n"
     "    for (int k = 0; k < SSGI_NORMAL_RAYS; ++k) {\n"
     "        float zz = H * H + (1.0 - H * H) * (float(k) + xi.x) / float(SSGI_NORMAL_RAYS);\n"
     "        sum += ssgi_ray(start, n * sqrt(zz) + t * sqrt(1.0 - zz), xi.y);\n"
     "    }\n"
-    "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n}\n" },
-{ "ssgi_arc", __LINE__, "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c:\n"
+    "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
+    "}\n" },
+
+{ "ssgi_arc", __LINE__ + 1,
+    "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c:\n"
     "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
     "// normal; half its cosine and +-half its sine are given.\n"
     "vec2 ssgi_arc(vec2 c, float cosg, vec2 sing) {\n"
     "    vec2 q = c * c; // acos c - c sin acos c, to 0.0015, is 0 at c = 1 and odd about c = 0\n"
     "    vec2 e = 1.57079633 - c * (2.01098408 + q * (-0.43954273 + q * (0.21090284 - 0.21154786 * q)));\n"
-    "    return cosg * (1.0 - q) + sing * e;\n}\n" },
+    "    return cosg * (1.0 - q) + sing * e;\n"
+    "}\n" },
+
 /* The walk: planes through the view direction, from near to far. Each side has 32 sectors of equal cosine-weighted
    measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its distance; the
    surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them,
    at their mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane
    within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the
    precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
-{ "SSGI_LEVEL", __LINE__, "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
-{ "SSGI_JOINED", __LINE__, "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
-{ "ssgi_between", __LINE__, "uvec2 ssgi_between(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
+{ "SSGI_LEVEL", __LINE__ + 1,
+    "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
+
+{ "SSGI_JOINED", __LINE__ + 1,
+    "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
+
+{ "ssgi_between", __LINE__ + 1,
+    "uvec2 ssgi_between(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
     "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
-    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n}\n" },
-{ "ssgi_count", __LINE__, "vec2 ssgi_count(uvec2 m) {\n"
+    "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n"
+    "}\n" },
+
+{ "ssgi_count", __LINE__ + 1,
+    "vec2 ssgi_count(uvec2 m) {\n"
     "    return vec2(bitCount(m)); // #if dialect != 330 && dialect != 300ES\n"
     "#if dialect == 330 || dialect == 300ES\n"
     "    m -= (m >> 1u) & 0x55555555u;\n"
     "    m = (m & 0x33333333u) + ((m >> 2u) & 0x33333333u);\n"
     "    m = (m + (m >> 4u)) & 0x0f0f0f0fu;\n"
     "    return vec2((m * 0x01010101u) >> 24u);\n"
-    "#endif\n}\n" },
-{ "ssgi_slice", __LINE__, "// In a slice: t in the tangent plane, up perpendicular to it; n: the normal over its\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_slice", __LINE__ + 1,
+    "// In a slice: t in the tangent plane, up perpendicular to it; n: the normal over its\n"
     "// projection's length; cosg, sing for ssgi_arc; sectors per measure, rounding noise, the hemisphere's share per\n"
     "// sector; x (along t, or -t), y: change of a point's per depth on its ray (perspective: plus x, y over depth)\n"
     "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
-{ "ssgi_slice_of", __LINE__, "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
+
+{ "ssgi_slice_of", __LINE__ + 1,
+    "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
     "    float a = dot(normal, along), b = dot(normal, V), l = max(sqrt(a * a + b * b), 1e-4);\n"
     "    a /= l, b /= l;\n"
     "    vec3 t = along * b - V * a, up = along * a + V * b, n = normal / l;\n"
@@ -1352,23 +1648,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 share = whole * (l / (32.0 * float(SSGI_DIRECTIONS)));\n"
     "    vec2 x = vec2(-t.z, t.z), y = vec2(-n.z); // #if orthographic\n"
     "    vec2 x = vec2(dot(P, t), -dot(P, t)), y = vec2(dot(P, n)); // #if !orthographic\n"
-    "    return ssgi_slice(t, up, n, 0.5 * b, sing, 32.0 / whole, noise, share, x, y);\n}\n" },
-{ "ssgi_sector", __LINE__, "// sector of an elevation with cosine c; 0 where not up\n"
+    "    return ssgi_slice(t, up, n, 0.5 * b, sing, 32.0 / whole, noise, share, x, y);\n"
+    "}\n" },
+
+{ "ssgi_sector", __LINE__ + 1,
+    "// sector of an elevation with cosine c; 0 where not up\n"
     "vec2 ssgi_sector(ssgi_slice s, vec2 c, bvec2 up) {\n"
-    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n}\n" },
-{ "ssgi_behind", __LINE__, "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
+    "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
+    "}\n" },
+
+{ "ssgi_behind", __LINE__ + 1,
+    "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
     "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
     "    x += by * s.x, y += by * s.y; // #if orthographic\n"
     "    by /= z, x += by * (x + s.x), y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
-    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n}\n" },
-{ "ssgi_fresh", __LINE__, "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
+    "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
+    "}\n" },
+
+{ "ssgi_fresh", __LINE__ + 1,
+    "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
     "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    fresh *= ssgi_near(d); // #if span\n"
-    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n}\n" },
-{ "ssgi_second", __LINE__, "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
+    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
+    "}\n" },
+
+{ "ssgi_second", __LINE__ + 1,
+    "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
     "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
     "                 inout uvec2 mask) {\n"
     "    vec2 front = vec2(slab0.x, slab1.x), high = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
@@ -1376,28 +1684,42 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 far = sqrt(x * x + y * y);\n"
     "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
     "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "    return ssgi_fresh(mask, ssgi_between(low, mix(low, high, seen)), far);\n}\n" },
-{ "ssgi_got", __LINE__, "struct ssgi_got { // sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
+    "    return ssgi_fresh(mask, ssgi_between(low, mix(low, high, seen)), far);\n"
+    "}\n" },
+
+{ "ssgi_got", __LINE__ + 1,
+    "struct ssgi_got { // sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
     "    float all; // #if pass == HSAO\n"
     "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
     "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
     "    vec3 bounce; // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n};\n" },
-{ "ssgi_parts", __LINE__, "// occlusion of a slice's two sides, with weighted sums of elevations' cosines and sines\n"
+    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
+    "};\n" },
+
+{ "ssgi_parts", __LINE__ + 1,
+    "// occlusion of a slice's two sides, with weighted sums of elevations' cosines and sines\n"
     "struct ssgi_parts { vec2 w, c, s; };\n" },
-{ "ssgi_part", __LINE__, "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
+
+{ "ssgi_part", __LINE__ + 1,
+    "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
     "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
     "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
-    "    parts.w += w, parts.c += w * c * unit, parts.s += w * s * unit;\n}\n" },
-{ "ssgi_blocked_by", __LINE__, "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
+    "    parts.w += w, parts.c += w * c * unit, parts.s += w * s * unit;\n"
+    "}\n" },
+
+{ "ssgi_blocked_by", __LINE__ + 1,
+    "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
     "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
     "    for (int k = 0; k < 2; ++k) {\n"
     "        vec3 way = s.t * (k == 0 ? parts.c.x : -parts.c.y) + s.up * parts.s[k];\n"
     "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
     "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
     "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
-    "    }\n}\n" },
-{ "ssgi_sends", __LINE__, "// Adds what the surface at pixel q, at an offset d, sends. Unseen sides send a guess that\n"
+    "    }\n"
+    "}\n" },
+
+{ "ssgi_sends", __LINE__ + 1,
+    "// Adds what the surface at pixel q, at an offset d, sends. Unseen sides send a guess that\n"
     "// measurements support: a quarter of the seen one's, a second slab half; edge-on, within o's rounding, nothing.\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
     "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
@@ -1407,8 +1729,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0; // #if !two_sided\n"
     "    w += 0.5 * second; // #if behind == SLABS\n"
     "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
-    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n}\n" },
-{ "ssgi_walk_slice", __LINE__, "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
+    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n"
+    "}\n" },
+
+{ "ssgi_walk_slice", __LINE__ + 1,
+    "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // #if span\n"
     "    pixels *= share; // #if span\n"
@@ -1477,8 +1802,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_sends(got, q1, d1, first.y, w.y); // #if bounce\n"
     "#endif\n"
     "    }\n"
-    "    ssgi_blocked_by(got, s, parts); // #if environment\n}\n" },
-{ "ssgi_walk", __LINE__, "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
+    "    ssgi_blocked_by(got, s, parts); // #if environment\n"
+    "}\n" },
+
+{ "ssgi_walk", __LINE__ + 1,
+    "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    vec3 V = ssgi_toward(P);\n"
     "    mat3 basis = ssgi_basis(V);\n"
@@ -1489,8 +1817,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
     "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
     "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
-    "    }\n}\n" },
-{ "ssgi_gather", __LINE__, "#if search == SLICES\n"
+    "    }\n"
+    "}\n" },
+
+{ "ssgi_gather", __LINE__ + 1,
+    "#if search == SLICES\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == HSAO\n"
     "// what is blocked, taken from what the open pixel gets; what senders bring where it is // #if pass == SSDO\n"
     "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
@@ -1517,8 +1848,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
     "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
     "#endif\n"
-    "    o_ssgi_bounce.xyz = got.bounce; // #if pass == SSDO && bounce\n}\n#endif\n" },
-{ "ssgi_gather", __LINE__, "#if pass == HSAO && search == MARCH\n"
+    "    o_ssgi_bounce.xyz = got.bounce; // #if pass == SSDO && bounce\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_gather", __LINE__ + 1,
+    "#if pass == HSAO && search == MARCH\n"
     "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
     "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
     "    mat3 basis = ssgi_basis(n);\n"
@@ -1532,8 +1867,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
     "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
     "    }\n"
-    "    return sum / float(SSGI_DIRECTIONS);\n}\n#endif\n" },
-{ "main_gather", __LINE__, "void main() {\n"
+    "    return sum / float(SSGI_DIRECTIONS);\n"
+    "}\n"
+    "#endif\n" },
+
+{ "main_gather", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "    vec2 xi = ssgi_noise(p);\n"
@@ -1551,22 +1890,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        ssgi_gather(p, P, n, xi, v); // #if pass == S3HO\n"
     "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == S3HO && shaded\n"
     "    }\n"
-    "    ssgi_store(v); // #if pass == S3HO && !shaded\n}\n" },
+    "    ssgi_store(v); // #if pass == S3HO && !shaded\n"
+    "}\n" },
+
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
-{ "ssgi_corner", __LINE__, "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
+
+{ "ssgi_corner", __LINE__ + 1,
+    "vec4 ssgi_corner(vec4 bounds, int corner, ivec2 size) {\n"
     "    vec2 at = vec2((corner & 1) == 1 ? bounds.z : bounds.x, corner > 1 ? bounds.w : bounds.y);\n"
-    "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n}\n" },
-{ "main_occluder", __LINE__, "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
+    "    return vec4(at / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n" },
+
+{ "main_occluder", __LINE__ + 1,
+    "flat out vec4 v_ssgi_occluder[9]; // ssgi_gl_occluder from to_field on\n"
     "void main() {\n"
     "    vec4 bounds = ssgi_sphere(texelFetch(t_ssgi_occluders, ivec2(0, gl_InstanceID), 0)); // of influence\n"
     "    for (int i = 0; i < 9; ++i)\n"
     "        v_ssgi_occluder[i] = texelFetch(t_ssgi_occluders, ivec2(i + 1, gl_InstanceID), 0);\n"
-    "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n}\n" },
-{ "ssgi_field_texel", __LINE__, "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
+    "    gl_Position = ssgi_corner(bounds, gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID, u_ssgi_size);\n"
+    "}\n" },
+
+{ "ssgi_field_texel", __LINE__ + 1,
+    "void ssgi_field_texel(ivec3 p, float weight, inout vec4 a, inout vec4 b) {\n"
     "    uvec2 v = texelFetch(t_ssgi_fields, p, 0).xy;\n"
     "    a += weight * vec4(v.x & 255u, v.x >> 8 & 255u, v.x >> 16 & 255u, v.x >> 24);\n"
-    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n}\n" },
-{ "ssgi_field_fetch", __LINE__, "// components in [0,1] along w, bilinear with the border; at: resolution, slice\n"
+    "    b += weight * vec4(v.y & 255u, v.y >> 8 & 255u, v.y >> 16 & 255u, v.y >> 24);\n"
+    "}\n" },
+
+{ "ssgi_field_fetch", __LINE__ + 1,
+    "// components in [0,1] along w, bilinear with the border; at: resolution, slice\n"
     "void ssgi_field_fetch(vec3 w, vec2 at, out vec4 a, out vec4 b) {\n"
     "    vec3 m = abs(w), s = vec3(vec2(w.z < 0.0 ? -w.x : w.x, -w.y) / m.z, w.z < 0.0 ? 5.0 : 4.0); // s.z: the face\n"
     "    if (m.x >= m.y && m.x >= m.z) s = vec3(vec2(w.x < 0.0 ? w.z : -w.z, -w.y) / m.x, w.x < 0.0 ? 1.0 : 0.0);\n"
@@ -1580,20 +1932,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_field_texel(p + ivec3(1, 0, 0), f.x * (1.0 - f.y), a, b);\n"
     "    ssgi_field_texel(p + ivec3(0, 1, 0), (1.0 - f.x) * f.y, a, b);\n"
     "    ssgi_field_texel(p + ivec3(1, 1, 0), f.x * f.y, a, b);\n"
-    "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n}\n" },
-{ "ssgi_cap", __LINE__, "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
+    "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n"
+    "}\n" },
+
+{ "ssgi_cap", __LINE__ + 1,
+    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
     "// at most a hemisphere; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
-    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n}\n" },
-{ "ssgi_field_at", __LINE__, "// a point in the occluder's space: direction from the centre, distance\n"
+    "    return ((c * atan(w, -x * c) - x * w) * S + atan(w, x)) * 0.318309886;\n"
+    "}\n" },
+
+{ "ssgi_field_at", __LINE__ + 1,
+    "// a point in the occluder's space: direction from the centre, distance\n"
     "vec4 ssgi_field_at(vec4 occluder[9], vec3 P) { // occluder: ssgi_gl_occluder from to_field on\n"
     "    vec4 p = vec4(P, 1.0);\n"
     "    vec3 w = vec3(dot(occluder[0], p), dot(occluder[1], p), dot(occluder[2], p));\n"
     "    float r = length(w);\n"
-    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n}\n" },
-{ "ssgi_field_occlusion", __LINE__, "// occlusion by an occluder, in [0,1]; n: unit normal\n"
+    "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
+    "}\n" },
+
+{ "ssgi_field_occlusion", __LINE__ + 1,
+    "// occlusion by an occluder, in [0,1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
@@ -1611,8 +1972,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    S /= fill;\n"
     "    float A = fill * ssgi_cap(sqrt(max(1.0 - S, 0.0)), S, c);\n"
     "    if (at.w < hull) A = mix(occluder[3].z, A, pow(at.w / hull, occluder[3].w));\n"
-    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n}\n" },
-{ "ssgi_field_visibility", __LINE__, "// ambient visibility by occluders 0 .., except those of the object itself\n"
+    "    return clamp(A, 0.0, 1.0) * (1.0 - smoothstep(occluder[3].x, occluder[3].y, at.w));\n"
+    "}\n" },
+
+{ "ssgi_field_visibility", __LINE__ + 1,
+    "// ambient visibility by occluders 0 .., except those of the object itself\n"
     "float ssgi_field_visibility(int occluders, int object, vec3 P, vec3 n) {\n"
     "    float visibility = 1.0;\n"
     "    for (int i = 0; i < occluders; ++i) {\n"
@@ -1622,8 +1986,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (object != 0 && object == int(occluder[8].w)) continue;\n"
     "        visibility *= 1.0 - ssgi_field_occlusion(occluder, ssgi_field_at(occluder, P), n);\n"
     "    }\n"
-    "    return visibility;\n}\n" },
-{ "main_field", __LINE__, "flat in vec4 v_ssgi_occluder[9];\n"
+    "    return visibility;\n"
+    "}\n" },
+
+{ "main_field", __LINE__ + 1,
+    "flat in vec4 v_ssgi_occluder[9];\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
@@ -1633,9 +2000,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    uint object = ssgi_custom_object(p + u_ssgi_origin); // #if objects == CUSTOM\n"
     "    uint object = texelFetch(t_ssgi_objects, p + u_ssgi_origin, 0).x; // #if objects == TEXTURE\n"
     "    if (object != 0u && object == uint(v_ssgi_occluder[8].w)) discard; // no self-occlusion // #if objects\n"
-    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n}\n" },
+    "    o_ssgi_ao = 1.0 - ssgi_field_occlusion(v_ssgi_occluder, at, ssgi_normal(p, P));\n"
+    "}\n" },
+
 /* ==== >>splat: surfels and their effect on pixels; twins of >>surfels in ssgi.h ================================= */
-{ "main_patch", __LINE__, "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
+
+{ "main_patch", __LINE__ + 1,
+    "out vec3 v_ssgi_position, v_ssgi_normal, v_ssgi_colour;\n"
     "out vec2 v_ssgi_part; // of splits * splits; which vertex\n"
     "void main() {\n"
     "    mat3 m = mat3(u_ssgi_mesh);\n"
@@ -1643,23 +2014,35 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_position = (u_ssgi_mesh * vec4(a_ssgi_position, 1.0)).xyz;\n"
     "    v_ssgi_normal = mat3(x, cross(m[2], m[0]), cross(m[0], m[1])) * a_ssgi_normal * sign(dot(x, m[0]));\n"
     "    v_ssgi_colour = a_ssgi_colour;\n"
-    "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n}\n" },
-{ "ssgi_tess_count", __LINE__, "int ssgi_tess_count(int level) {\n"
+    "    v_ssgi_part = vec2(gl_InstanceID, gl_VertexID & 16777215);\n"
+    "}\n" },
+
+{ "ssgi_tess_count", __LINE__ + 1,
+    "int ssgi_tess_count(int level) {\n"
     "    int half_ = (level + 1) / 2;\n"
-    "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n}\n" },
-{ "ssgi_part", __LINE__, "vec3 ssgi_part(int i, int n, int c) { // weights of corner c of part i of n * n\n"
+    "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
+    "}\n" },
+
+{ "ssgi_part", __LINE__ + 1,
+    "vec3 ssgi_part(int i, int n, int c) { // weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
-    "    return vec3(n - down, down - across, across) / float(n);\n}\n" },
-{ "ssgi_outside", __LINE__, "float ssgi_outside(vec3 P) { // distance outside the frustum\n"
+    "    return vec3(n - down, down - across, across) / float(n);\n"
+    "}\n" },
+
+{ "ssgi_outside", __LINE__ + 1,
+    "float ssgi_outside(vec3 P) { // distance outside the frustum\n"
     "    vec2 a = u_ssgi_unproject.zw, b = u_ssgi_unproject.xy * vec2(u_ssgi_size) + a;\n"
     "    vec2 low = min(a, b), high = max(a, b);\n"
     "    vec2 d = max(low - P.xy, P.xy - high); // #if orthographic\n"
     "    vec2 below = (low * -P.z - P.xy) * inversesqrt(1.0 + low * low); // #if !orthographic\n"
     "    vec2 d = max(below, (P.xy + high * P.z) * inversesqrt(1.0 + high * high)); // #if !orthographic\n"
-    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n}\n" },
-{ "main_levels", __LINE__, "layout(vertices = 3) out;\n"
+    "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
+    "}\n" },
+
+{ "main_levels", __LINE__ + 1,
+    "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
     "in vec2 v_ssgi_part[];\n"
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
@@ -1704,20 +2087,32 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
     "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
     "    float all = empty ? 0.0 : float(level);\n"
-    "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n}\n" },
-{ "ssgi_scramble", __LINE__, "uint ssgi_scramble(uint x) { // PCG's [O'Neill 2014]\n"
+    "    gl_TessLevelOuter[0] = gl_TessLevelOuter[1] = gl_TessLevelOuter[2] = gl_TessLevelInner[0] = all;\n"
+    "}\n" },
+
+{ "ssgi_scramble", __LINE__ + 1,
+    "uint ssgi_scramble(uint x) { // PCG's [O'Neill 2014]\n"
     "    x = ((x >> ((x >> 28) + 4u)) ^ x) * 277803737u;\n"
-    "    return (x >> 22) ^ x;\n}\n" },
-{ "ssgi_hash", __LINE__, "uint ssgi_hash(uint x) {\n"
-    "    return ssgi_scramble(x * 747796405u + 2891336453u);\n}\n" },
-{ "ssgi_surfel_sent", __LINE__, "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
+    "    return (x >> 22) ^ x;\n"
+    "}\n" },
+
+{ "ssgi_hash", __LINE__ + 1,
+    "uint ssgi_hash(uint x) {\n"
+    "    return ssgi_scramble(x * 747796405u + 2891336453u);\n"
+    "}\n" },
+
+{ "ssgi_surfel_sent", __LINE__ + 1,
+    "// what a surfel sends: its colour times irradiance over pi, unoccluded\n"
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
     "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
     "    vec3 sum = ssgi_lit(P, n, 0.0) * 0.31830989; // #if sends == LIGHTS\n"
     "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if sends == LIGHTS && environment\n"
-    "    return colour * sum; // #if sends == LIGHTS\n}\n" },
-{ "main_points", __LINE__, "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
+    "    return colour * sum; // #if sends == LIGHTS\n"
+    "}\n" },
+
+{ "main_points", __LINE__ + 1,
+    "layout(triangles, equal_spacing, ccw, point_mode) in;\n"
     "in vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch in vec4 v_ssgi_patch;\n"
     "void main() {\n"
@@ -1734,17 +2129,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool kept = v_ssgi_patch.y > 1.0 || (uint(v_ssgi_patch.z) >> (16u + place.y + 2u * place.z) & 1u) > 0u;\n"
     "    v_ssgi_surfel0 = vec4(P, kept ? v_ssgi_patch.x : 0.0); // radius 0 affects nothing\n"
     "    v_ssgi_surfel1 = vec4(n, float(h >> 8) / 16777216.0);\n"
-    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n}\n" },
-{ "main_buffer", __LINE__, "void main() {\n"
+    "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(P, n, colour), 0.0);\n"
+    "}\n" },
+
+{ "main_buffer", __LINE__ + 1,
+    "void main() {\n"
     "    v_ssgi_surfel2 = vec4(ssgi_surfel_sent(a_ssgi_surfel0.xyz, a_ssgi_surfel1.xyz, a_ssgi_surfel2.xyz), 0.0);\n"
-    "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n}\n" },
-{ "main_nothing", __LINE__, "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
-{ "ssgi_interleave", __LINE__, "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
+    "    v_ssgi_surfel0 = a_ssgi_surfel0, v_ssgi_surfel1 = a_ssgi_surfel1;\n"
+    "}\n" },
+
+{ "main_nothing", __LINE__ + 1,
+    "void main() {} // nothing is drawn; GLES requires a fragment stage\n" },
+
+{ "ssgi_interleave", __LINE__ + 1,
+    "// the sub-buffer of a pixel in its block, hashed; exclusive or is its own inverse\n"
     "ivec2 ssgi_interleave(ivec2 block, int mask) {\n"
     "    uint h = ssgi_scramble(uint(block.x) * 747796405u + uint(block.y) * 2891336453u + uint(mask));\n"
-    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n}\n" },
+    "    return ivec2(int(h & 255u), int((h >> 8) & 255u)) & mask;\n"
+    "}\n" },
+
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
-{ "main_shuffle", __LINE__, "void main() {\n"
+{ "main_shuffle", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    q.y -= l * u_ssgi_level.y;\n"
@@ -1756,8 +2162,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    ivec2 e = ivec2(round(ssgi_octahedral(ssgi_normal(p, P)) * 32767.0));\n"
-    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n}\n" },
-{ "main_unshuffle", __LINE__, "void main() {\n"
+    "    o_ssgi_shuffled = uvec4(floatBitsToUint(P), (uint(e.x + 32768) << 16) | uint(e.y + 32768));\n"
+    "}\n" },
+
+{ "main_unshuffle", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, mask = (1 << l) - 1;\n"
     "    ivec2 p = ivec2(q.x, q.y - l * u_ssgi_level.y), block = p >> l, across = (u_ssgi_size + mask) >> l;\n"
@@ -1765,8 +2174,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (p.x >= u_ssgi_size.x || p.y >= u_ssgi_size.y) discard;\n"
     "    ivec2 at = sub * across + block + ivec2(0, l * u_ssgi_level.y);\n"
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0).x; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n}\n" },
-{ "ssgi_shell", __LINE__, "// the rectangle of one sub-buffer that a surfel covers at a level\n"
+    "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
+    "}\n" },
+
+{ "ssgi_shell", __LINE__ + 1,
+    "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
     "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
@@ -1794,12 +2206,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    v_ssgi_turned = vec4(turned.xyz, block * block); // of block * block surfels a pixel meets one\n"
     "    v_ssgi_sent = vec4(sent, inner * abs(inner));\n"
     "    v_ssgi_end = outer * outer;\n"
-    "    return b + corner.xyxy;\n}\n" },
-{ "main_quad", __LINE__, "void main() {\n"
+    "    return b + corner.xyxy;\n"
+    "}\n" },
+
+{ "main_quad", __LINE__ + 1,
+    "void main() {\n"
     "    int corner = gl_VertexID % 6 < 3 ? gl_VertexID % 6 : 6 - gl_VertexID % 6;\n"
     "    vec4 b = ssgi_shell(a_ssgi_surfel0, a_ssgi_surfel1, a_ssgi_surfel2.xyz, gl_VertexID / 6);\n"
-    "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n}\n" },
-{ "main_strip", __LINE__, "layout(points) in;\n"
+    "    gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
+    "}\n" },
+
+{ "main_strip", __LINE__ + 1,
+    "layout(points) in;\n"
     "layout(triangle_strip, max_vertices = 28) out; // 4 a level\n"
     "in vec4 v_ssgi_surfel0[], v_ssgi_surfel1[], v_ssgi_surfel2[];\n"
     "void main() {\n"
@@ -1810,17 +2228,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "            gl_Position = ssgi_corner(b, corner, u_ssgi_level * ivec2(1, SSGI_LEVELS));\n"
     "            EmitVertex();\n"
     "            if (corner == 3) EndPrimitive();\n"
-    "        }\n}\n" },
-{ "ssgi_gloss", __LINE__, "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
-{ "ssgi_disc", __LINE__, "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
+    "        }\n"
+    "}\n" },
+
+{ "ssgi_gloss", __LINE__ + 1,
+    "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
+
+{ "ssgi_disc", __LINE__ + 1,
+    "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
     "    float dd = max(dot(v, v), 1e-30);\n"
     "#if effect == SPECULAR\n"
     "    float mirrored = max(dot(v, reflect(-ssgi_toward(ssgi_P), n)), 1e-20) * inversesqrt(dd);\n"
     "    float lobe = 0.5 * (u_ssgi_exponent + 1.0) * pow(mirrored, u_ssgi_exponent); // normalised, over pi\n"
     "    ssgi_gloss += lobe * inversesqrt(dd) / (dd + rr);\n"
     "#endif\n"
-    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n}\n" },
-{ "ssgi_form", __LINE__, "// a disc's form factor without area, weight, cosine; v: to its centre, m: its normal\n"
+    "    return max(dot(v, n), 0.0) / (dd * (dd + rr));\n"
+    "}\n" },
+
+{ "ssgi_form", __LINE__ + 1,
+    "// a disc's form factor without area, weight, cosine; v: to its centre, m: its normal\n"
     "float ssgi_form(vec3 v, vec3 n, vec3 m, float rr) {\n"
     "#if near_samples > 1\n"
     "    // near the disc, as several smaller ones: part of it may be above the horizon though its centre is not\n"
@@ -1837,8 +2263,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        return form * part;\n"
     "    }\n"
     "#endif\n"
-    "    return ssgi_disc(v, n, rr);\n}\n" },
-{ "main_splat", __LINE__, "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+    "    return ssgi_disc(v, n, rr);\n"
+    "}\n" },
+
+{ "main_splat", __LINE__ + 1,
+    "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
     "flat in float v_ssgi_seen; // #if span\n"
     "void main() {\n"
@@ -1869,16 +2298,26 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0); // #if effect == BOUNCE\n"
     "    vec3 glossy = v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away); // #if effect == SPECULAR\n"
     "    o_ssgi_levels = vec4(glossy, form); // #if effect == SPECULAR\n"
-    "#endif\n}\n" },
+    "#endif\n"
+    "}\n" },
+
 /* ==== >>filter ================================================================================================== */
-{ "ssgi_plane", __LINE__, "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_off_plane\n"
+
+{ "ssgi_plane", __LINE__ + 1,
+    "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_off_plane\n"
     "    return vec3(n.xy * u_ssgi_unproject.xy, n.z); // #if orthographic\n"
-    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n}\n" },
-{ "ssgi_off_plane", __LINE__, "// distance from the plane through P of the point at depth z, o pixels away\n"
+    "    return vec3(n.xy * u_ssgi_unproject.xy, dot(n, P) / -P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_off_plane", __LINE__ + 1,
+    "// distance from the plane through P of the point at depth z, o pixels away\n"
     "float ssgi_off_plane(vec3 k, vec2 o, vec3 P, float z) {\n"
     "    return abs(dot(k.xy, o) - k.z * (z + P.z)); // #if orthographic\n"
-    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n}\n" },
-{ "main_smooth", __LINE__, "void main() {\n"
+    "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "main_smooth", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
     "    int l = q.y / u_ssgi_level.y, reach = (1 << l) >> 1;\n"
     "    ivec2 first = ivec2(0, l * u_ssgi_level.y), p = q - first;\n"
@@ -1899,11 +2338,17 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), all += w;\n"
     "    }\n"
     "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n}\n" },
-{ "ssgi_once", __LINE__, "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
+    "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
+    "}\n" },
+
+{ "ssgi_once", __LINE__ + 1,
+    "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
     "float ssgi_once(float form) {\n"
-    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n}\n" },
-{ "main_sum", __LINE__, "void main() {\n"
+    "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
+    "}\n" },
+
+{ "main_sum", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    float z = ssgi_depth(p);\n"
     "    vec4 sum = vec4(0.0);\n"
@@ -1924,12 +2369,18 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
-    "#endif\n}\n" },
-{ "ssgi_onto", __LINE__, "vec4 ssgi_onto(ivec2 p, float ao) { // what is blended onto a picture\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_onto", __LINE__ + 1,
+    "vec4 ssgi_onto(ivec2 p, float ao) { // what is blended onto a picture\n"
     "    return vec4((1.0 - ao) * texelFetch(t_ssgi_ambient, p + u_ssgi_origin, 0).xyz, 0.0); // #if onto == AMBIENT\n"
     "    return vec4(vec3(pow(ao, 1.0 / 2.2)), 1.0); // #if onto == MULTIPLY_SRGB\n"
-    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n}\n" },
-{ "main_compose", __LINE__, "void main() {\n"
+    "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
+    "}\n" },
+
+{ "main_compose", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "#if colour == GREY\n"
     "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
@@ -1937,8 +2388,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
     "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz; // #if bounce\n"
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
-    "#endif\n}\n" },
-{ "main_blur", __LINE__, "void main() {\n"
+    "#endif\n"
+    "}\n" },
+
+{ "main_blur", __LINE__ + 1,
+    "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
     "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if colour == COEFFICIENTS && half\n"
     "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target); // #if colour == COEFFICIENTS && !half\n"
@@ -2006,22 +2460,36 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
     "    o_ssgi_ao = ao; // #if !onto\n"
-    "#endif\n}\n" },
-{ "ssgi_finite", __LINE__, "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_finite", __LINE__ + 1,
+    "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
     "bool ssgi_finite(vec4 v) {\n"
-    "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n}\n" },
-{ "ssgi_texel", __LINE__, "// light or visibility, view depth\n"
+    "    return all(lessThan(floatBitsToUint(v) & 0x7fffffffu, uvec4(0x4e6e6b28u)));\n"
+    "}\n" },
+
+{ "ssgi_texel", __LINE__ + 1,
+    "// light or visibility, view depth\n"
     "vec4 ssgi_texel(sampler2D t, ivec2 q) {\n"
     "    return texelFetch(t, q, 0); // #if colour == COLOUR\n"
-    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n}\n" },
-{ "ssgi_was", __LINE__, "// a point's pixel and depth in the last frame\n"
+    "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
+    "}\n" },
+
+{ "ssgi_was", __LINE__ + 1,
+    "// a point's pixel and depth in the last frame\n"
     "vec3 ssgi_was(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
-    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n}\n" },
-{ "ssgi_grey", __LINE__, "float ssgi_grey(vec4 t) {\n"
+    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_grey", __LINE__ + 1,
+    "float ssgi_grey(vec4 t) {\n"
     "    return dot(t.xyz, vec3(0.2126, 0.7152, 0.0722)); // #if colour == COLOUR\n"
-    "    return t.x; // #if colour == GREY\n}\n" },
+    "    return t.x; // #if colour == GREY\n"
+    "}\n" },
+
 { "ssgi_last", __LINE__ + 1,
     "// Reprojects P: the closer of two texels of the last frame that shows P's plane and holds finite values, and\n"
     "// its offset in texels; z: 0 if there is none. Interpolation would blur over frames: that texel is kept\n"
@@ -2052,7 +2520,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (!near || !ssgi_finite(m) || !ssgi_finite(t)) continue;\n"
     "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
     "    }\n"
-    "    return best;\n}\n" },
+    "    return best;\n"
+    "}\n" },
+
 { "ssgi_moved", __LINE__ + 1,
     "// Whether depth at two taps shows that an occluder came or went, which the pixels of a 2x2 tell each other.\n"
     "// Where the last frame's texel is beside the place, slopes differ as well.\n"
@@ -2086,8 +2556,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        way = vec2(-way.y, way.x);\n"
     "    }\n"
     "    moved = max(moved, abs(dFdx(moved)));\n"
-    "    return max(moved, abs(dFdy(moved))) > 0.0;\n}\n" },
-{ "ssgi_around", __LINE__, "// mean of 3x3, as blur will see them, and how they spread\n"
+    "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
+    "}\n" },
+
+{ "ssgi_around", __LINE__ + 1,
+    "// mean of 3x3, as blur will see them, and how they spread\n"
     "vec2 ssgi_around(ivec2 h, vec3 P, vec3 n, int wide, ivec2 size, ivec2 first) {\n"
     "    vec3 plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
     "    float near = 1.0 / (0.05 * u_ssgi_radius + float(wide) * ssgi_footprint(-P.z));\n"
@@ -2100,8 +2573,11 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    }\n"
     "    float few = 9.0 / sum.z; sum /= sum.z;\n"
     "    sum.y = max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0);\n"
-    "    return vec2(sum.x, sqrt(sum.y * few));\n}\n" },
-{ "main_history", __LINE__, "void main() {\n"
+    "    return vec2(sum.x, sqrt(sum.y * few));\n"
+    "}\n" },
+
+{ "main_history", __LINE__ + 1,
+    "void main() {\n"
     "    int wide = 1; // #if !half\n"
     "    int wide = 2; // #if half\n"
     "    ivec2 first = u_ssgi_target / wide, h = ivec2(gl_FragCoord.xy) - first, p = h * wide;\n"
@@ -2135,9 +2611,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
     "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
-    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n}\n" },
-{ "main_triangle", __LINE__, "void main() { // one triangle that covers the viewport\n"
-    "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n}\n" },
+    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n"
+    "}\n" },
+
+{ "main_triangle", __LINE__ + 1,
+    "void main() { // one triangle that covers the viewport\n"
+    "    gl_Position = vec4(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0, 0.0, 1.0);\n"
+    "}\n" },
 };
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
