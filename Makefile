@@ -246,7 +246,7 @@ build/web/scenes/scenes.json: build/web-scenes
 	@mkdir -p $(@D)
 	@build/web-scenes $(@D)
 
-# Headless Chromium draws what make web made; last line "N passed, N failed".
+# Headless Chromium draws what make web made; last line "N passed, N failed". ONLY=address: tests with that word.
 web-deps:
 	@lacks=; for p in chromium clang:clang wasm-ld:lld npm fonts-dejavu-core; do \
 	  command -v $${p%:*} >/dev/null || test -d /usr/share/fonts/truetype/dejavu -a $$p = fonts-dejavu-core || lacks="$$lacks $${p#*:}"; \
@@ -259,6 +259,6 @@ web-test: web-deps
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	$(MAKE) --no-print-directory web build/render build/glsl-text && mkdir -p build/web-test && \
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
-	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs
+	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
 .PHONY: web web-deps web-test
