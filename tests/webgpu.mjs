@@ -4,8 +4,17 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { check, end, launch, note, run, serve, skip } from './web-kit.mjs';
 
-const folder = 'build/webgpu-test/glsl', endings = '.wgsl';
-const names = readdirSync(folder).filter(name => name.endsWith(endings));
+const folder = 'build/webgpu-test/glsl', ending = '.wgsl';
+const names = readdirSync(folder).filter(name => name.endsWith(ending));
+const { rows, row_lists, variants } = JSON.parse(readFileSync(`${folder}/manifest.json`, 'utf8'));
+const programs = variants.filter(({ files: { vert, frag, tesc } }) => vert && frag && !tesc)
+    .map(({ files, rows: list }) => ({ vert: files.vert + ending, frag: files.frag + ending,
+                                       rows: row_lists[list].map(i => rows[i]) }));
+await run('every program has its two texts', () => {
+    const lacking = programs.flatMap(({ vert, frag }) => [vert, frag]).filter(name => !names.includes(name));
+    check(programs.length > 200 && !lacking.length, `${programs.length} programs lack ${lacking.join(' ')}`);
+});
+
 const browser = await launch('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader');
 const page = await browser.newPage();
 await page.goto(`${await serve('build/webgpu-test')}/empty.html`);
@@ -38,12 +47,8 @@ for (const pass of new Set(names.map(passOf)))
         check(!wrong.length, wrong.map(name => said.get(name)[0]).join('\n'));
     });
 
-const { rows, row_lists, variants } = JSON.parse(readFileSync(`${folder}/manifest.json`, 'utf8'));
-const programs = variants.filter(({ files: { vert, frag, tesc } }) => vert && frag && !tesc)
-    .map(({ files, rows: list }) => ({ vert: files.vert + endings, frag: files.frag + endings,
-                                       rows: row_lists[list].map(i => rows[i]) }));
 await run('both stages of every program make a pipeline', async () => {
-    const sound = programs.filter(({ vert, frag }) => !said.get(vert)?.length && !said.get(frag)?.length);
+    const sound = programs.filter(({ vert, frag }) => said.get(vert)?.length === 0 && said.get(frag)?.length === 0);
     const wrong = await page.evaluate(programs => {
         const formats = { float: 'r16float', vec2: 'rg16float', vec4: 'rgba16float',
                           uvec2: 'rg32uint', uvec4: 'rgba32uint' };
