@@ -452,6 +452,15 @@ await run('what a device lacks is said', async () => {
     check(said.includes('CPU') && ms.every(one => one > 0), `${said}: ${ms}`);
 });
 
+await run('a tracer that fails is said', async () => {
+    const page = await open('size=64x36&b=truth', { before: `globalThis.Worker = class extends Worker {
+        postMessage(data) { super.postMessage(data.scene ? { scene: { position: [1], normal: [1] } } : data); } };` });
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 20000 });
+    const { notice } = await seen(page);
+    await page.close();
+    check(notice === 'the truth: position: must have 9 numbers a triangle, has 1', notice);
+});
+
 await run('the console is silent, the folder small', async () => {
     const bytes = readdirSync('build/web', { recursive: true }).filter(name => !name.startsWith('scenes'))
         .reduce((sum, name) => {

@@ -175,8 +175,7 @@ function changed(name) {
 
 /* ---- scenes */
 
-/* What cannot be had of an address, a scene or a file is said; scene and settings stay as they were. */
-
+/* What cannot be had of an address, a scene or a file is said, and scene and settings stay as they were. */
 function goToAddress() {
     notice(...fromAddress());
     const opened = openScene();
@@ -518,7 +517,8 @@ function pixelsOf(side) {
     gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
     gl.readPixels(0, 0, width, height, gl.RGBA, bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, all);
-    side.pixels = light ? all : Float32Array.from({ length: n }, (_, i) => all[4 * i] / (bytes ? 255 : 1));
+    side.pixels = light ? all : new Float32Array(n);
+    for (let i = 0; i < n && !light; ++i) side.pixels[i] = all[4 * i] / (bytes ? 255 : 1);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return side.pixels;
 }
