@@ -6,7 +6,7 @@
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
 #   make passes    examples/PASSES.md, the table of them
-#   make web, web-test   a page in build/web/, and it in a browser without a window
+#   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
 #   make wasm      the headers as WebAssembly       make npm         a package with it and the texts of WebGL 2
@@ -246,7 +246,7 @@ build/web/scenes/scenes.json: build/web-scenes
 	@mkdir -p $(@D)
 	@build/web-scenes $(@D)
 
-# Headless Chromium draws what make web made; last line "N passed, N failed".
+# Headless Chromium draws what make web made; last line "N passed, N failed". ONLY=address: tests with that word.
 web-deps:
 	@lacks=; for p in chromium clang:clang wasm-ld:lld npm fonts-dejavu-core; do \
 	  command -v $${p%:*} >/dev/null || test -d /usr/share/fonts/truetype/dejavu -a $$p = fonts-dejavu-core || lacks="$$lacks $${p#*:}"; \
@@ -259,6 +259,16 @@ web-test: web-deps
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	$(MAKE) --no-print-directory web build/render build/glsl-text && mkdir -p build/web-test && \
 	echo '<!doctype html><link rel="icon" href="data:,">' >build/web-test/empty.html && \
-	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs
+	build/glsl-text build/web-test/glsl 300es >/dev/null && node tests/web.mjs $(ONLY)
 
-.PHONY: web web-deps web-test
+# Headless Chromium compiles the WGSL of every text on WebGPU's software adapter and makes pipelines of them.
+WEBGPU = build/webgpu-test
+webgpu-test: web-deps build/glsl-text
+	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
+	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
+	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \
+	build/glsl-text $(WEBGPU)/glsl vulkan >/dev/null && { sh examples/translate.sh $(WEBGPU)/glsl wgsl || \
+	{ test $$? = 2 && echo 'skipped: everything: no translator' && echo '0 passed, 0 failed' && exit 0; exit 1; }; } && \
+	node tests/webgpu.mjs $(ONLY)
+
+.PHONY: web web-deps web-test webgpu-test

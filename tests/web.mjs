@@ -1,61 +1,15 @@
 /* web.mjs - make web-test: the texts of WebGL 2 and the page of make web in a browser without a window.
-   node tests/web.mjs, from the repository's root after make web; puppeteer-core lies in build/web-deps. */
+   node tests/web.mjs [WORD OF A TEST], from the repository's root after make web. */
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname, join, resolve } from 'node:path';
+import { mkdirSync, readFileSync, statSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { read, write } from '../examples/web/settings.mjs';
+import { check, end, launch, note, rest, run, serve } from './web-kit.mjs';
+import { calls, hashes, indexed, models, unsound, wedge, works } from './web-hostile.mjs';
 
-let passed = 0, failed = 0;
-const notes = [];
-function check(ok, what) { if (!ok) throw new Error(what); }
-function note(text) { notes.push(text); }
-async function run(sentence, test) {
-    const begun = performance.now();
-    try { await test(); ++passed; console.log(`ok      ${sentence}`); }
-    catch (e) {
-        ++failed;
-        console.log([`FAILED  ${sentence}`, ...String(e.message).split('\n').slice(0, 12)].join('\n        '));
-    }
-    const took = (performance.now() - begun) / 1000;
-    if (took >= 1) notes.push(`${took.toFixed(1)} s`);
-    for (const text of notes.splice(0)) console.log(`        ${text}`);
-}
-function end() {
-    console.log(`${passed} passed, ${failed} failed`);
-    process.exit(failed ? 1 : 0);
-}
-function skip(what) {
-    console.log(`skipped: ${what}`);
-    end();
-}
-
-const chromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-if (!chromium) skip('everything: no browser (apt-get install chromium)');
-const puppeteer =
-    await import(resolve('build/web-deps/node_modules/puppeteer-core/lib/esm/puppeteer/puppeteer-core.js'))
-    .then(m => m.default, () => null);
-if (!puppeteer) skip('everything: no puppeteer-core (npm could not install it)');
-
-/* ---- a server of build/, a browser */
-
-const types = { '.html': 'text/html', '.mjs': 'text/javascript', '.js': 'text/javascript', '.css': 'text/css',
-                '.json': 'application/json', '.wasm': 'application/wasm' };
-const server = createServer((request, answer) => {
-    const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
-    try {
-        const file = readFileSync(join('build', path.endsWith('/') ? `${path}index.html` : path));
-        const type = path.endsWith('/') ? 'text/html' : types[extname(path)] ?? 'application/octet-stream';
-        answer.writeHead(200, { 'content-type': type });
-        answer.end(file);
-    } catch { answer.writeHead(404).end(); }
-});
-await new Promise(done => server.listen(0, '127.0.0.1', done));
-const root = `http://127.0.0.1:${server.address().port}`;
-const browser = await puppeteer.launch({
-    executablePath: chromium, headless: true, protocolTimeout: 300000,
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox', '--ignore-gpu-blocklist',
-           '--hide-scrollbars']
-}).catch(e => { skip(`everything: the browser does not start: ${e.message.split('\n')[0]}`); });
+const browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist',
+                             '--hide-scrollbars');
+const root = await serve('build');
 
 const said = [];                                    /* what consoles said that is wrong */
 async function open(hash, { width = 1280, height = 800, scale = 1, before = null } = {}) {
@@ -71,9 +25,67 @@ async function open(hash, { width = 1280, height = 800, scale = 1, before = null
     await page.waitForFunction('globalThis.page && (page.first || page.lacks)', { timeout: 60000 });
     return page;
 }
-const rest = ms => new Promise(done => setTimeout(done, ms));
 const render = (...words) =>
     execFileSync('build/render', words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+
+/* ---- without a page: the loader and the address */
+
+const says = (message, wanted) => (typeof wanted === 'string' ? message === wanted : wanted.test(message));
+await run('ssgi.mjs names what is wrong with an argument', async () => {
+    const loader = await import('../build/wasm/ssgi.mjs'), bytes = readFileSync('build/wasm/ssgi.wasm');
+    const { exports } = await WebAssembly.instantiate(await WebAssembly.compile(bytes), { Math });
+    const ssgi = new loader.Ssgi(exports), all = calls(loader, ssgi), wrong = [];
+    for (const [call, wanted] of all) {
+        const e = await Promise.resolve().then(call).then(() => null, e => e);
+        if (e?.constructor !== Error || !says(e.message, wanted)) wrong.push(`${call}: ${e?.name}: ${e?.message}`);
+    }
+    check(!wrong.length, wrong.join('\n'));
+    check(works(ssgi), 'what is right is refused, too');
+    const many = new Float32Array(9e6), told = new Set();
+    exports.memory.grow = () => { throw new RangeError('no more'); };
+    for (let i = 0; i < 5000; ++i) try { ssgi.trace(many); } catch (e) { told.add(e.message); }
+    check(told.size === 1 && /^position: would take \d+ MB of memory, more than this machine gives$/.test([...told][0]),
+          [...told].join('\n'));
+    check(works(ssgi), 'what failed kept its memory');
+    note(`${all.length} calls`);
+});
+
+const limits = { scenes: ['room', 'bunny', 'cornell'], side: 4096, pixels: 1920 * 1080 };
+await run('any address is read: sound settings, a sentence for what cannot be had', () => {
+    const before = read('a=s3ho&p=FAST&sky=white&size=640x360&cam=1,2,3,4,5,6&radius=1&thickness=1', limits).set;
+    let sentences = 0;
+    for (const hash of hashes(4000, 1)) {
+        const { set, wrong } = read(hash, limits, before), again = read(write(set), limits);
+        const bad = unsound(set, limits), at = JSON.stringify(hash.slice(0, 200));
+        check(!bad, `${at} gives ${bad}`);
+        for (const sentence of wrong)
+            check(/^.{0,60}: (must be .+|there is no such setting)$/su.test(sentence) && !/\n/.test(sentence)
+                  && sentence.length < 300, `${at} says ${sentence}`);
+        check(!again.wrong.length && write(again.set) === write(set), `${at} is written as ${write(set)}`);
+        sentences += wrong.length;
+    }
+    check(sentences > 4000, `only ${sentences} sentences`);
+    check(Object.keys(Object.prototype).length === 0, 'Object.prototype has got members');
+    for (const [hash, wanted] of [
+        ['size=9999x9999',
+         'size=9999x9999: must be auto or WIDTHxHEIGHT, 16 to 4096 pixels each, at most 2073600 in all'],
+        ['size=1921x1080',
+         'size=1921x1080: must be auto or WIDTHxHEIGHT, 16 to 4096 pixels each, at most 2073600 in all'],
+        ['radius=', 'radius=: must be a number from -2 to 2'],
+        ['p=constructor', 'p=constructor: must be one of FAST, BALANCED, BEST'],
+        ['sky=toString', 'sky=toString: must be one of sky, windows, white'],
+        ['scene=file', 'scene=file: must be opened again: a model of your own is in no address'],
+        ['cam=1,2,3,1,2,3', 'cam=1,2,3,1,2,3: must be six numbers, an eye and a target elsewhere, -1e9 to 1e9'],
+        ['radius=3', 'radius=3: must be a number from -2 to 2'],
+        ['thickness=-2', 'thickness=-2: must be a number from 0 to 2, or -1 for the method\'s own'],
+        ['sun=yes', 'sun=yes: must be 0 or 1'], ['constructor=1', 'constructor: there is no such setting']]) {
+        const { set, wrong } = read(hash, limits, before), [name] = hash.split('=');
+        check(wrong.length === 1 && wrong[0] === wanted, `${hash}: ${wrong}`);
+        check(set[name] === before[name] || !Object.hasOwn(before, name), `${hash} changes ${name}`);
+    }
+    check(read('a=ssao&a=hsao&b=none&a=ssdo', limits).set.a === 'ssdo', 'of a name that is repeated the last counts');
+    note(`4,000 addresses, ${sentences} sentences`);
+});
 
 /* ---- the page */
 
@@ -255,8 +267,7 @@ await run('history settles, and lowers the error', async () => {
 });
 
 await run('a model of one\'s own is drawn', async () => {
-    const wedge = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n';
-    writeFileSync(`${out}/wedge.obj`, wedge);
+    writeFileSync(`${out}/wedge.obj`, wedge(1));
     await go('size=320x180&b=off');
     await (await page.$('#file')).uploadFile(`${out}/wedge.obj`);
     await page.waitForFunction(`document.querySelector('[name=scene]').value === 'file'`, { timeout: 20000 });
@@ -264,7 +275,120 @@ await run('a model of one\'s own is drawn', async () => {
     const least = await page.evaluate(() => page.result(0).pixels.reduce((a, b) => Math.min(a, b), 1));
     check(least < 0.9, `nothing is occluded: ${least}`);
 });
+
+/* What is seen: on the canvas, and beside it. */
+const seen = page => page.evaluate(() => {
+    const { elements } = document.getElementById('panel'), notice = document.getElementById('notice');
+    const picture = page.picture();
+    let opaque = true, sum = 0;
+    for (let i = 0; i < picture.length; i += 4) {
+        opaque &&= picture[i + 3] === 255;
+        sum = (Math.imul(sum, 31) + picture[i] + 256 * picture[i + 1] + 65536 * picture[i + 2]) | 0;
+    }
+    return { there: opaque && picture.length > 0, sum, scene: elements.scene.value,
+             title: elements.scene.selectedOptions[0].text, notice: notice.hidden ? '' : notice.textContent };
+});
+const same = (a, b) => Object.keys(a).every(key => a[key] === b[key]);
+/* Drops a file onto the page; resolves when it is shown, or what is wrong with it. unread: why it cannot be read. */
+const drop = (page, name, text, unread = null) => page.evaluate(async (name, text, unread) => {
+    const file = new File([text], name), dataTransfer = new DataTransfer(), shown = page.result(0).pixels;
+    const { arrayBuffer } = File.prototype, notice = document.getElementById('notice');
+    if (unread) File.prototype.arrayBuffer = () => Promise.reject(new DOMException(unread, 'NotReadableError'));
+    dataTransfer.items.add(file);
+    dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    while (notice.hidden && page.result(0).pixels === shown) await new Promise(requestAnimationFrame);
+    if (unread) File.prototype.arrayBuffer = arrayBuffer;
+}, name, text, unread);
+
+await run('a model that cannot be shown is named with what is wrong; scene and title stay', async () => {
+    for (const begin of [() => go('size=160x90&b=off&scene=cornell'), () => drop(page, 'wedge.obj', wedge(1))]) {
+        await begin();
+        const before = await seen(page);
+        check(before.there && !before.notice, `before: ${JSON.stringify(before)}`);
+        for (const [name, text, wanted, unread] of [...models,
+            ['gone.obj', wedge(1), 'gone.obj: cannot be read: it is gone; must be a file', 'it is gone']]) {
+            await drop(page, name, text, unread);
+            const { notice, ...after } = await seen(page);
+            check(says(notice, wanted), `${name}: ${notice}`);
+            check(!/\n/.test(notice), `${name}: more than a line: ${notice}`);
+            check(same(after, before), `${name}: ${JSON.stringify([before, after])}`);
+        }
+    }
+    await go('scene=cornell&size=160x90&b=off');
+    await go('scene=file&size=160x90&b=off');
+    const { title, notice } = await seen(page);
+    check(title === 'wedge.obj' && !notice, `the model is not found again: ${title}: ${notice}`);
+});
+await run('a model is drawn alike in any unit, and without the lines beside it', async () => {
+    const means = [], begun = said.length;
+    for (const text of [wedge(1), wedge(1e-5), wedge(1e7), `${wedge(1)}l 1 4\np 2\n`]) {
+        await drop(page, 'some.obj', text);
+        check(!(await seen(page)).notice, (await seen(page)).notice);
+        means.push(await page.evaluate(() => {
+            const { pixels } = page.result(0);
+            return pixels.reduce((sum, v) => sum + v, 0) / pixels.length;
+        }));
+    }
+    await drop(page, 'bounds.gltf', indexed(0, 1, 2));
+    const { title, notice } = await seen(page);
+    check(title === 'bounds.gltf' && !notice, `${title}: ${notice}`);
+    check(said.length === begun, said.slice(begun).join('\n'));
+    note(`mean visibility ${means.map(v => v.toFixed(4)).join(', ')}`);
+    check(means[0] < 0.999 && means.every(v => Math.abs(v - means[0]) < 0.001), means.join());
+});
+await run('a scene that does not come leaves the one that is shown', async () => {
+    await go('size=160x90&b=off&scene=cornell');
+    const before = await seen(page);
+    await page.setRequestInterception(true);
+    const cut = request => (request.url().endsWith('slats.bin')
+        ? request.respond({ status: 200, body: Buffer.alloc(100) }) : request.continue());
+    page.on('request', cut);
+    await page.evaluate(hash => page.go(hash), 'size=160x90&b=off&scene=slats');
+    page.off('request', cut);
+    await page.setRequestInterception(false);
+    const { notice, ...after } = await seen(page);
+    check(notice === 'scenes/slats.bin: is cut short or no scene; must be as make web writes it', notice);
+    check(same(after, before), JSON.stringify([before, after]));
+});
+
+/* The page's own sentences are of what node reads of the same address and settings. */
+const expected = (hash, { limits, before }) => {
+    const { wrong } = read(hash, limits, before), shown = wrong.slice(0, 3), more = wrong.length - shown.length;
+    return [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
+};
+await run('no address stops a page that is open', async () => {
+    const begun = said.length, all = hashes(100, 2).map(hash => `size=64x36&${hash}`);
+    for (const hash of all) {
+        const got = await page.evaluate(async hash => {
+            const before = { ...page.set }, going = page.go(hash), { hash: taken } = location;
+            const error = await going.then(() => null, e => e.message);
+            return { before, taken, error, limits: page.limits() };
+        }, hash);
+        const { there, notice } = await seen(page), wanted = expected(got.taken.slice(1), got);
+        check(got.error === null && there, `${hash}: ${got.error ?? 'no picture'}`);
+        check(notice === wanted, `${hash} says ${notice}\nand should say ${wanted}`);
+        check(said.length === begun, `${hash}: ${said.slice(begun).join()}`);
+    }
+    note(`${all.length} addresses`);
+});
 await page.close();
+
+await run('no address stops a page that is loaded with it', async () => {
+    const begun = said.length;
+    const all = ['p=constructor', 'sky=toString', 'size=9999x9999', 'a=__proto__&b=valueOf', '__proto__=1&toString=2',
+                 'cam=NaN,0,0,0,0,0', 'cam=1e300,0,0,0,0,0', 'scene=file', 'scene=%E0%A4%A', '😀=%F0%9F%98%80', '%',
+                 ...hashes(9, 3)];
+    for (const hash of all) {
+        const page = await open(`size=64x36&${hash}`), { there, notice } = await seen(page);
+        const limits = await page.evaluate('page.limits()');
+        await page.close();
+        check(there, `${hash}: no picture`);
+        check(said.length === begun, `${hash}: ${said.slice(begun).join()}`);
+        const wanted = expected(`size=64x36&${hash}`, { limits });
+        check(!!notice === !!wanted, `${hash} says ${notice || 'nothing'}`);
+    }
+    note(`${all.length} loads`);
+});
 
 /* ---- how it looks, and where there is little */
 
@@ -328,6 +452,15 @@ await run('what a device lacks is said', async () => {
     check(said.includes('CPU') && ms.every(one => one > 0), `${said}: ${ms}`);
 });
 
+await run('a tracer that fails is said', async () => {
+    const page = await open('size=64x36&b=truth', { before: `globalThis.Worker = class extends Worker {
+        postMessage(data) { super.postMessage(data.scene ? { scene: { position: [1], normal: [1] } } : data); } };` });
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 20000 });
+    const { notice } = await seen(page);
+    await page.close();
+    check(notice === 'the truth: position: must have 9 numbers a triangle, has 1', notice);
+});
+
 await run('the console is silent, the folder small', async () => {
     const bytes = readdirSync('build/web', { recursive: true }).filter(name => !name.startsWith('scenes'))
         .reduce((sum, name) => {
@@ -339,6 +472,4 @@ await run('the console is silent, the folder small', async () => {
     check(!said.length, said.join('\n'));
 });
 console.log(`        ${shots.join(' ')}`);
-await browser.close();
-server.close();
-end();
+await end();

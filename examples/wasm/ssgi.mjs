@@ -11,7 +11,8 @@
       for (const step of ssgi.steps({ desc, width, height, blur: 1 })) ..    // what is drawn, in order
 
    A desc is an object of the fields of ssgi_gl_desc (ssgi_gl.h; ssgi.choices lists them), enums by their words: the C
-   name less its prefix. What is wrong with an argument is thrown as an Error with the library's sentence. */
+   name less its prefix. What is wrong with an argument is thrown as an Error of one sentence: the library's, or where
+   it cannot look (types, lengths, memory) one from here. */
 
 const stages = ['vert', 'frag', 'tesc', 'tese', 'geom'];
 const kinds = ['TEXTURE', 'PARAM', 'OUTPUT', 'CONSTANT', 'ATTRIBUTE', 'CAPTURE'];
@@ -20,13 +21,69 @@ const meanings = ['DEPTH', 'LAYERS', 'BACK', 'VIEWS', 'NORMAL', 'ALBEDO', 'LAYER
                   'NOISE', 'KERNEL', 'ENVIRONMENT', 'IRRADIANCE', 'LIGHTS', 'SHADOW', 'OCCLUDERS', 'FIELDS', 'OBJECTS',
                   'MOTION', 'AMBIENT'];                                         /* SSGI_GL_YOUR_ .. */
 const results = ['NONE', 'LIGHT', 'BOUNCE'], sizes = ['FULL', 'HALF', 'LEVELS'];
+const clips = ['GL', 'ZERO'];
 const floats = { float: 1, int: 1, vec2: 2, ivec2: 2, vec4: 4, mat3: 12, mat4: 16 };     /* in std140 */
+const memoryMost = 0x7fff0000;                                                  /* addresses are signed here */
+
+/* ---- what the library cannot see of an argument */
+
+function fail(sentence) { throw new Error(sentence); }
+
+/* The int32 that a number, true or false is; null: it is none. WebAssembly would cut it down to one without a word. */
+function int32(value) {
+    const whole = typeof value === 'boolean' ? Number(value) : value;
+    return Number.isInteger(whole) && Math.abs(whole) <= 0x7fffffff ? whole : null;
+}
+
+function whole(name, value) { return int32(value) ?? fail(`${name}: must be a whole number`); }
+
+function number(name, value) { return typeof value === 'number' ? value : fail(`${name}: must be a number`); }
+
+function word(name, value, words) {
+    const at = words.indexOf(value);
+    return at < 0 ? fail(`${name}: must be one of ${words.join(' ')}`) : at;
+}
+
+function object(name, value) {
+    return typeof value === 'object' && value !== null && !Array.isArray(value) ? value
+        : fail(`${name}: must be an object`);
+}
+
+/* An array of numbers, plain or typed, of so many. */
+function numbers(name, list, least = 0, most = least || Infinity) {
+    if (typeof list !== 'object' || !Number.isInteger(list?.length) || typeof list[0] === 'bigint')
+        fail(`${name}: must be an array of numbers`);
+    if (list.length < least || list.length > most)
+        fail(`${name}: must have ${most > least ? 'at least ' : ''}${least} numbers, has ${list.length}`);
+    return list;
+}
+
+function finite(name, list) {
+    return Array.prototype.every.call(numbers(name, list), Number.isFinite) ? list : fail(`${name}: must be finite`);
+}
+
+function opaque(name, value, length, from) {
+    return value instanceof Uint8Array && value.length === length ? value : fail(`${name}: must be what ${from} gave`);
+}
+
+/* The bytes of ssgi.wasm, of whatever names them. */
+async function bytesOf(source) {
+    const url = new URL(source, globalThis.location?.href);
+    if (url.protocol === 'file:' && globalThis.process?.versions?.node)
+        return (await import('node:fs/promises')).readFile(url);
+    const answer = await fetch(url);
+    if (!answer.ok) fail(`${answer.status} ${answer.statusText}`);
+    return answer.arrayBuffer();
+}
 
 export async function load(source = new URL('ssgi.wasm', import.meta.url)) {
-    if (source instanceof URL && source.protocol === 'file:')
-        source = await (await import('node:fs/promises')).readFile(source);
-    else if (typeof source === 'string' || source instanceof URL) source = await (await fetch(source)).arrayBuffer();
-    const made = await WebAssembly.instantiate(source, { Math });
+    const named = typeof source === 'string' || source instanceof URL;
+    const held = source instanceof WebAssembly.Module || source instanceof ArrayBuffer || ArrayBuffer.isView(source);
+    if (!named && !held) fail('source: must be a URL, bytes or a WebAssembly.Module');
+    const name = named ? source : 'source';
+    const bytes = named ? await bytesOf(source).catch(e => fail(`${name}: cannot be read: ${e.message}`)) : source;
+    const made = await WebAssembly.instantiate(bytes, { Math })
+        .catch(e => fail(`${name}: must be the ssgi.wasm that make wasm builds: ${e.message}`));
     return new Ssgi((made.instance ?? made).exports);
 }
 
@@ -36,6 +93,9 @@ export class Ssgi {
     #of = {};                                   /* places: struct, member */
 
     constructor(exports) {
+        if (!(exports?.memory instanceof WebAssembly.Memory) || typeof exports.ssgi_wasm_place_at !== 'function'
+            || typeof exports.__heap_base?.value !== 'number')
+            fail('exports: must be those of ssgi.wasm, its memory among them');
         this.#c = exports;
         this.#top = exports.__heap_base.value;
         for (let i = 0, at; (at = exports.ssgi_wasm_place_at(i)) !== 0; ++i) {
@@ -43,7 +103,7 @@ export class Ssgi {
             this.#at[name] = this.#int(at + 4);
             if (member) (this.#of[of] ??= {})[member] = this.#at[name];
         }
-        if (this.#at.meanings !== meanings.length) throw new Error('ssgi.mjs and ssgi.wasm are of different versions');
+        if (this.#at.meanings !== meanings.length) fail('ssgi.mjs and ssgi.wasm are of different versions');
         const { ssgi_gl_choice: choice } = this.#of;
         this.#strings = { version: this.#at['ssgi_gl_desc.version'], fetch: this.#at['ssgi_gl_desc.fetch'] };
         this.version = `${this.#at.major}.${this.#at.minor}`;
@@ -60,8 +120,7 @@ export class Ssgi {
     /* The GLSL of a stage; '' where the pass has none. */
     text(desc, stage = 'frag') {
         return this.#scope(() => {
-            const d = this.#good(desc), s = stages.indexOf(stage);
-            if (s < 0) throw new Error(`stage: must be one of ${stages.join(' ')}`);
+            const d = this.#good(desc), s = word('stage', stage, stages);
             const n = this.#c.ssgi_gl_emit(0, 0, d, s), out = this.#room(n + 1);
             this.#c.ssgi_gl_emit(out, n + 1, d, s);
             return this.#string(out);
@@ -84,13 +143,13 @@ export class Ssgi {
         return this.#scope(() => {
             const { ssgi_gl_chain: places, ssgi_gl_step: step } = this.#of;
             const size = this.#at.ssgi_gl_step, at = this.#room(this.#at.ssgi_gl_chain);
-            for (const [name, value] of Object.entries(chain)) {
-                if (!(name in places)) throw new Error(`chain.${name}: there is no such member`);
-                if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name]);
-                else this.#setInt(at + places[name], Number(value));
+            for (const [name, value] of Object.entries(object('chain', chain))) {
+                if (!Object.hasOwn(places, name)) fail(`chain.${name}: there is no such member`);
+                if (name === 'desc' || name === 'lights') this.#desc(value, at + places[name], `chain.${name}`);
+                else this.#setInt(at + places[name], int32(value) ?? fail(`chain.${name}: must be a whole number`));
             }
             const why = this.#room(4), n = this.#c.ssgi_gl_steps(0, 0, at, why);
-            if (!n) throw new Error(this.#string(this.#int(why)));
+            if (!n) fail(this.#string(this.#int(why)));
             const steps = this.#room(n * size);
             this.#c.ssgi_gl_steps(steps, n, at, why);
             return Array.from({ length: n }, (_, i) => this.#step(steps + i * size, step, { ...chain.lights,
@@ -105,7 +164,7 @@ export class Ssgi {
     preset(desc, preset) {
         return this.#scope(() => {
             const d = this.#desc(desc);
-            this.#try(why => this.#c.ssgi_gl_preset(d, presets.indexOf(preset), why));
+            this.#try(why => this.#c.ssgi_gl_preset(d, word('preset', preset, presets), why));
             return this.#object(d, desc);
         });
     }
@@ -120,9 +179,9 @@ export class Ssgi {
     /* An opaque ssgi_view. clip: 'GL', or 'ZERO' with EXT_clip_control's ZERO_TO_ONE. */
     view(projection, width, height, clip = 'GL') {
         return this.#scope(() => {
-            const view = this.#room(this.#at.ssgi_view), m = this.#floats(projection);
-            this.#try(why => this.#c.ssgi_view_from_projection(view, m, ['GL', 'ZERO'].indexOf(clip), width, height,
-                                                               why));
+            const view = this.#room(this.#at.ssgi_view), m = this.#floats('projection', projection, 16);
+            const c = word('clip', clip, clips), w = whole('width', width), h = whole('height', height);
+            this.#try(why => this.#c.ssgi_view_from_projection(view, m, c, w, h, why));
             return this.#bytes(view, this.#at.ssgi_view).slice();
         });
     }
@@ -135,59 +194,79 @@ export class Ssgi {
             frame[m.name.slice('u_ssgi_'.length)] = new (/^i/.test(type) ? Int32Array : Float32Array)(
                 frame.buffer, m.offset, floats[type] * (count ?? 1));
         }
-        return this.#onFrame(frame, f => this.#try(why => this.#c.ssgi_gl_frame_init(f, this.#copy(view), radius,
-                                                                                    why)));
+        return this.#onFrame(frame, f => {
+            const v = this.#view(view), r = number('radius', radius);
+            this.#try(why => this.#c.ssgi_gl_frame_init(f, v, r, why));
+        });
     }
 
     /* view and lastWorldToView: of the last frame. Leave out after a cut or a change of size. */
     history(frame, view, worldToView, lastWorldToView) {
-        return this.#onFrame(frame, f => this.#try(why => this.#c.ssgi_gl_frame_history(
-            f, this.#copy(view), this.#floats(worldToView), this.#floats(lastWorldToView), why)));
+        return this.#onFrame(frame, f => {
+            const v = this.#view(view), now = this.#floats('worldToView', worldToView, 16);
+            const last = this.#floats('lastWorldToView', lastWorldToView, 16);
+            this.#try(why => this.#c.ssgi_gl_frame_history(f, v, now, last, why));
+        });
     }
     harmonics(frame, coefficients, bands, worldToView = null) {
-        return this.#onFrame(frame, f => this.#try(why => this.#c.ssgi_gl_harmonics_set(
-            f, this.#floats(coefficients), bands, worldToView ? this.#floats(worldToView) : 0, why)));
+        return this.#onFrame(frame, f => {
+            const from = this.#coefficients(coefficients, bands);
+            const turn = worldToView === null ? 0 : this.#floats('worldToView', finite('worldToView', worldToView), 16);
+            this.#try(why => this.#c.ssgi_gl_harmonics_set(f, from, bands, turn, why));
+        });
     }
-    phase(k) { return this.#c.ssgi_gl_phase(k); }
+    phase(k) { return this.#c.ssgi_gl_phase(whole('k', k)); }
 
     /* ---- an environment: rgb, latitude-longitude, +y up, its centre toward +z (ssgi.h, >>environment and >>sh) */
 
     /* size * size * 3 floats: seen through a lobe, 0: irradiance over pi; over a cone; the residual of harmonics */
     environmentMap(size, rgb, width, height, solidAngle = 0) {
-        return this.#map(size, (map, why) => this.#c.ssgi_environment_map(map, size, this.#floats(rgb), width, height,
-                                                                          solidAngle, why));
+        const angle = number('solidAngle', solidAngle);
+        return this.#made('size', size, map => {
+            const from = this.#image(rgb, width, height);
+            this.#try(why => this.#c.ssgi_environment_map(map, size, from, width, height, angle, why));
+        });
     }
     environmentCone(size, rgb, width, height, cosine = 0) {
-        return this.#map(size, (map, why) => this.#c.ssgi_environment_cone(map, size, this.#floats(rgb), width, height,
-                                                                           cosine, why));
+        const rim = number('cosine', cosine);
+        return this.#made('size', size, map => {
+            const from = this.#image(rgb, width, height);
+            this.#try(why => this.#c.ssgi_environment_cone(map, size, from, width, height, rim, why));
+        });
     }
     residual(size, map, coefficients, bands) {
-        return this.#map(size, (at, why) => {
-            this.#bytes(at, 12 * size * size).set(new Uint8Array(map.buffer, map.byteOffset, 12 * size * size));
-            return this.#c.ssgi_sh_residual(at, size, this.#floats(coefficients), bands, 0, 0, why);
+        return this.#made('size', size, at => {
+            this.#setFloats(at, numbers('map', map, 3 * size * size, 3 * size * size));
+            const from = this.#coefficients(coefficients, bands);
+            this.#try(why => this.#c.ssgi_sh_residual(at, size, from, bands, 0, 0, why));
         });
     }
     projectEquirect(bands, rgb, width, height) {
-        return this.#scope(() => {
-            const out = this.#room(12 * bands * bands), from = this.#floats(rgb);
+        return this.#made('bands', bands, out => {
+            const from = this.#image(rgb, width, height);
             this.#try(why => this.#c.ssgi_sh_project_equirect(out, bands, from, width, height, why));
-            return new Float32Array(this.#bytes(out, 12 * bands * bands).slice().buffer);
         });
     }
 
     /* ---- rays against triangles: position xyz a vertex; index three a triangle, null: vertices in order. What it
-       takes is kept for as long as this Ssgi is. */
+       takes is kept for as long as this Ssgi is. As in C, triangles and rays with a number that is not finite are
+       never hit and hit nothing. */
     trace(position, index = null) {
-        const triangles = (index ?? position).length / (index ? 3 : 9), size = this.#c.ssgi_trace_size(triangles);
-        const trace = this.#room(this.#at.ssgi_trace), ray = this.#room(24), hit = this.#room(this.#at.ssgi_hit);
-        const memory = this.#room(size);
-        this.#scope(() => {
-            const p = this.#floats(position);
-            const i = index ? this.#copy(new Uint8Array(Uint32Array.from(index).buffer)) : 0;
-            this.#try(why => this.#c.ssgi_trace_build(trace, memory, size, p, 12, i, triangles, why));
+        const triangles = this.#triangles(position, index), size = this.#c.ssgi_trace_size(triangles) >>> 0;
+        const [trace, ray, hit] = this.#kept(() => {
+            const all = [this.#at.ssgi_trace, 24, this.#at.ssgi_hit].map(n => this.#room(n));
+            const memory = this.#room(size, 'position');
+            this.#scope(() => {
+                const p = this.#floats('position', position);
+                const i = index ? this.#copy(new Uint8Array(Uint32Array.from(index).buffer)) : 0;
+                this.#try(why => this.#c.ssgi_trace_build(all[0], memory, size, p, 12, i, triangles, why));
+            });
+            return all;
         });
         let floats = new Float32Array(0), ints;
-        const send = (origin, direction) => {
+        const send = (origin, direction, tmin, tmax) => {
+            if (origin?.length !== 3 || direction?.length !== 3) fail('origin, direction: must be three numbers each');
+            if (typeof tmin !== 'number' || typeof tmax !== 'number') fail('tmin, tmax: must be numbers');
             if (!floats.length) {                           /* it was another's memory that grew */
                 floats = new Float32Array(this.#c.memory.buffer);
                 ints = new Uint32Array(this.#c.memory.buffer);
@@ -200,16 +279,30 @@ export class Ssgi {
         return {
             triangles,
             any: (origin, direction, tmin, tmax) => {
-                send(origin, direction);
+                send(origin, direction, tmin, tmax);
                 return this.#c.ssgi_trace_any(trace, ray, ray + 12, tmin, tmax) === 1;
             },
             closest: (origin, direction, tmin, tmax) => {
-                send(origin, direction);
+                send(origin, direction, tmin, tmax);
                 if (!this.#c.ssgi_trace_closest(trace, ray, ray + 12, tmin, tmax, hit)) return null;
                 const at = hit >> 2;
                 return { t: floats[at], u: floats[at + 1], v: floats[at + 2], triangle: ints[at + 3] };
             }
         };
+    }
+
+    /* How many there are, of corners that are there. */
+    #triangles(position, index) {
+        const [of, what] = index === null ? [9, 'triangle'] : [3, 'vertex'];
+        const places = numbers('position', position).length;
+        if (!places || places % of) fail(`position: must have ${of} numbers a ${what}, has ${places}`);
+        if (index === null) return places / 9;
+        const corners = numbers('index', index).length, vertices = places / 3;
+        if (corners % 3) fail(`index: must have 3 numbers a triangle, has ${corners}`);
+        for (let i = 0; i < corners; ++i)
+            if (!(Number.isInteger(index[i]) && index[i] >= 0 && index[i] < vertices))
+                fail(`index[${i}]: must be a vertex, 0..${vertices - 1}, is ${String(index[i])}`);
+        return corners / 3;
     }
 
     /* ---- memory: what a call needs is taken from #top on, and given back when its scope ends */
@@ -218,11 +311,20 @@ export class Ssgi {
         const top = this.#top;
         try { return body(); } finally { this.#top = top; }
     }
-    #room(bytes) {
-        const at = (this.#top + 15) & ~15, memory = this.#c.memory;
-        this.#top = at + bytes;
-        const lacking = this.#top - memory.buffer.byteLength;
-        if (lacking > 0) memory.grow(Math.ceil(lacking / 65536));
+    /* Given back only if it fails. */
+    #kept(body) {
+        const top = this.#top;
+        try { return body(); } catch (e) { this.#top = top; throw e; }
+    }
+    /* what: the argument that it is for, to be named where there is no such room */
+    #room(bytes, what = 'memory') {
+        const at = Math.ceil(this.#top / 16) * 16, end = at + bytes, memory = this.#c.memory;
+        const lacking = end - memory.buffer.byteLength, MB = Math.ceil(end / 2 ** 20);
+        if (end > memoryMost) fail(`${what}: would take ${MB} MB of memory, 2047 at most are there`);
+        if (lacking > 0)
+            try { memory.grow(Math.ceil(lacking / 65536)); }
+            catch { fail(`${what}: would take ${MB} MB of memory, more than this machine gives`); }
+        this.#top = end;
         this.#bytes(at, bytes).fill(0);
         return at;
     }
@@ -234,7 +336,20 @@ export class Ssgi {
         this.#bytes(at, bytes.byteLength).set(bytes);
         return at;
     }
-    #floats(numbers) { return this.#copy(new Uint8Array(Float32Array.from(numbers).buffer)); }
+    #setFloats(at, list) { this.#bytes(at, 4 * list.length).set(new Uint8Array(Float32Array.from(list).buffer)); }
+    #floats(name, list, least, most) {
+        const at = this.#room(4 * numbers(name, list, least, most).length, name);
+        this.#setFloats(at, list);
+        return at;
+    }
+    #view(view) { return this.#copy(opaque('view', view, this.#at.ssgi_view, 'view()')); }
+    #coefficients(list, bands) {
+        return this.#floats('coefficients', finite('coefficients', list), 3 * whole('bands', bands) ** 2, Infinity);
+    }
+    #image(rgb, width, height) {                            /* the library says what is wrong with sides below 1 */
+        const pixels = whole('width', width) > 0 && whole('height', height) > 0 ? width * height : 0;
+        return this.#floats('rgb', rgb, 3 * pixels);
+    }
     #string(at) {
         const all = new Uint8Array(this.#c.memory.buffer);
         return new TextDecoder().decode(all.subarray(at, all.indexOf(0, at)));
@@ -277,42 +392,48 @@ export class Ssgi {
             clear_to: new DataView(this.#c.memory.buffer).getFloat32(at + step.clear_to, true)
         };
     }
-    #map(size, call) {
+    /* The 3 * side^2 floats that body writes. */
+    #made(name, side, body) {
         return this.#scope(() => {
-            const map = this.#room(12 * size * size);
-            this.#try(why => call(map, why));
-            return new Float32Array(this.#bytes(map, 12 * size * size).slice().buffer);
+            const bytes = 12 * whole(name, side) ** 2, at = this.#room(bytes, name);
+            body(at);
+            return new Float32Array(this.#bytes(at, bytes).slice().buffer);
         });
     }
     #try(call) {
         const why = this.#room(4);
-        if (call(why)) throw new Error(this.#string(this.#int(why)));
+        if (call(why)) fail(this.#string(this.#int(why)));
     }
     #onFrame(frame, body) {
+        const { buffer } = object('frame', frame), { ssgi_gl_frame: size } = this.#at;
+        if (!(buffer instanceof ArrayBuffer && buffer.byteLength === size)) fail('frame: must be what frame() gave');
         this.#scope(() => {
-            const f = this.#copy(new Uint8Array(frame.buffer));
+            const f = this.#copy(new Uint8Array(buffer));
             body(f);
-            new Uint8Array(frame.buffer).set(this.#bytes(f, this.#at.ssgi_gl_frame));
+            new Uint8Array(buffer).set(this.#bytes(f, size));
         });
         return frame;
     }
 
     /* ---- a desc, by the names of its fields */
 
-    #desc(desc, d = this.#room(this.#at.ssgi_gl_desc)) {
-        for (const [name, value] of Object.entries(desc)) {
-            if (name in this.#strings) {
-                if (value != null)
-                    this.#setInt(d + this.#strings[name], this.#copy(new TextEncoder().encode(value + '\0')));
+    #desc(desc, d = this.#room(this.#at.ssgi_gl_desc), name = 'desc') {
+        for (const [field, value] of Object.entries(object(name, desc))) {
+            if (Object.hasOwn(this.#strings, field)) {
+                if (value != null) this.#setInt(d + this.#strings[field], this.#cString(`${name}.${field}`, value));
                 continue;
             }
-            const choice = this.choices.find(c => c.name === name);
-            if (!choice) throw new Error(`desc.${name}: there is no such field`);
-            const number = typeof value === 'string' ? choice.values.indexOf(value) : Number(value);
-            if (!Number.isInteger(number)) throw new Error(choice.sentence);
-            this.#setInt(d + choice.offset, number);
+            const choice = this.choices.find(c => c.name === field);
+            if (!choice) fail(`${name}.${field}: there is no such field`);
+            const at = typeof value === 'string' ? choice.values.indexOf(value) : int32(value);
+            if (at === null || (typeof value === 'string' && at < 0)) fail(choice.sentence);
+            this.#setInt(d + choice.offset, at);
         }
         return d;
+    }
+    #cString(name, value) {
+        if (typeof value !== 'string' || value.includes('\0')) fail(`${name}: must be a string, without a NUL`);
+        return this.#copy(new TextEncoder().encode(value + '\0'));
     }
     #good(desc) {
         const d = this.#desc(desc);

@@ -1,27 +1,13 @@
 /* page.mjs - the page: settings, the frame, what is written beside it. What is drawn of the library is in steps.mjs. */
 import { load } from './ssgi.mjs';
+import { behinds, defaults, methods, normals, presets, read, settings, sizes, views, write } from './settings.mjs';
 import { skies, equirect } from './sky.mjs';
 import { Drawer } from './steps.mjs';
 import { Show } from './show.mjs';
 import { exr } from './exr.mjs';
+import { fetchFile } from './fetch.mjs';
 
 const $ = id => document.getElementById(id), panel = $('panel'), canvas = $('canvas');
-const methods = {
-    none: { title: 'no occlusion' },
-    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness: 1 },
-    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness: 0.6 },
-    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness: 0.5 },
-    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness: 0.4, light: true },
-    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1,
-              light: true },
-    s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
-                                   restore: 'RATIO' }, thickness: 0.4, light: true }
-};
-const presets = { FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
-const defaults = { scene: 'room', sky: 'sky', sun: true, view: 'lit', a: 'hsao', p: 'BALANCED', b: 'none',
-                   q: 'BALANCED', radius: 0, behind: 'CONSTANT', thickness: -1,
-                   normals: 'SIGNED', history: false, bounce: false,
-                   size: 'auto', truth: false, split: 0.5, cam: '' };
 const set = { ...defaults };
 const most = 4096;                                  /* rays a pixel, after which the truth is left alone */
 
@@ -29,39 +15,24 @@ let ssgi, stage, drawer, show, truth, scenes = [], gl, software = false;
 let sides = [null, null];                           /* { run, key, frame number, .. } left and right */
 let buffers = null, size = { width: 0, height: 0 }, last = null, pending = 0, still = 0, frames = 0;
 let dirty = { scene: true, gather: true }, traced = null, clockless = false, environments = new Map(), errors = {};
+let readScene, readFile;                            /* of model.mjs, which comes when WebGL 2 is known to be here */
 
 /* ---- settings: in the address, in the panel */
 
+/* Returns what is wrong with it, for notice(): what cannot be had stays as it was. */
 function fromAddress() {
-    const given = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-    Object.assign(set, defaults);
-    for (const [name, value] of Object.entries(given)) {
-        if (!(name in defaults)) continue;
-        const kind = typeof defaults[name];
-        if (kind === 'boolean') set[name] = value === '1';
-        else if (kind === 'number') set[name] = Number.isFinite(+value) ? +value : defaults[name];
-        else set[name] = value;
-    }
-    if (!methods[set.a]) set.a = defaults.a;
-    if (!methods[set.b] && set.b !== 'truth' && set.b !== 'off') set.b = defaults.b;
-    for (const name of ['p', 'q']) if (!presets[set[name]]) set[name] = 'BALANCED';
-    if (!skies[set.sky]) set.sky = 'sky';
-    if (!['lit', 'ambient', 'difference'].includes(set.view)) set.view = 'lit';
-    if (!['CONSTANT', 'SOLID', 'BACK'].includes(set.behind)) set.behind = 'CONSTANT';
-    if (!['SIGNED', 'FROM_DEPTH'].includes(set.normals)) set.normals = 'SIGNED';
-    if (!/^(auto|\d{2,4}x\d{2,4})$/.test(set.size)) set.size = 'auto';
-    set.radius = Math.min(2, Math.max(-2, set.radius));
-    set.split = Math.min(1, Math.max(0, set.split));
+    const { set: all, wrong } = read(location.hash.slice(1), limits(), set);
+    Object.assign(set, all);
+    return wrong;
 }
-function address() {
-    const short = value => (typeof value === 'string' ? value : +Number(value).toFixed(3));
-    return Object.entries(set).filter(([name, value]) => value !== defaults[name])
-        .map(([name, value]) => `${name}=${short(value)}`).join('&');
+function limits() {
+    const side = Math.min(4096, gl.getParameter(gl.MAX_TEXTURE_SIZE), ...gl.getParameter(gl.MAX_VIEWPORT_DIMS));
+    return { scenes: scenes.map(s => s.name), side, pixels: software ? 1920 * 1080 : 3840 * 2160 };
 }
 let addressed = 0;
 function writeAddress() {
     clearTimeout(addressed);
-    addressed = setTimeout(() => history.replaceState(null, '', '#' + address()), 250);
+    addressed = setTimeout(() => history.replaceState(null, '', '#' + write(set)), 250);
 }
 const radius = () => stage.info.radius * 2 ** set.radius;
 const thickness = method => set.thickness < 0 ? methods[method]?.thickness ?? 0.6 : set.thickness;
@@ -70,11 +41,12 @@ const digits = v => v >= 100 ? v.toFixed(0) : v >= 10 ? v.toFixed(1) : v.toFixed
 
 function toPanel() {
     for (const control of panel.elements) {
-        if (!(control.name in set)) continue;
+        if (!Object.hasOwn(set, control.name)) continue;
         const value = set[control.name];
         if (control.type === 'checkbox') control.checked = value;
         else if (control.type === 'radio') control.checked = control.value === value;
         else if (control.name === 'thickness') control.value = thickness(set.a);
+        else if (control.name === 'size') showSize(control, value);
         else control.value = value;
     }
     const output = name => panel.elements[name].parentElement.querySelector('output');
@@ -97,6 +69,12 @@ function toPanel() {
     $('split').setAttribute('aria-valuenow', Math.round(100 * set.split));
 }
 
+/* Sizes that only an address names are added. */
+function showSize(select, value) {
+    if (![...select.options].some(o => o.value === value)) select.add(new Option(value));
+    select.value = value;
+}
+
 function options(select, entries) {
     select.replaceChildren(...entries.map(([value, text]) => new Option(text, value)));
 }
@@ -104,16 +82,16 @@ function options(select, entries) {
 function listen() {
     panel.addEventListener('input', ({ target }) => {
         const { name, type } = target;
-        if (!(name in set)) return;
+        if (!Object.hasOwn(set, name)) return;
         set[name] = type === 'checkbox' ? target.checked : type === 'range' ? +target.value : target.value;
+        notice();
         if (name === 'scene') { set.cam = ''; openScene(); }
         changed(name);
     });
     panel.addEventListener('submit', e => e.preventDefault());
-    addEventListener('hashchange', () => { fromAddress(); openScene(); changed(); });
+    addEventListener('hashchange', goToAddress);
     stage.controls.addEventListener('change', () => {
-        const at = v => v.toArray().map(x => +x.toPrecision(6)).join(',');
-        set.cam = `${at(stage.camera.position)},${at(stage.controls.target)}`;
+        set.cam = lookedFrom();
         dirty.scene = dirty.gather = true;
         writeAddress();
         request();
@@ -134,10 +112,10 @@ function listen() {
     });
     split.addEventListener('pointermove', e => { if (split.hasPointerCapture(e.pointerId)) move(e.clientX); });
     split.addEventListener('keydown', e => {
-        const way = { ArrowLeft: -1, ArrowRight: 1 }[e.key], box = shownBox();
+        const way = (e.key === 'ArrowRight') - (e.key === 'ArrowLeft'), box = shownBox();
         if (way) move(box.left + (set.split + way * 0.02) * box.width);
     });
-    $('home').onclick = () => { set.cam = ''; stage.look(stage.info.eye, stage.info.target); set.cam = ''; };
+    $('home').onclick = lookHome;
     $('open').onclick = () => $('file').click();
     $('file').onchange = ({ target }) => { if (target.files[0]) openFile(target.files[0]); target.value = ''; };
     const drop = $('drop');
@@ -150,7 +128,7 @@ function listen() {
     });
     $('link').onclick = async () => {
         clearTimeout(addressed);
-        history.replaceState(null, '', '#' + address());
+        history.replaceState(null, '', '#' + write(set));
         await copied($('link'), location.href);
     };
     $('read').onclick = readText;
@@ -178,9 +156,11 @@ async function copied(button, text) {
     setTimeout(() => { button.textContent = was; }, 1200);
 }
 
-function notice(sentence) {
-    $('notice').hidden = !sentence;
-    $('notice').textContent = sentence ?? '';
+/* A line each; none: there is nothing to say. */
+function notice(...sentences) {
+    const shown = sentences.slice(0, 3), more = sentences.length - shown.length;
+    $('notice').hidden = !shown.length;
+    $('notice').textContent = [...shown, ...(more ? [`and ${more} more`] : [])].join('\n');
 }
 
 function changed(name) {
@@ -195,39 +175,76 @@ function changed(name) {
 
 /* ---- scenes */
 
+/* What cannot be had of an address, a scene or a file is said, and scene and settings stay as they were. */
+function goToAddress() {
+    notice(...fromAddress());
+    const opened = openScene();
+    changed();
+    return opened;
+}
+
 let opening = 0;
 async function openScene() {
     const named = name => scenes.find(s => s.name === name), mine = ++opening;
-    const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0];
-    const looked = set.cam.split(',').map(Number);
-    if (stage.info !== info) {
-        set.scene = info.name;
-        await stage.fetch(info, 'scenes', () => mine === opening);
+    const info = named(set.scene) ?? named(defaults.scene) ?? scenes[0], { cam } = set;     /* show() looks elsewhere */
+    try {
+        const model = stage.info === info ? null : info.model ?? await readScene(`scenes/${info.name}.bin`);
+        if (mine !== opening) return;                   /* another was chosen meanwhile */
+        if (model) showModel(model, info);
+    } catch (e) {
         if (mine !== opening) return;
-        traced = truthGiven = null;
-        truth?.stop();
+        notice(e.message);
+        set.scene = stage.info?.name ?? info.name;
+        if (stage.info) set.cam = lookedFrom();
+        toPanel();
+        writeAddress();
+        return;
     }
-    if (looked.length === 6 && looked.every(Number.isFinite)) stage.look(looked.slice(0, 3), looked.slice(3));
-    else { stage.look(info.eye, info.target); set.cam = ''; }
+    set.scene = info.name;
+    if (cam) {
+        const at = cam.split(',').map(Number);
+        stage.look(at.slice(0, 3), at.slice(3));
+    } else lookHome();
     dirty.scene = dirty.gather = true;
     toPanel();
     request();
 }
+
 async function openFile(file) {
+    const mine = ++opening;
+    notice();
     try {
-        ++opening;
-        notice(null);
-        const info = await stage.open(file);
+        const { model, info } = await readFile(file);
+        if (mine !== opening) return;
         if (!scenes.some(s => s.name === 'file')) panel.elements.scene.add(new Option(info.title, 'file'));
-        scenes = [...scenes.filter(s => s.name !== 'file'), info];
+        scenes = [...scenes.filter(s => s.name !== 'file'), Object.assign(info, { model })];
         [...panel.elements.scene.options].find(o => o.value === 'file').text = info.title;
         set.scene = 'file';
-        set.cam = '';
-        traced = null;
-        truth?.stop();
+        showModel(model, info);
+        lookHome();
         dirty.scene = true;
         changed('scene');
-    } catch (e) { notice(e.message); }
+    } catch (e) {
+        if (mine !== opening) return;
+        notice(e.message);
+        if (stage.info?.name !== set.scene) openScene();    /* which was still on its way */
+    }
+}
+
+function showModel(model, info) {
+    stage.show(model, info);
+    traced = truthGiven = null;
+    truth?.stop();
+}
+
+function lookHome() {
+    stage.look(stage.info.eye, stage.info.target);
+    set.cam = '';
+}
+
+function lookedFrom() {
+    const at = v => v.toArray().map(x => +x.toPrecision(6)).join(',');
+    return `${at(stage.camera.position)},${at(stage.controls.target)}`;
 }
 
 /* ---- what the passes are given */
@@ -272,13 +289,15 @@ function lightOf(desc) {
     return given;
 }
 
+const farthestHalf = 65504;                         /* depths that 16 bits hold */
+
 /* The chain of a side, as settings have it. */
 function chainOf(name, preset) {
     const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
     const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, behind: set.behind }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
     return { desc: { ...d, ...(bounce && { bounce: 'SOLID_ANGLE' }) }, width: size.width, height: size.height, blur: 1,
-             history: +set.history, direct: +(bounce && set.sun) };
+             history: +set.history, direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
 }
 
 /* Until its programs are linked what was shown stays: true. */
@@ -353,6 +372,7 @@ function placeSplit() {
     $('split').style.left = `${box.left - frame.left + set.split * box.width}px`;
 }
 
+let failure = null;                                 /* of the last picture */
 function request() { pending ||= requestAnimationFrame(frame); }
 
 function frame() {
@@ -361,6 +381,7 @@ function frame() {
     try {
         if (draw()) first();
     } catch (e) {
+        failure = e;
         notice(e.message);
         console.error(e);
     }
@@ -412,7 +433,7 @@ function present(now) {
         t_truth: truthTexture(), t_left: a?.run.light, t_right: right?.run.light, t_left_bounce: a?.run.bounce,
         t_right_bounce: right?.run.bounce
     }, { sky: coefficients(3), world: now.world, ray: now.ray, kinds, light: +light, sun: +set.sun,
-         range: light ? 0.5 : 0.4, view: ['lit', 'ambient', 'difference'].indexOf(set.view),
+         range: light ? 0.5 : 0.4, view: views.indexOf(set.view),
          split: set.b === 'off' ? 1e6 : set.split * size.width });
     if (set.b !== 'off') placeSplit();
 }
@@ -489,19 +510,15 @@ let reader = null;
 function pixelsOf(side) {
     if (side.pixels) return side.pixels;
     const { width, height } = size, { light } = methods[side.name], n = width * height;
+    const bytes = side.run.format.type === gl.UNSIGNED_BYTE, all = new (bytes ? Uint8Array : Float32Array)(4 * n);
     reader ??= gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, reader);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, side.run.light, 0);
     gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-    if (light) {
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, side.pixels = new Float32Array(4 * n));
-    } else {
-        const bytes = new Uint8Array(4 * n);
-        gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-        side.pixels = new Float32Array(n);
-        for (let i = 0; i < n; ++i) side.pixels[i] = bytes[4 * i] / 255;
-    }
+    gl.readPixels(0, 0, width, height, gl.RGBA, bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, all);
+    side.pixels = light ? all : new Float32Array(n);
+    for (let i = 0; i < n && !light; ++i) side.pixels[i] = all[4 * i] / (bytes ? 255 : 1);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return side.pixels;
 }
@@ -594,17 +611,27 @@ const page = globalThis.page = { set, first: null, lacks: null, result: i => ({ 
                                  error: i => errors[i] ?? null, rays: () => truth?.rays ?? 0,
                                  ms: i => sides[i]?.ms ?? null,
                                  settled: () => still >= 32,
-                                 frame: () => [frameFile(), stage.camera.fov, radius()] };
+                                 frame: () => [frameFile(), stage.camera.fov, radius()],
+                                 limits, picture };
 page.drawn = new Promise(resolve => { page.ready = resolve; });
 /* Settings as the address has them; resolves when they are drawn. */
 page.go = async hash => {
     history.replaceState(null, '', '#' + hash);
-    fromAddress();
-    await openScene();
+    await goToAddress();
     changed();
     const was = frames;
-    while (frames === was) await new Promise(requestAnimationFrame);
+    failure = null;
+    while (frames === was && !failure) await new Promise(requestAnimationFrame);
+    if (failure) throw failure;
 };
+
+/* What is on the canvas, four bytes a pixel: drawn once more, as browsers do not keep it. */
+function picture() {
+    const all = new Uint8Array(4 * size.width * size.height);
+    present(last);
+    gl.readPixels(0, 0, size.width, size.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    return all;
+}
 
 function lacks() {
     const probe = document.createElement('canvas').getContext('webgl2');
@@ -623,12 +650,14 @@ function lacks() {
 async function start() {
     page.lacks = lacks();
     if (page.lacks) { notice(page.lacks); return; }
-    fromAddress();
-    const wasm = load(), list = fetch('scenes/scenes.json').then(answer => answer.json());
-    const { Stage } = await import('./stage.mjs');
+    const [{ Stage }, model, wasm, list] = await Promise.all([
+        import('./stage.mjs'), import('./model.mjs'), load(),
+        fetchFile('scenes/scenes.json').then(answer => answer.json())]);
+    ({ readScene, readFile } = model);
+    ssgi = wasm;
+    scenes = list;
     stage = new Stage(canvas);
     gl = stage.gl;
-    [ssgi, scenes] = await Promise.all([wasm, list]);
     drawer = new Drawer(gl, ssgi);
     show = new Show(gl, drawer);
     const named = Object.entries(methods).map(([name, { title }]) => [name, title]);
@@ -637,6 +666,15 @@ async function start() {
     options(panel.elements.a, named);
     options(panel.elements.b, [['off', 'the same'], ...named, ['truth', 'truth, ray-traced']]);
     for (const name of ['p', 'q']) options(panel.elements[name], Object.entries(presets));
+    options(panel.elements.behind, Object.entries(behinds));
+    options(panel.elements.normals, Object.entries(normals));
+    options(panel.elements.size, [['auto', 'as shown'], ...sizes.map(size => [size, size])]);
+    for (const control of panel.elements) {
+        if (control.type !== 'range') continue;
+        control.min = settings[control.name].least;
+        control.max = settings[control.name].most;
+    }
+    notice(...fromAddress());
     listen();
     panel.inert = false;
     fit();

@@ -21,6 +21,7 @@ const windows = [
 
 /* Radiance of a unit direction, written to out. */
 export const skies = {
+    __proto__: null,
     sky: { title: 'Clear sky', radiance([x, y, z], out) {
         const off = 1 - (x * 0.5792280 + y * 0.5735764 + z * 0.5792280);
         const high = 1 - (1 - Math.max(0, y)) ** 3, nearSun = 2 ** (-off / 0.0603074);

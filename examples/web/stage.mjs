@@ -17,7 +17,7 @@ function seen(material) {
     return material;
 }
 
-const lambert = from => seen(new THREE.MeshLambertMaterial({
+export const lambert = from => seen(new THREE.MeshLambertMaterial({
     color: from.color ?? 0xcccccc, map: from.map ?? null, normalMap: from.normalMap ?? null,
     alphaTest: from.alphaTest || (from.transparent ? 0.5 : 0), vertexColors: from.vertexColors ?? false,
     side: THREE.DoubleSide, shadowSide: THREE.DoubleSide
@@ -62,54 +62,7 @@ export class Stage {
         this.#back = new THREE.WebGLRenderTarget(width, height, { ...nearest, depthTexture: depth() });
     }
 
-    /* A file of scenes.c. */
-    async fetch(info, folder, wanted = () => true) {
-        const answer = await fetch(`${folder}/${info.name}.bin`);
-        if (!answer.ok) throw new Error(`${info.name}.bin: ${answer.status} ${answer.statusText}`);
-        const file = await answer.arrayBuffer();
-        if (!wanted()) return;                              /* another was chosen meanwhile */
-        const [vertices, indices] = new Uint32Array(file, 0, 2);
-        const geometry = new THREE.BufferGeometry();
-        const at = [8, 8 + 12 * vertices, 8 + 20 * vertices, 8 + 28 * vertices];
-        const fours = (Type, offset) => new THREE.InterleavedBufferAttribute(
-            new THREE.InterleavedBuffer(new Type(file, offset, 4 * vertices), 4), 3, 0, true);
-        geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(file, at[0], 3 * vertices), 3));
-        geometry.setAttribute('normal', fours(Int16Array, at[1]));
-        geometry.setAttribute('color', fours(Uint16Array, at[2]));
-        geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(file, at[3], indices), 1));
-        this.show(new THREE.Mesh(geometry, lambert({ color: 0xffffff, vertexColors: true })), info);
-    }
-
-    /* An OBJ or glTF of the visitor's, on a floor. Readers are fetched when they are wanted. */
-    async open(file) {
-        const name = file.name.toLowerCase(), load = which => import(`three/addons/loaders/${which}.js`);
-        let model;
-        if (name.endsWith('.obj')) {
-            model = new (await load('OBJLoader')).OBJLoader().parse(await file.text());
-        } else if (name.endsWith('.glb') || name.endsWith('.gltf')) {
-            const { GLTFLoader } = await load('GLTFLoader');
-            model = (await new GLTFLoader().parseAsync(await file.arrayBuffer(), '')).scene;
-        } else throw new Error(`${file.name}: must be .obj, .glb or .gltf`);
-        model.updateMatrixWorld(true);
-        model.traverse(part => {
-            if (!part.isMesh) return;
-            if (!part.geometry.attributes.normal) part.geometry.computeVertexNormals();
-            part.material = Array.isArray(part.material) ? part.material.map(lambert) : lambert(part.material);
-        });
-        const box = new THREE.Box3().setFromObject(model);
-        if (box.isEmpty()) throw new Error(`${file.name}: holds no triangles`);
-        const middle = box.getCenter(new THREE.Vector3()), wide = box.getSize(new THREE.Vector3()).length();
-        const floor = new THREE.Mesh(new THREE.PlaneGeometry(5 * wide, 5 * wide).rotateX(-Math.PI / 2),
-                                     lambert({ color: 0xe0e0e0 }));
-        floor.position.set(middle.x, box.min.y, middle.z);
-        const group = new THREE.Group().add(model, floor), eye = new THREE.Vector3(0.4, 0.32, 0.9);
-        eye.normalize().multiplyScalar(1.25 * wide).add(middle);
-        const info = { name: 'file', title: file.name, radius: wide / 10, fovy: 45, near: wide / 100, far: 10 * wide,
-                       eye: eye.toArray(), target: middle.toArray() };
-        this.show(group, info);
-        return info;
-    }
-
+    /* What is seen from now on: info tells where from, and the radius. */
     show(model, info) {
         if (this.#model) {
             this.scene.remove(this.#model);

@@ -66,7 +66,8 @@ export class Drawer {
 /* A chain with its targets, of one size. */
 class Run {
     #gl; #drawer; #block; #textures = []; #draws; #pending = []; #clocked = null;
-    light = null;                                   /* result: ambient visibility or light */
+    light = null;                                   /* result: ambient visibility or light; its format */
+    format = null;
     bounce = null;
     ms = [];                                        /* of each step, when clocked */
 
@@ -102,8 +103,8 @@ class Run {
 
     #results() {
         for (const { outputs } of this.steps)
-            for (const { result, texture } of outputs) {
-                if (result === 'LIGHT') this.light = this.#textures[texture][0];
+            for (const { result, texture, format } of outputs) {
+                if (result === 'LIGHT') { this.light = this.#textures[texture][0]; this.format = format; }
                 if (result === 'BOUNCE') this.bounce = this.#textures[texture][0];
             }
     }

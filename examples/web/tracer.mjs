@@ -106,15 +106,18 @@ function work() {
     setTimeout(work);                               /* after what was heard meanwhile: another job, or none */
 }
 
-onmessage = async ({ data }) => {
-    if (data.scene) {
-        job = trace = null;
-        const ssgi = await load();
-        trace = ssgi.trace(data.scene.position);
-        normal = data.scene.normal;
-        self.corner = data.scene.position;
-        postMessage({ ready: true });
-    } else if (data.job) {
+async function take(scene) {
+    job = trace = null;
+    const ssgi = await load();
+    trace = ssgi.trace(scene.position);
+    normal = scene.normal;
+    self.corner = scene.position;
+    postMessage({ ready: true });
+}
+
+onmessage = ({ data }) => {
+    if (data.scene) take(data.scene).catch(e => postMessage({ error: e.message }));
+    else if (data.job) {
         job = trace && { ...data.job, corner: self.corner };
         if (!working && job) work();
     } else job = null;

@@ -45,6 +45,7 @@ export class Truth {
     get busy() { return this.#job !== null; }
 
     #hear(worker, data) {
+        if (data.error) return this.changed(new Error(`the truth: ${data.error}`));
         if (data.ready) return this.#send([worker]);
         if (!this.#job || data.id !== this.#job.id) return;
         const { width, height } = this;

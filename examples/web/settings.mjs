@@ -1,0 +1,126 @@
+/* settings.mjs - what the page is set to, read from its address and written there. Pure: needs no page.
+
+   Tables have no prototype: words of the address are looked up in them, and "constructor" is in every other object. */
+import { skies } from './sky.mjs';
+
+export const methods = {
+    __proto__: null,
+    none: { title: 'no occlusion' },
+    ssao: { title: 'SSAO', desc: { pass: 'SSAO' }, thickness: 1 },
+    hsao: { title: 'HSAO', desc: { pass: 'HSAO' }, thickness: 0.6 },
+    march: { title: 'HSAO, march', desc: { pass: 'HSAO', search: 'MARCH' }, thickness: 0.5 },
+    ssdo: { title: 'SSDO', desc: { pass: 'SSDO', environment: 'MAP' }, thickness: 0.4, light: true },
+    points: { title: 'SSDO, points', desc: { pass: 'SSDO', search: 'POINTS', environment: 'MAP' }, thickness: 1,
+              light: true },
+    s3ho: { title: 'S3HO', desc: { pass: 'S3HO', environment: 'SH', bands: 4, shaded: 1, residual: 1,
+                                   restore: 'RATIO' }, thickness: 0.4, light: true }
+};
+export const presets = { __proto__: null, FAST: 'fast', BALANCED: 'balanced', BEST: 'best' };
+export const views = ['lit', 'ambient', 'difference'];
+export const behinds = { __proto__: null, CONSTANT: 'constant', SOLID: 'unlimited', BACK: 'to the back face' };
+export const normals = { __proto__: null, SIGNED: 'of the G-buffer', FROM_DEPTH: 'from depth' };
+export const sizes = ['480x270', '640x360', '960x540', '1280x720', '1920x1080'];
+
+/* ---- kinds of settings: read: the value of a text, or undefined; must: what would be right */
+
+const word = (initial, words) => ({
+    initial,
+    read: text => (words.includes(text) ? text : undefined),
+    must: () => `must be one of ${words.join(', ')}`
+});
+
+const flag = initial => ({
+    initial,
+    read: text => (text === '0' || text === '1' ? text === '1' : undefined),
+    must: () => 'must be 0 or 1'
+});
+
+/* other: one value outside of them that means something else, by these words */
+const number = (initial, least, most, other = null, words = '') => ({
+    initial, least, most,
+    read(text) {
+        const value = text.trim() ? Number(text) : NaN;
+        return (value >= least && value <= most) || value === other ? value : undefined;
+    },
+    must: () => `must be a number from ${least} to ${most}${words}`
+});
+
+/* The scenes are known when the page has fetched their list. */
+const scene = {
+    initial: 'room',
+    read: (text, { scenes }) => (scenes.includes(text) ? text : undefined),
+    must: (text, { scenes }) => (text === 'file' ? 'must be opened again: a model of your own is in no address'
+        : `must be one of ${scenes.join(', ')}`)
+};
+
+const size = {
+    initial: 'auto',
+    read(text, { side, pixels }) {
+        const [, width, height] = /^([1-9]\d{0,5})x([1-9]\d{0,5})$/.exec(text) ?? [];
+        const fits = Math.min(width, height) >= 16 && Math.max(width, height) <= side && width * height <= pixels;
+        return text === 'auto' || fits ? text : undefined;
+    },
+    must: (text, { side, pixels }) =>
+        `must be auto or WIDTHxHEIGHT, 16 to ${side} pixels each, at most ${pixels} in all`
+};
+
+/* Eye and target. Beyond a billion float arithmetic has nothing left for a scene. */
+const camera = {
+    initial: '',
+    read(text) {
+        const at = text.split(',').map(part => (part.trim() ? Number(part) : NaN));
+        const good = at.length === 6 && at.every(v => Math.abs(v) <= 1e9) && [0, 1, 2].some(i => at[i] !== at[3 + i]);
+        return text === '' ? '' : good ? at.join(',') : undefined;
+    },
+    must: () => 'must be six numbers, an eye and a target elsewhere, -1e9 to 1e9'
+};
+
+export const settings = {
+    __proto__: null,
+    scene,
+    sky: word('sky', Object.keys(skies)),
+    sun: flag(true),
+    view: word('lit', views),
+    a: word('hsao', Object.keys(methods)),
+    p: word('BALANCED', Object.keys(presets)),
+    b: word('none', [...Object.keys(methods), 'truth', 'off']),
+    q: word('BALANCED', Object.keys(presets)),
+    radius: number(0, -2, 2),
+    behind: word('CONSTANT', Object.keys(behinds)),
+    thickness: number(-1, 0, 2, -1, ', or -1 for the method\'s own'),
+    normals: word('SIGNED', Object.keys(normals)),
+    history: flag(false),
+    bounce: flag(false),
+    size,
+    truth: flag(false),
+    split: number(0.5, 0, 1),
+    cam: camera
+};
+export const defaults = Object.fromEntries(Object.entries(settings).map(([name, { initial }]) => [name, initial]));
+
+/* What of an address a sentence repeats. */
+function quoted(text) {
+    const all = [...text.replace(/\p{Cc}|\p{Cs}/gu, '\ufffd')];
+    return all.length > 40 ? `${all.slice(0, 40).join('')}…` : all.join('');
+}
+
+/* { set, wrong }: all settings, and a sentence for each that cannot be had, which stays as in before. hash: the address
+   after its #; of a name that is repeated the last counts. limits: { scenes: names, side, pixels: of a picture } */
+export function read(hash, limits, before = defaults) {
+    const set = { ...defaults }, wrong = [];
+    for (const [name, text] of new URLSearchParams(hash)) {
+        const setting = settings[name], value = setting?.read(text, limits);
+        if (value !== undefined) { set[name] = value; continue; }
+        if (setting) set[name] = before[name];
+        wrong.push(setting ? `${name}=${quoted(text)}: ${setting.must(text, limits)}`
+            : `${quoted(name)}: there is no such setting`);
+    }
+    return { set, wrong };
+}
+
+/* The address of what is not as by default. */
+export function write(set) {
+    const short = value => (typeof value === 'string' ? value : +Number(value).toFixed(3));
+    return Object.entries(set).filter(([name, value]) => value !== defaults[name])
+        .map(([name, value]) => `${name}=${short(value)}`).join('&');
+}
