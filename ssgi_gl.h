@@ -598,6 +598,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_FAR", __LINE__ + 1,
     "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
 
+{ "SSGI_PI", __LINE__ + 1,
+    "const float SSGI_PI = 3.14159265;\n" },
+
+{ "SSGI_OVER_PI", __LINE__ + 1,
+    "const float SSGI_OVER_PI = 0.31830989;\n" },
+
 { "ssgi_inside", __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
     "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
@@ -803,6 +809,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* ---- what senders write, one fetch a sample */
+
 { "ssgi_unpack_radiance", __LINE__ + 1,
     "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
     "vec3 ssgi_unpack_radiance(uint u) {\n"
@@ -857,15 +864,21 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return u_ssgi_thickness; // #if pass != LIGHTS\n"
     "}\n" },
 
-{ "ssgi_deep", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face\n"
-    "// is the visible surface (to half precision), and surfaces without a back face have ssgi_thickness().\n"
-    "vec2 ssgi_deep(vec2 z, vec2 back, vec2 least) {\n"
-    "    bvec2 ends = bvec2(back.x > z.x * 1.0005 && back.x < SSGI_FAR, back.y > z.y * 1.0005 && back.y < SSGI_FAR);\n"
-    "    return max(min(mix(vec2(ssgi_thickness()), back - z, ends), u_ssgi_radius), least);\n"
+{ "SSGI_SHEET", __LINE__ + 1,
+    "// a back face no farther behind the front than this, of its depth, is the front itself: half precision\n"
+    "const float SSGI_SHEET = 0.0005;\n" },
+
+{ "ssgi_slab_thickness", __LINE__ + 1,
+    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
+    "// surface, and surfaces without a back face have ssgi_thickness().\n"
+    "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
+    "    vec2 front = z * (1.0 + SSGI_SHEET);\n"
+    "    bvec2 closed = bvec2(back.x > front.x && back.x < SSGI_FAR, back.y > front.y && back.y < SSGI_FAR);\n"
+    "    return max(min(mix(vec2(ssgi_thickness()), back - z, closed), u_ssgi_radius), least);\n"
     "}\n" },
 
 /* ---- the occluder: what it sends, its distance */
+
 { "ssgi_P", __LINE__ + 1,
     "vec3 ssgi_P; // the receiver\n" },
 
@@ -886,30 +899,37 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_sender_place", __LINE__ + 1,
     "uint ssgi_sender_place; // its normal, packed\n" },
 
-{ "ssgi_held", __LINE__ + 1,
-    "// what layer j of camera v holds at a pixel: radiance, normal, view depth\n"
-    "uvec2 ssgi_held(int v, ivec2 p, int j) {\n"
+{ "ssgi_sender_texel", __LINE__ + 1,
+    "// what layer j of camera v sends at a pixel: radiance; normal, view depth\n"
+    "uvec2 ssgi_sender_texel(int v, ivec2 p, int j) {\n"
     "    if (v >= 0) return texelFetch(t_ssgi_view_senders, ivec3(p, v * SSGI_VIEW_LAYERS + j), 0).xy; // #if views\n"
     "    return texelFetch(t_ssgi_senders, ivec3(p + u_ssgi_target, j), 0).xy;\n"
     "}\n" },
 
-{ "ssgi_sent", __LINE__ + 1,
-    "vec3 ssgi_sent(uvec2 s, vec3 Q) { // radiance from a surface at Q to the receiver\n"
-    "#if bounce == PATCH\n"
-    "    vec3 d = ssgi_P - Q;\n"
-    "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
-    "    float r = -dot(ssgi_n, d), c = dot(normalize(ssgi_unpack_normal(s.y)), d);\n"
-    "    c = abs(c); // #if two_sided\n"
-    "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
-    "    return ssgi_unpack_radiance(s.x) * (area * max(r, 0.0) * max(c, 0.0) / (dd * max(dd, least * least)));\n"
-    "#else\n"
+{ "ssgi_radiance_from", __LINE__ + 1,
+    "#if bounce != PATCH\n"
+    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) { // radiance from a sender at Q to the receiver\n"
     "    if (!(dot(ssgi_unpack_normal(s.y), ssgi_P - Q) > 0.0)) return vec3(0.0); // #if !two_sided\n"
     "    return ssgi_unpack_radiance(s.x);\n"
-    "#endif\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
 
-{ "ssgi_faded", __LINE__ + 1,
-    "float ssgi_faded(vec3 Q) { // weight of an occluder at Q in the depth buffer\n"
+{ "ssgi_radiance_from", __LINE__ + 1,
+    "#if bounce == PATCH\n"
+    "// radiance from a sender at Q to the receiver: of a patch of area pi r^2 / N, less pi / N [SSDO09 3]\n"
+    "vec3 ssgi_radiance_from(uvec2 s, vec3 Q) {\n"
+    "    vec3 d = ssgi_P - Q;\n"
+    "    float dd = max(dot(d, d), 1e-30), area = u_ssgi_radius * u_ssgi_radius * u_ssgi_gain;\n"
+    "    float receives = -dot(ssgi_n, d), sends = dot(normalize(ssgi_unpack_normal(s.y)), d);\n"
+    "    sends = abs(sends); // #if two_sided\n"
+    "    float least = u_ssgi_distance_clamp * u_ssgi_radius;\n"
+    "    float form = area * max(receives, 0.0) * max(sends, 0.0) / (dd * max(dd, least * least));\n"
+    "    return ssgi_unpack_radiance(s.x) * form;\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_fade_weight", __LINE__ + 1,
+    "float ssgi_fade_weight(vec3 Q) { // of an occluder at Q in the depth buffer\n"
     "    vec3 d = Q - ssgi_P;\n"
     "    float t = length(d) / u_ssgi_radius, weight = 1.0;\n"
     "    if (t > 1.0 || dot(d, ssgi_n) <= 0.0) return 0.0; // #if range\n"
@@ -936,14 +956,40 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_way", __LINE__ + 1,
     "vec3 ssgi_way; // from the receiver to the sample\n" },
 
-{ "ssgi_offer", __LINE__ + 1,
+{ "ssgi_offer_sender", __LINE__ + 1,
     "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
-    "void ssgi_offer(uvec2 s, vec3 Q) {\n"
-    "    vec3 L = ssgi_sent(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
+    "void ssgi_offer_sender(uvec2 s, vec3 Q) {\n"
+    "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
     "    if (gap >= ssgi_sender.w || L == vec3(0.0)) return;\n"
     "    ssgi_sender = vec4(L, gap);\n"
     "    ssgi_sender_place = s.y; // #if transfer\n"
+    "}\n" },
+
+{ "ssgi_solid", __LINE__ + 1,
+    "struct ssgi_solid { // two layers of a pixel: a solid's front and its back, SSGI_FAR where there is none\n"
+    "    float front, back;\n"
+    "    uvec2 front_sender, back_sender; // #if bounce\n"
+    "};\n" },
+
+{ "ssgi_solid_at", __LINE__ + 1,
+    "ssgi_solid ssgi_solid_at(int v, ivec2 p, int j, int layers) {\n"
+    "#if bounce\n"
+    "    uvec2 a = ssgi_sender_texel(v, p, j);\n"
+    "    uvec2 b = j + 1 < layers ? ssgi_sender_texel(v, p, j + 1) : uvec2(0xffffffffu);\n"
+    "    return ssgi_solid(ssgi_unpack_depth(a.y), ssgi_unpack_depth(b.y), a, b);\n"
+    "#else\n"
+    "    return ssgi_solid(ssgi_surface(v, p, j), j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR);\n"
+    "#endif\n"
+    "}\n" },
+
+{ "ssgi_solid_occludes", __LINE__ + 1,
+    "// weight of a solid that depth s at a pixel of camera v lies in\n"
+    "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
+    "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
+    "    if (a.back < SSGI_FAR) ssgi_offer_sender(a.back_sender, ssgi_point(v, p, a.back)); // #if bounce\n"
+    "    return ssgi_fade_weight(ssgi_point(v, p, s - a.front < a.back - s ? a.front : a.back)); // #if fade || range\n"
+    "    return 1.0; // #if !(fade || range)\n"
     "}\n" },
 
 { "ssgi_occupancy", __LINE__ + 1,
@@ -954,23 +1000,25 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float found = 0.0;\n"
     "    bool known = false;\n"
     "    for (int j = 0; j < layers; j += 2) {\n"
-    "        uvec2 a = ssgi_held(v, p, j); // #if bounce\n"
-    "        uvec2 b = j + 1 < layers ? ssgi_held(v, p, j + 1) : uvec2(0xffffffffu); // #if bounce\n"
-    "        float near = ssgi_unpack_depth(a.y), far = ssgi_unpack_depth(b.y); // #if bounce\n"
-    "        float near = ssgi_surface(v, p, j); // #if !bounce\n"
-    "        float far = j + 1 < layers ? ssgi_surface(v, p, j + 1) : SSGI_FAR; // #if !bounce\n"
-    "        float back = far;\n"
-    "        if (far >= SSGI_FAR) back = near + ssgi_thickness(); // #if behind != SOLID\n"
-    "        bool inside = !known && s > near && s < back;\n"
-    "        if (!known && s <= near - slack) found = -1.0;\n"
-    "        if (inside) ssgi_offer(a, ssgi_point(v, p, near)); // #if bounce\n"
-    "        if (inside && far < SSGI_FAR) ssgi_offer(b, ssgi_point(v, p, far)); // #if bounce\n"
-    "        if (inside) found = ssgi_faded(ssgi_point(v, p, s - near < far - s ? near : far)); // #if fade || range\n"
-    "        if (inside) found = 1.0; // #if !(fade || range)\n"
+    "        ssgi_solid a = ssgi_solid_at(v, p, j, layers);\n"
+    "        float back = a.back;\n"
+    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if behind != SOLID\n"
+    "        if (!known && s <= a.front - slack) found = -1.0;\n"
+    "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
     "        // within the slack in front of a surface is unknown, too\n"
-    "        known = known || s < back || far >= SSGI_FAR;\n"
+    "        known = known || s < back || a.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
+    "}\n" },
+
+{ "ssgi_occupancy_of_view", __LINE__ + 1,
+    "// what extra camera v knows of S: as ssgi_occupancy; 0 out of its picture\n"
+    "float ssgi_occupancy_of_view(int v, vec3 S) {\n"
+    "    vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
+    "    float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
+    "    ivec2 p = ivec2(floor(q.xy / unit)), size = ivec2(u_ssgi_view_size[v].xy);\n"
+    "    if (!(q.z > 0.0 && p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y)) return 0.0;\n"
+    "    return ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
     "}\n" },
 
 { "ssgi_blocked", __LINE__ + 1,
@@ -982,19 +1030,39 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float found = S.z < 0.0 && ssgi_inside(p) ? ssgi_occupancy(-1, p, -S.z, SSGI_LAYERS, 0.0) : 0.0;\n"
     "#if views\n"
     "    for (int v = 0; v < SSGI_VIEWS; ++v) { // a camera that sees S unoccluded overrides the others\n"
-    "        vec3 q = (u_ssgi_view_to[v] * vec4(S, 1.0)).xyz;\n"
-    "        float unit = u_ssgi_view_decode[v].w > 0.0 ? 1.0 : q.z;\n"
-    "        p = ivec2(floor(q.xy / unit));\n"
-    "        ivec2 size = ivec2(u_ssgi_view_size[v].xy);\n"
-    "        if (q.z > 0.0 && p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y) {\n"
-    "            float m = ssgi_occupancy(v, p, q.z, SSGI_VIEW_LAYERS, u_ssgi_view_size[v].z * unit);\n"
-    "            found = min(found, m) < 0.0 ? -1.0 : max(found, m);\n"
-    "        }\n"
+    "        float known = ssgi_occupancy_of_view(v, S);\n"
+    "        found = min(found, known) < 0.0 ? -1.0 : max(found, known);\n"
     "    }\n"
     "#endif\n"
     "    return max(found, 0.0);\n"
     "}\n"
     "#endif\n" },
+
+{ "ssgi_sending_depth", __LINE__ + 1,
+    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel's surface, which becomes the sender\n"
+    "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
+    "    float z = ssgi_unpack_depth(s.y);\n"
+    "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
+    "    ssgi_sender_place = s.y; // #if transfer\n"
+    "    return z;\n"
+    "}\n" },
+
+{ "ssgi_in_slabs", __LINE__ + 1,
+    "// whether depth s lies in a pixel's first slab, which begins at z, or in its second; z becomes that one's front\n"
+    "bool ssgi_in_slabs(ivec2 p, float s, inout float z) {\n"
+    "    vec3 back = ssgi_slabs(p);\n"
+    "    vec2 front = vec2(z, back.y);\n"
+    "    vec2 end_ = front + ssgi_slab_thickness(front, back.xz, vec2(ssgi_footprint(z)));\n"
+    "    bool first = s > z && s < end_.x;\n"
+    "#if behind == SLABS\n"
+    "    bool second = !first && s > back.y && s < end_.y;\n"
+    "    if (second) z = back.y;\n"
+    "    if (second) ssgi_sender.xyz = vec3(0.0); // its radiance is unknown // #if bounce\n"
+    "    return first || second;\n"
+    "#else\n"
+    "    return first;\n"
+    "#endif\n"
+    "}\n" },
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
@@ -1002,29 +1070,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
-    "    uvec2 s = ssgi_held(-1, p, 0); // #if bounce\n"
-    "    float z = ssgi_unpack_depth(s.y); // #if bounce\n"
-    "    ssgi_sender.xyz = ssgi_sent(s, ssgi_point(-1, p, z)); // #if bounce\n"
-    "    ssgi_sender_place = s.y; // #if bounce && transfer\n"
-    "    bool found = -S.z > z;\n"
-    "    found = found && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
-    "    vec3 back = ssgi_slabs(p); // #if behind > SOLID\n"
-    "    vec2 front = vec2(z, back.y); // #if behind > SOLID\n"
-    "    vec2 end_ = front + ssgi_deep(front, back.xz, vec2(ssgi_footprint(z))); // #if behind > SOLID\n"
-    "    found = found && -S.z < end_.x; // #if behind > SOLID\n"
-    "    bool second = !found && -S.z > back.y && -S.z < end_.y; // #if behind == SLABS\n"
-    "    if (second) ssgi_sender.xyz = vec3(0.0); // its radiance is unknown // #if bounce && behind == SLABS\n"
-    "    if (second) z = back.y; // #if (fade || range) && behind == SLABS\n"
-    "    found = found || second; // #if behind == SLABS\n"
+    "    float z = ssgi_sending_depth(p); // #if bounce\n"
+    "    bool found = -S.z > z; // #if behind == SOLID\n"
+    "    bool found = -S.z > z && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
+    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if behind > SOLID\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
-    "        ? ssgi_faded(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
+    "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
     "}\n"
     "#endif\n" },
-
 /* ==== >>harmonics: spherical-harmonic coefficients and their storage ============================================ */
 
 /* Coefficient 4w + k is lane k of word a, b, c, d. Lanes beyond the bands are 0. Twins of >>sh in ssgi.h. */
+
 { "ssgi_sh", __LINE__ + 1,
     "struct ssgi_sh { // coefficient 4w + k in lane k of word w\n"
     "    vec4 a;\n"
@@ -1057,6 +1115,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n"
     "    return y;\n"
     "}\n" },
+
+{ "SSGI_SH_AMBIENT", __LINE__ + 1,
+    "const float SSGI_SH_AMBIENT = 1.12837917; // ambient visibility per coefficient 0: 2 / sqrt(pi)\n" },
 
 { "SSGI_COSINE", __LINE__ + 1,
     "// zonal harmonics of the clamped cosine\n"
@@ -1239,7 +1300,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_ambient", __LINE__ + 1,
     "vec3 ssgi_ambient(ssgi_coefficients v) { // ambient visibility from the coefficients\n"
     "    vec3 a = vec3(v.c[0].a.x, v.c[1 % v.c.length()].a.x, v.c[2 % v.c.length()].a.x);\n"
-    "    return clamp(a * 1.12837917, 0.0, 1.0);\n"
+    "    return clamp(a * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
     "}\n" },
 
 { "ssgi_incoming", __LINE__ + 1,
@@ -1254,60 +1315,81 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// and all three, over pi, of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
-    "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * 0.31830989;\n"
+    "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
     "    e += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0) * ssgi_ambient(v); // #if residual\n"
     "    return e;\n"
     "}\n" },
 
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
+{ "SSGI_SUN", __LINE__ + 1,
+    "const float SSGI_SUN = 0.5; // ssgi_gl_light.kind is below\n" },
+
+{ "SSGI_POINT", __LINE__ + 1,
+    "const float SSGI_POINT = 1.5;\n" },
+
+{ "SSGI_SPOT", __LINE__ + 1,
+    "const float SSGI_SPOT = 2.5;\n" },
+
 { "ssgi_light", __LINE__ + 1,
-    "// l, d: direction and distance to a light; g: falloff, but for the receiver's cosine\n"
-    "struct ssgi_light { vec4 at, colour, facing; vec3 l; float d, g; };\n" },
+    "struct ssgi_light { // a row of t_ssgi_lights, as it shines on a point\n"
+    "    vec4 at, colour, facing;\n"
+    "    vec3 way; // unit, to it\n"
+    "    float distance, falloff; // falloff: all but the receiver's cosine\n"
+    "};\n" },
 
 { "ssgi_light_at", __LINE__ + 1,
-    "ssgi_light ssgi_light_at(int i, vec3 P) { // row i of t_ssgi_lights, as it shines on P\n"
+    "ssgi_light ssgi_light_at(int i, vec3 P) {\n"
     "    ssgi_light s;\n"
     "    s.at = texelFetch(t_ssgi_lights, ivec2(0, i), 0);\n"
     "    s.colour = texelFetch(t_ssgi_lights, ivec2(1, i), 0), s.facing = texelFetch(t_ssgi_lights, ivec2(2, i), 0);\n"
-    "    s.l = s.at.w > 0.5 ? s.at.xyz - P : s.at.xyz;\n"
-    "    float dd = max(dot(s.l, s.l), 1e-30);\n"
-    "    s.d = sqrt(dd), s.l /= s.d;\n"
-    "    s.g = s.at.w > 0.5 ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
-    "    if (s.at.w > 2.5) s.g *= max(-dot(s.facing.xyz, s.l), 0.0);\n"
+    "    s.way = s.at.w > SSGI_SUN ? s.at.xyz - P : s.at.xyz;\n"
+    "    float dd = max(dot(s.way, s.way), 1e-30);\n"
+    "    s.distance = sqrt(dd), s.way /= s.distance;\n"
+    "    s.falloff = s.at.w > SSGI_SUN ? 1.0 / max(dd, s.colour.w * s.colour.w) : 1.0;\n"
+    "    if (s.at.w > SSGI_SPOT) s.falloff *= max(-dot(s.facing.xyz, s.way), 0.0);\n"
     "    return s;\n"
     "}\n" },
 
-{ "ssgi_segment", __LINE__ + 1,
-    "// 1 if any point of a segment from the lifted receiver is occluded\n"
-    "float ssgi_segment(vec3 start, vec3 along, float xi) {\n"
-    "    for (int i = 0; i < SSGI_SAMPLES; ++i)\n"
-    "        if (ssgi_blocked(start + along * ((float(i + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
+{ "ssgi_segment_blocked", __LINE__ + 1,
+    "#if shadow == SEGMENT || shadow == FILL\n"
+    "// 1 if any point of the segment from P to light i is occluded; contact: as ssgi_shadow has it\n"
+    "float ssgi_segment_blocked(int i, vec3 P, vec3 n, ssgi_light s, float contact, float xi) {\n"
+    "    float reach = s.at.w > SSGI_SUN ? min(u_ssgi_radius, s.distance) : u_ssgi_radius;\n"
+    "    if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
+    "    // distances below a pixel are left to the map // #if shadow == FILL\n"
+    "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
+    "    ssgi_segment_length = reach; // #if behind != SOLID\n"
+    "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
+    "    xi = fract(xi + 0.61803399 * float(i)); // by the golden ratio: another offset for every light\n"
+    "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
+    "        if (ssgi_blocked(start + along * ((float(k + 1) - xi) / float(SSGI_SAMPLES))) > 0.0) return 1.0;\n"
     "    return 0.0;\n"
-    "}\n" },
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_shadow", __LINE__ + 1,
     "// 1 where the map of light i shadows P. Its texels are taken to lie below the surface by\n"
     "// the bias that keeps a plane from shadowing itself: half a texel's diagonal times the plane's slope against\n"
     "// the map. contact returns how far along the ray to the light the map sees what may be the plane itself or an\n"
     "// occluder that the bias loses, 0 where it sees neither, -1 where no map sees P [SSDO09 section 5, corrected]\n"
-    "float ssgi_shadow(int i, vec3 P, vec3 n, float d, float cosine, float patch_, out float contact) {\n"
+    "float ssgi_shadow(int i, vec3 P, vec3 n, ssgi_light s, float cosine, out float contact) {\n"
     "    vec4 decode = texelFetch(t_ssgi_lights, ivec2(6, i), 0), tile = texelFetch(t_ssgi_lights, ivec2(7, i), 0);\n"
     "    vec4 axis = texelFetch(t_ssgi_lights, ivec2(5, i), 0), Q = vec4(P, 1.0);\n"
     "    vec4 across = texelFetch(t_ssgi_lights, ivec2(3, i), 0), down = texelFetch(t_ssgi_lights, ivec2(4, i), 0);\n"
-    "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q));\n"
-    "    bool flat_ = decode.w > 0.0;\n"
-    "    vec2 t = floor(flat_ ? q.xy : q.xy / q.z);\n"
+    "    vec3 q = vec3(dot(across, Q), dot(down, Q), dot(axis, Q)); // texels (times depth if perspective), depth\n"
+    "    bool flat_ = decode.w > 0.0; // orthographic\n"
+    "    vec2 texel = floor(flat_ ? q.xy : q.xy / q.z);\n"
     "    contact = -1.0;\n"
-    "    if (q.z <= 0.0 || t.x < 0.0 || t.y < 0.0 || t.x >= tile.z || t.y >= tile.w) return 0.0;\n"
-    "    float facing = dot(n, axis.xyz), length_ = flat_ ? 1.0 : d / q.z; // of the ray, per depth\n"
-    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * length_), u_ssgi_max_slope);\n"
-    "    float size = flat_ ? patch_ : patch_ * q.z, b = size * 0.70710678 * slope;\n"
-    "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + t), 0).x);\n"
-    "    // plus the rounding of the map's depth and of P\n"
-    "    float slack = 0.02 * size + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
-    "    contact = max(q.z - slack - z, 0.0) * length_;\n"
-    "    return q.z - b - slack > z ? 1.0 : 0.0;\n"
+    "    if (q.z <= 0.0 || texel.x < 0.0 || texel.y < 0.0 || texel.x >= tile.z || texel.y >= tile.w) return 0.0;\n"
+    "    float facing = dot(n, axis.xyz), ray = flat_ ? 1.0 : s.distance / q.z; // its length per depth\n"
+    "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
+    "    float width = s.facing.w * (flat_ ? 1.0 : q.z), bias = width * 0.70710678 * slope;\n"
+    "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
+    "    // a fiftieth of a texel, the rounding of the map's depth, and that of P\n"
+    "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
+    "    contact = max(q.z - slack - z, 0.0) * ray;\n"
+    "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
     "}\n" },
 
 { "ssgi_lit", __LINE__ + 1,
@@ -1316,51 +1398,54 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 sum = vec3(0.0);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) {\n"
     "        ssgi_light s = ssgi_light_at(i, P);\n"
-    "        float cosine = dot(n, s.l), g = s.g * cosine;\n"
+    "        float cosine = dot(n, s.way), g = s.falloff * cosine;\n"
     "        if (cosine <= 0.0 || g <= 0.0) continue;\n"
+    "        float contact = -1.0; // #if shadow == SEGMENT\n"
     "#if shadow == MAP || shadow == FILL\n"
-    "        float contact, shadow = ssgi_shadow(i, P, n, s.d, cosine, s.facing.w, contact);\n"
-    "        int wider = s.at.w < 0.5 ? int(s.colour.w) : 0; // rows of this sun to come\n"
-    "        if (contact < 0.0 && (wider > 0 || (s.at.w > 1.5 && s.at.w < 2.5))) continue;\n"
+    "        float contact, shadow = ssgi_shadow(i, P, n, s, cosine, contact);\n"
+    "        int wider = s.at.w < SSGI_SUN ? int(s.colour.w) : 0; // rows of this sun to come\n"
+    "        if (contact < 0.0 && (wider > 0 || (s.at.w > SSGI_POINT && s.at.w < SSGI_SPOT))) continue;\n"
     "        i += wider;\n"
     "        if (shadow > 0.0) continue;\n"
     "#endif\n"
-    "#if shadow == SEGMENT || shadow == FILL\n"
-    "        float reach = s.at.w > 0.5 ? min(u_ssgi_radius, s.d) : u_ssgi_radius;\n"
-    "        if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
-    "        // distances below a pixel are left to the map // #if shadow == FILL\n"
-    "        if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
-    "        ssgi_segment_length = reach; // #if behind != SOLID\n"
-    "        g *= 1.0 - ssgi_segment(ssgi_lift(P, n), s.l * reach, fract(xi + 0.61803399 * float(i)));\n"
-    "#endif\n"
+    "        g *= 1.0 - ssgi_segment_blocked(i, P, n, s, contact, xi); // #if shadow == SEGMENT || shadow == FILL\n"
     "        sum += s.colour.xyz * g;\n"
     "    }\n"
     "    return sum;\n"
     "}\n" },
 
+{ "ssgi_receiver_depth", __LINE__ + 1,
+    "float ssgi_receiver_depth(ivec2 p) { // view depth of the layer that receives light\n"
+    "    return ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
+    "    return ssgi_depth(p); // #if !receiver\n"
+    "}\n" },
+
 { "main_lights", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    float z = ssgi_depth(p); // #if !receiver\n"
+    "    float z = ssgi_receiver_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n, ssgi_noise(p).y) * 0.31830989; // #if shadow == SEGMENT || shadow == FILL\n"
-    "    o_ssgi_light.xyz = ssgi_lit(P, n, 0.0) * 0.31830989; // #if shadow != SEGMENT && shadow != FILL\n"
+    "    float xi = ssgi_noise(p).y; // #if shadow == SEGMENT || shadow == FILL\n"
+    "    float xi = 0.0; // #if shadow != SEGMENT && shadow != FILL\n"
+    "    o_ssgi_light.xyz = ssgi_lit(P, n, xi) * SSGI_OVER_PI;\n"
     "    o_ssgi_light.xyz += texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if accumulate\n"
+    "}\n" },
+
+{ "ssgi_albedo", __LINE__ + 1,
+    "vec3 ssgi_albedo(ivec2 p) { // of the layer that receives light\n"
+    "    return texelFetch(t_ssgi_albedo, ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1), 0).xyz; // #if receiver\n"
+    "    return texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if !receiver\n"
     "}\n" },
 
 { "main_senders", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    float z = ssgi_depth(p); // #if !receiver\n"
+    "    float z = ssgi_receiver_depth(p);\n"
     "    o_ssgi_sender = uvec2(0u, 0xffffffffu);\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    ivec3 at = ivec3(p + u_ssgi_origin, SSGI_RECEIVER - 1); // #if radiance != DIRECT && receiver\n"
-    "    vec3 sum = texelFetch(t_ssgi_albedo, at, 0).xyz; // #if radiance != DIRECT && receiver\n"
-    "    vec3 sum = texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if radiance != DIRECT && !receiver\n"
+    "    vec3 sum = ssgi_albedo(p); // #if radiance != DIRECT\n"
     "    vec3 sum = vec3(0.0); // #if radiance == DIRECT\n"
     "    sum *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if radiance == LIGHT || radiance == BOTH\n"
     "    sum += texelFetch(t_ssgi_direct, p + u_ssgi_origin, 0).xyz; // #if radiance == DIRECT || radiance == BOTH\n"
@@ -1369,62 +1454,83 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_bent", __LINE__ + 1,
-    "// mean unoccluded direction (band 1), cosine c of the half-angle of a cone of its spread:\n"
-    "// cosine-weighted directions in it have a mean of length 2/3 (1 + c + c^2) / (1 + c) [SSBN11]\n"
+    "// Mean unoccluded direction, which is band 1 (2/3 sqrt(3/pi) of it), and the cosine c of the half-angle of a\n"
+    "// cone of its spread: cosine-weighted directions in it have a mean of length 2/3 (1 + c + c^2) / (1 + c)\n"
+    "// [SSBN11]\n"
     "vec4 ssgi_bent(ssgi_sh s) {\n"
-    "    vec3 m = s.a.wyz * 0.65147002;\n"
-    "    float l = length(m), q = clamp(3.0 * l / max(s.a.x * 1.12837917, 1e-6) - 2.0, 0.0, 1.0);\n"
-    "    return vec4(l > 1e-6 ? m / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
+    "    vec3 mean = s.a.wyz * 0.65147002;\n"
+    "    float l = length(mean), q = clamp(3.0 * l / max(s.a.x * SSGI_SH_AMBIENT, 1e-6) - 2.0, 0.0, 1.0);\n"
+    "    return vec4(l > 1e-6 ? mean / l : vec3(0.0, 0.0, 1.0), 0.25 * (q + sqrt(q * q + 8.0 * q)));\n"
     "}\n" },
 
 { "ssgi_light_harmonics", __LINE__ + 1,
     "// Irradiance by a light projected onto harmonics: its sphere's cap, windowed,\n"
     "// normalised so that an unoccluded surface facing it receives its full irradiance [S3HO12 2.2, normalised]\n"
     "vec3 ssgi_light_harmonics(ssgi_light s, ssgi_coefficients v, vec3 n) {\n"
-    "    float c = s.at.w > 0.5 ? sqrt(max(1.0 - s.colour.w * s.colour.w / (s.d * s.d), 0.0)) : 1.0;\n"
+    "    float radius = s.colour.w / s.distance; // sine of the cap's\n"
+    "    float c = s.at.w > SSGI_SUN ? sqrt(max(1.0 - radius * radius, 0.0)) : 1.0;\n"
+    "    // means of the Legendre polynomials over the cap\n"
     "    vec4 w = vec4(1.0, 0.5 + 0.5 * c, 0.5 * c * (1.0 + c), 0.125 * (1.0 + c) * (5.0 * c * c - 1.0));\n"
     "    w *= u_ssgi_window;\n"
     "    float open = 0.25 * w.x;\n"
     "    open += 0.5 * w.y; // #if bands > 1\n"
     "    open += 0.3125 * w.z; // #if bands > 2\n"
-    "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.l);\n"
+    "    ssgi_sh y = ssgi_sh_zonal(w * vec4(0.28209479, 0.48860251, 0.63078313, 0.74635267), s.way);\n"
     "    vec3 e;\n"
     "    for (int k = 0; k < 3; ++k) e[k] = ssgi_sh_dot(y, v.c[k % v.c.length()]) / open;\n"
-    "    float lost = max(dot(n, s.l), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
+    "    float lost = max(dot(n, s.way), 0.0) - ssgi_sh_dot(y, ssgi_sh_zonal(SSGI_COSINE, n)) / open; // #if residual\n"
     "    e += ssgi_ambient(v) * lost; // #if residual\n"
-    "    return s.colour.xyz * e * s.g;\n"
+    "    return s.colour.xyz * e * s.falloff;\n"
     "}\n" },
 
+{ "ssgi_shade", __LINE__ + 1,
+    "#if shading == HARMONICS\n"
+    "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // irradiance over pi by frame.harmonics\n"
+    "    return ssgi_irradiance(v, n);\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_shade", __LINE__ + 1,
+    "#if shading != HARMONICS\n"
+    "vec3 ssgi_shade(ssgi_coefficients v, vec3 n) { // irradiance over pi along the mean unoccluded direction\n"
+    "    float visibility = clamp(v.c[0].a.x * SSGI_SH_AMBIENT, 0.0, 1.0);\n"
+    "    vec4 bent = ssgi_bent(v.c[0]);\n"
+    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz;\n"
+    "    return visibility * ssgi_irradiance_map(axis, 0); // #if shading == BENT_NORMAL\n"
+    "#if shading == BENT_CONE\n"
+    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1;\n"
+    "    float slice = min(bent.w * float(last + 1), float(last));\n"
+    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last));\n"
+    "    return visibility * mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice));\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n" },
+
 { "ssgi_shaded", __LINE__ + 1,
-    "// irradiance over pi from the coefficients of a receiver\n"
+    "// irradiance over pi from the coefficients of a receiver, by all that shines\n"
     "vec3 ssgi_shaded(ssgi_coefficients v, vec3 P, vec3 n) {\n"
-    "    vec3 sum = ssgi_irradiance(v, n); // #if shading == HARMONICS\n"
-    "    vec3 sum = vec3(clamp(v.c[0].a.x * 1.12837917, 0.0, 1.0)); // #if shading != HARMONICS\n"
-    "    vec4 bent = ssgi_bent(v.c[0]); // #if shading != HARMONICS\n"
-    "    vec3 axis = transpose(u_ssgi_rotation) * bent.xyz; // #if shading != HARMONICS\n"
-    "    sum *= ssgi_irradiance_map(axis, 0); // #if shading == BENT_NORMAL\n"
-    "    int last = textureSize(t_ssgi_irradiance, 0).z - 1; // #if shading == BENT_CONE\n"
-    "    float slice = min(bent.w * float(last + 1), float(last)); // #if shading == BENT_CONE\n"
-    "    vec3 narrow = ssgi_irradiance_map(axis, min(int(slice) + 1, last)); // #if shading == BENT_CONE\n"
-    "    sum *= mix(ssgi_irradiance_map(axis, int(slice)), narrow, fract(slice)); // #if shading == BENT_CONE\n"
+    "    vec3 sum = ssgi_shade(v, n);\n"
     "    for (int i = 0; i < u_ssgi_lights; ++i) // #if lights\n"
-    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * 0.31830989; // #if lights\n"
+    "        sum += ssgi_light_harmonics(ssgi_light_at(i, P), v, n) * SSGI_OVER_PI; // #if lights\n"
     "    return sum;\n"
     "}\n" },
 
-{ "ssgi_open", __LINE__ + 1,
-    "vec3 ssgi_open(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
-    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if environment == MAP\n"
-    "    ssgi_coefficients v; // #if environment != MAP\n"
-    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment != MAP\n"
-    "    return ssgi_shaded(v, P, n); // #if environment != MAP\n"
+{ "ssgi_open_light", __LINE__ + 1,
+    "vec3 ssgi_open_light(vec3 P, vec3 n) { // unoccluded irradiance over pi\n"
+    "#if environment == MAP\n"
+    "    return ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0);\n"
+    "#else\n"
+    "    ssgi_coefficients v;\n"
+    "    for (int c = 0; c < v.c.length(); ++c) v.c[c] = ssgi_sh_zonal(SSGI_COSINE, n);\n"
+    "    return ssgi_shaded(v, P, n);\n"
+    "#endif\n"
     "}\n" },
 
-{ "ssgi_kept", __LINE__ + 1,
-    "vec3 ssgi_kept(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
+{ "ssgi_encode_for_filter", __LINE__ + 1,
+    "vec3 ssgi_encode_for_filter(vec3 light, vec3 P, vec3 n) { // what is written of its light: desc.restore\n"
     "    return max(light, 0.0); // #if !restore\n"
-    "    return clamp(light / max(ssgi_open(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    return light - ssgi_open(P, n); // #if restore == DIFFERENCE\n"
+    "    return clamp(light / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
+    "    return light - ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
     "}\n" },
 
 { "main_shade", __LINE__ + 1,
@@ -1432,20 +1538,63 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
     "    float z = ssgi_depth(p);\n"
-    "#if shading == BENT\n"
-    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
-    "#else\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z);\n"
     "    vec3 n = ssgi_normal(p, P); // #if residual || restore && (bands > 1 || shading)\n"
     "    vec3 n = vec3(0.0); // the coefficients alone tell // #if !(residual || restore && (bands > 1 || shading))\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n), P, n);\n"
+    "    vec3 light = ssgi_shaded(ssgi_load(ivec2(gl_FragCoord.xy)), P, n);\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz; // #if albedo\n"
-    "#endif\n"
     "}\n" },
 
-/* ==== >>gather: sampling around a pixel ========================================================================== */
+{ "main_bent", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = 2 * (ivec2(gl_FragCoord.xy) - u_ssgi_target / 2); // #if half\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
+    "    float z = ssgi_depth(p);\n"
+    "    o_ssgi_bent = z < SSGI_FAR ? ssgi_bent(ssgi_load(ivec2(gl_FragCoord.xy)).c[0]) : vec4(0.0);\n"
+    "}\n" },
+/* ==== >>gather: sampling around a pixel ========================================================================= */
+
+{ "ssgi_sums", __LINE__ + 1,
+    "struct ssgi_sums { // shares of the cosine-weighted hemisphere that are blocked, attenuated\n"
+    "    float all; // #if pass < SSDO\n"
+    "    vec3 dark; // of the environment: over pi (slices), over its sum (points) // #if environment == MAP\n"
+    "    ssgi_sh lobe; // the cosine lobe less what is blocked of it // #if environment == SH\n"
+    "    vec3 bounce; // what blocks sends // #if pass == SSDO && bounce\n"
+    "    ssgi_coefficients bounce; // the lobes of what blocks, times albedo // #if pass == S3HO && bounce\n"
+    "};\n" },
+
+{ "ssgi_sums_none", __LINE__ + 1,
+    "ssgi_sums ssgi_sums_none(vec3 n) { // n: the axis of the cosine lobe\n"
+    "    ssgi_sums sums;\n"
+    "    sums.all = 0.0; // #if pass < SSDO\n"
+    "    sums.dark = vec3(0.0); // #if environment == MAP\n"
+    "    sums.lobe = ssgi_sh_zonal(SSGI_COSINE, n); // #if environment == SH\n"
+    "    sums.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
+    "    sums.bounce = ssgi_coefficients_none(); // #if pass == S3HO && bounce\n"
+    "    return sums;\n"
+    "}\n" },
+
+{ "ssgi_reflected", __LINE__ + 1,
+    "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5], ours of solid angle\n"
+    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
+    "    o = normalize(o);\n"
+    "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
+    "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
+    "}\n" },
+
+{ "ssgi_attenuation", __LINE__ + 1,
+    "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
+    "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
+    "    d /= u_ssgi_radius; // #if !hard\n"
+    "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
+    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
+    "}\n" },
+
+/* ---- points along cosine-weighted directions [SSDO09 3, S3HO12 2.1]; the distribution of lengths attenuates */
 
 { "SSGI_KERNEL", __LINE__ + 1,
     "// ssgi_kernel: cosine-weighted directions about +z, w: length\n" },
@@ -1456,97 +1605,95 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return xi; // #if falloff != SQUARE\n"
     "}\n" },
 
-/* Points along cosine-weighted directions: one loop for ssao, ssdo and s3ho, whose occluded ones count differently. */
-{ "ssgi_reflected", __LINE__ + 1,
-    "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5]\n"
-    "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) { // ours of solid angle\n"
-    "    o = normalize(o);\n"
-    "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
-    "    ssgi_sh y = ssgi_sh_zonal(SSGI_COSINE, o);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], y, albedo[c]);\n"
-    "}\n" },
+{ "ssgi_points", __LINE__ + 1,
+    "struct ssgi_points { // samples of a receiver: where they start, what turns them, what moves them along\n"
+    "    vec3 start;\n"
+    "    mat3 basis;\n"
+    "    float offset;\n"
+    "    int row; // of t_ssgi_kernel // #if kernel\n"
+    "};\n" },
 
-{ "ssgi_gather", __LINE__ + 1,
-    "#if search == POINTS\n"
-    "// occlusion; the distribution of lengths attenuates by falloff // #if pass == SSAO\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSAO\n"
-    "    float sum = 0.0; // #if pass == SSAO\n"
-    "// the environment along open directions, senders' light along occluded ones [SSDO09 3] // #if pass == SSDO\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
-    "// from harmonics to irradiance: the cosine lobe less what is occluded [S3HO12 eq. 2] // #if pass == S3HO\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) { // #if pass == S3HO\n"
+{ "ssgi_points_of", __LINE__ + 1,
+    "ssgi_points ssgi_points_of(vec3 P, vec3 n, vec2 xi) {\n"
     "    ssgi_P = P; // #if fade || range || bounce && (!two_sided || bounce == PATCH || layers > 1 || views)\n"
     "    ssgi_n = n; // #if range || bounce == PATCH\n"
-    "    vec3 bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
-    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, vec3(0.0, 0.0, 1.0)); // #if environment == SH\n"
-    "    int row = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y)); // #if kernel\n"
-    "    mat3 basis = ssgi_basis(n); // #if kernel\n"
-    "    float a = 6.28318531 * xi.x, c = cos(a), s = sin(a); // #if !kernel\n"
-    "    mat3 basis = ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0); // #if !kernel\n"
-    "    mat3 world = transpose(u_ssgi_rotation) * basis; // #if environment == MAP\n"
-    "    vec3 all = vec3(0.0), dark = vec3(0.0); // #if environment == MAP\n"
-    "    vec3 start = ssgi_lift(P, n);\n"
-    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
-    "        vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, row), 0); // #if kernel\n"
-    "        vec4 k = SSGI_KERNEL[i]; // #if !kernel\n"
-    "#if steps > 1\n"
-    "        vec3 w = basis * k.xyz * u_ssgi_radius;\n"
-    "        float t = fract(k.w + xi.y), blocked = 0.0;\n"
-    "        for (int j = 0; j < SSGI_STEPS && blocked <= 0.0; ++j)\n"
-    "            blocked = ssgi_blocked(start + w * ssgi_length((float(j) + t) / float(SSGI_STEPS)));\n"
+    "#if kernel\n"
+    "    int row = int(xi.x * float(textureSize(t_ssgi_kernel, 0).y));\n"
+    "    return ssgi_points(ssgi_lift(P, n), ssgi_basis(n), xi.y, row);\n"
     "#else\n"
-    "        float t = u_ssgi_radius * ssgi_length(fract(k.w + xi.y));\n"
-    "        float blocked = ssgi_blocked(start + basis * k.xyz * t);\n"
+    "    float a = 2.0 * SSGI_PI * xi.x, c = cos(a), s = sin(a);\n"
+    "    return ssgi_points(ssgi_lift(P, n), ssgi_basis(n) * mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0), xi.y);\n"
     "#endif\n"
-    "        sum += blocked; // #if pass == SSAO\n"
-    "        float less = blocked * (-3.14159265 / float(SSGI_SAMPLES)); // #if environment == SH\n"
-    "        ssgi_sh_add(lobe, ssgi_sh_basis(k.xyz), less); // #if environment == SH\n"
-    "        vec3 L = ssgi_environment(world * k.xyz); // #if environment == MAP\n"
-    "        all += L, dark += L * blocked; // #if environment == MAP\n"
-    "        bounce += ssgi_sender.xyz * blocked; // #if pass == SSDO && bounce == SOLID_ANGLE\n"
-    "        // over the cosine pdf: pi r^2/N assumes uniform directions // #if pass == SSDO && bounce == PATCH\n"
-    "        bounce += ssgi_sender.xyz * (blocked * 0.5 / max(k.z, 0.05)); // #if pass == SSDO && bounce == PATCH\n"
-    "        vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)); // #if pass == S3HO && bounce\n"
-    "        vec3 o = ssgi_unpack_normal(ssgi_sender_place); // #if pass == S3HO && bounce\n"
-    "        if (blocked > 0.0) ssgi_reflected(v, o, basis * k.xyz, albedo); // #if pass == S3HO && bounce\n"
-    "    }\n"
-    "    return sum / float(SSGI_SAMPLES); // #if pass == SSAO\n"
-    "#if environment == SH\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
-    "    ssgi_sh_turn(lobe, basis);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
-    "#elif environment == MAP\n"
-    "    // the unoccluded share of the samples' light: exact without occlusion\n"
-    "    o_ssgi_light.xyz = 1.0 - dark / max(all, 1e-30);\n"
-    "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if !restore\n"
-    "    o_ssgi_light.xyz = (o_ssgi_light.xyz - 1.0) * ssgi_open(P, n); // #if restore == DIFFERENCE\n"
+    "}\n" },
+
+{ "ssgi_point_blocked", __LINE__ + 1,
+    "// occlusion of the points of direction i, which is about the normal, +z\n"
+    "float ssgi_point_blocked(ssgi_points s, int i, out vec3 direction) {\n"
+    "    vec4 k = texelFetch(t_ssgi_kernel, ivec2(i, s.row), 0); // #if kernel\n"
+    "    vec4 k = SSGI_KERNEL[i]; // #if !kernel\n"
+    "    direction = k.xyz;\n"
+    "    float t = fract(k.w + s.offset);\n"
+    "#if steps > 1\n"
+    "    vec3 way = s.basis * k.xyz * u_ssgi_radius;\n"
+    "    float blocked = 0.0;\n"
+    "    for (int j = 0; j < SSGI_STEPS && blocked <= 0.0; ++j)\n"
+    "        blocked = ssgi_blocked(s.start + way * ssgi_length((float(j) + t) / float(SSGI_STEPS)));\n"
+    "    return blocked;\n"
+    "#else\n"
+    "    return ssgi_blocked(s.start + s.basis * k.xyz * (u_ssgi_radius * ssgi_length(t)));\n"
     "#endif\n"
-    "    o_ssgi_bounce.xyz = bounce / float(SSGI_SAMPLES); // #if pass == SSDO && bounce\n"
+    "}\n" },
+
+{ "ssgi_add_bounce", __LINE__ + 1,
+    "#if pass == SSDO\n"
+    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
+    "    // over the cosine pdf: pi r^2/N assumes uniform directions // #if bounce == PATCH\n"
+    "    blocked *= 0.5 / max(direction.z, 0.05); // #if bounce == PATCH\n"
+    "    sums.bounce += ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES));\n"
     "}\n"
     "#endif\n" },
 
-{ "ssgi_surfel_radius", __LINE__ + 1,
-    "float ssgi_surfel_radius(float depth) {\n"
-    "    return u_ssgi_surfel.x; // #if orthographic\n"
-    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
-    "}\n" },
+{ "ssgi_add_bounce", __LINE__ + 1,
+    "#if pass == S3HO\n"
+    "void ssgi_add_bounce(inout ssgi_sums sums, vec3 direction, mat3 basis, float blocked) {\n"
+    "    vec3 albedo = ssgi_sender.xyz * (blocked / float(SSGI_SAMPLES)), o = ssgi_unpack_normal(ssgi_sender_place);\n"
+    "    if (blocked > 0.0) ssgi_reflected(sums.bounce, o, basis * direction, albedo);\n"
+    "}\n"
+    "#endif\n" },
 
-{ "ssgi_span", __LINE__ + 1,
-    "float ssgi_span; // how far slices see what surfels do not, view units\n" },
+{ "ssgi_gather", __LINE__ + 1,
+    "#if search == POINTS\n"
+    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    ssgi_sums sums = ssgi_sums_none(vec3(0.0, 0.0, 1.0));\n"
+    "    ssgi_points s = ssgi_points_of(P, n, xi);\n"
+    "    mat3 world = transpose(u_ssgi_rotation) * s.basis; // #if environment == MAP\n"
+    "    vec3 direction, light = vec3(0.0);\n"
+    "    for (int i = 0; i < SSGI_SAMPLES; ++i) {\n"
+    "        float blocked = ssgi_point_blocked(s, i, direction);\n"
+    "        sums.all += blocked / float(SSGI_SAMPLES); // #if pass < SSDO\n"
+    "        float less = blocked * (-SSGI_PI / float(SSGI_SAMPLES)); // #if environment == SH\n"
+    "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(direction), less); // #if environment == SH\n"
+    "        vec3 L = ssgi_environment(world * direction); // #if environment == MAP\n"
+    "        light += L, sums.dark += L * blocked; // #if environment == MAP\n"
+    "        ssgi_add_bounce(sums, direction, s.basis, blocked); // #if bounce\n"
+    "    }\n"
+    "    sums.dark /= max(light, 1e-30); // #if environment == MAP\n"
+    "    ssgi_sh_turn(sums.lobe, s.basis); // #if environment == SH\n"
+    "    return sums;\n"
+    "}\n"
+    "#endif\n" },
 
-{ "ssgi_near", __LINE__ + 1,
-    "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
-    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
-    "}\n" },
+{ "ssgi_map_light", __LINE__ + 1,
+    "#if search == POINTS\n"
+    "// light of the environment, as desc.restore wants it; exact without occlusion\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) {\n"
+    "    return (1.0 - dark) * ssgi_open_light(P, n); // #if !restore\n"
+    "    return 1.0 - dark; // #if restore == RATIO\n"
+    "    return -dark * ssgi_open_light(P, n); // #if restore == DIFFERENCE\n"
+    "}\n"
+    "#endif\n" },
 
-{ "ssgi_attenuation", __LINE__ + 1,
-    "float ssgi_attenuation(float d) { // an occluder's weight at a distance [HSAO08 3.5]\n"
-    "    return d < u_ssgi_radius ? 1.0 : 0.0; // #if hard\n"
-    "    d /= u_ssgi_radius; // #if !hard\n"
-    "    return max(1.0 - d, 0.0); // #if !hard && falloff == LINEAR\n"
-    "    return max(1.0 - d * d, 0.0); // #if !hard && falloff == SQUARE\n"
-    "}\n" },
+/* ---- the paper's march [HSAO08 3.1 to 3.3] */
 
 { "ssgi_ray", __LINE__ + 1,
     "// occlusion along one ray from the lifted receiver: the weight of the first occluded step\n"
@@ -1594,6 +1741,44 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return (1.0 - H * H) * sum / float(SSGI_NORMAL_RAYS);\n"
     "}\n" },
 
+{ "ssgi_gather", __LINE__ + 1,
+    "#if search == MARCH\n"
+    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // horizons of SSGI_DIRECTIONS tangents [HSAO08 eq. 6]\n"
+    "    mat3 basis = ssgi_basis(n);\n"
+    "    vec3 start = ssgi_lift(P, n);\n"
+    "    float sum = 0.0;\n"
+    "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
+    "        float a = 2.0 * SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
+    "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
+    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
+    "        sum += h.y;\n"
+    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
+    "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
+    "    }\n"
+    "    return ssgi_sums(sum / float(SSGI_DIRECTIONS));\n"
+    "}\n"
+    "#endif\n" },
+
+/* ---- The walk: planes through the view direction, from near to far [TLG23]. Each side has 32 sectors of equal
+   cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
+   distance; the surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors
+   between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over the
+   tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
+
+{ "ssgi_surfel_radius", __LINE__ + 1,
+    "float ssgi_surfel_radius(float depth) {\n"
+    "    return u_ssgi_surfel.x; // #if orthographic\n"
+    "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_span", __LINE__ + 1,
+    "float ssgi_span; // how far slices see what surfels do not, view units\n" },
+
+{ "ssgi_near", __LINE__ + 1,
+    "vec2 ssgi_near(vec2 d) { // share of slices at a distance\n"
+    "    return clamp(2.0 - 2.0 * d / ssgi_span, 0.0, 1.0);\n"
+    "}\n" },
+
 { "ssgi_arc", __LINE__ + 1,
     "// Occlusion of a slice's two sides from the tangent plane up to elevations with cosines c:\n"
     "// the integral of sin x cos(g - x), where g is the signed angle from the view direction to the projected\n"
@@ -1604,20 +1789,23 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return cosg * (1.0 - q) + sing * e;\n"
     "}\n" },
 
-/* The walk: planes through the view direction, from near to far. Each side has 32 sectors of equal cosine-weighted
-   measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its distance; the
-   surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors between them,
-   at their mean distance. n over the length l of its projection makes dot(d, n) the height over the tangent plane
-   within the slice: exactly 0 on a plane, wherever texels lie. Sines of elevation below SSGI_LEVEL count as 0, the
-   precision of 10-bit normals; beyond the zenith those below SSGI_OVER do: rounding, or a texel off the slice. */
 { "SSGI_LEVEL", __LINE__ + 1,
-    "const float SSGI_LEVEL = 0.004, SSGI_OVER = 0.4;\n" },
+    "const float SSGI_LEVEL = 0.004; // sines of elevation below this are 0: the precision of 10-bit normals\n" },
+
+{ "SSGI_OVER", __LINE__ + 1,
+    "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
     "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
 
-{ "ssgi_between", __LINE__ + 1,
-    "uvec2 ssgi_between(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
+{ "SSGI_UNSEEN", __LINE__ + 1,
+    "const float SSGI_UNSEEN = 0.25; // what the unseen side of a sender sends, of what is seen: measured\n" },
+
+{ "SSGI_SECOND", __LINE__ + 1,
+    "const float SSGI_SECOND = 0.5; // what a second slab sends, of the first: measured\n" },
+
+{ "ssgi_sectors", __LINE__ + 1,
+    "uvec2 ssgi_sectors(vec2 low, vec2 high) { // the sectors from low to high, a bit each\n"
     "    uvec2 a = uvec2(low), b = uvec2(high), one = uvec2(1u); // by halves, as shifts by 32 are undefined\n"
     "    return ((one << (b >> 1u)) << (b - (b >> 1u))) - ((one << (a >> 1u)) << (a - (a >> 1u)));\n"
     "}\n" },
@@ -1634,10 +1822,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slice", __LINE__ + 1,
-    "// In a slice: t in the tangent plane, up perpendicular to it; n: the normal over its\n"
-    "// projection's length; cosg, sing for ssgi_arc; sectors per measure, rounding noise, the hemisphere's share per\n"
-    "// sector; x (along t, or -t), y: change of a point's per depth on its ray (perspective: plus x, y over depth)\n"
-    "struct ssgi_slice { vec3 t, up, n; float cosg; vec2 sing, sectors, noise, share, x, y; };\n" },
+    "struct ssgi_slice {\n"
+    "    vec3 t, up, n; // t in the tangent plane, up perpendicular to it; n: the normal over its projection's length\n"
+    "    float cosg; // with sing, for ssgi_arc\n"
+    "    vec2 sing, sectors, noise, share; // sectors per measure, rounding noise, the hemisphere's share per sector\n"
+    "    vec2 x, y; // change of a point's x, y per depth on its ray (perspective: plus x, y over depth)\n"
+    "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
     "ssgi_slice ssgi_slice_of(vec3 P, vec3 V, vec3 along, vec3 normal, vec2 noise) {\n"
@@ -1657,242 +1847,276 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(vec2(0.0), clamp(ssgi_arc(c, s.cosg, s.sing) * s.sectors + s.noise, 0.0, 32.0), up);\n"
     "}\n" },
 
-{ "ssgi_behind", __LINE__ + 1,
+{ "ssgi_deepen", __LINE__ + 1,
     "// moves x, y, depth z along their rays, away from the viewer; returns their sectors\n"
-    "vec2 ssgi_behind(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
+    "vec2 ssgi_deepen(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 by) {\n"
     "    x += by * s.x, y += by * s.y; // #if orthographic\n"
     "    by /= z, x += by * (x + s.x), y += by * (y + s.y); // #if !orthographic\n"
     "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
     "    return ssgi_sector(s, x * r, greaterThan(y * r, vec2(SSGI_LEVEL)));\n"
     "}\n" },
 
-{ "ssgi_fresh", __LINE__ + 1,
-    "// covers an arc's sectors; counts those that were not, attenuated by a distance\n"
-    "vec2 ssgi_fresh(inout uvec2 mask, uvec2 arc, vec2 d) {\n"
+{ "ssgi_cover_sectors", __LINE__ + 1,
+    "// covers an arc's sectors; share of those that were not, attenuated by a distance\n"
+    "vec2 ssgi_cover_sectors(ssgi_slice s, inout uvec2 mask, uvec2 arc, vec2 d) {\n"
     "    vec2 fresh = ssgi_count(arc & ~mask);\n"
     "    mask |= arc;\n"
     "    fresh *= ssgi_near(d); // #if span\n"
-    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y));\n"
+    "    return fresh * vec2(ssgi_attenuation(d.x), ssgi_attenuation(d.y)) * s.share;\n"
     "}\n" },
 
-{ "ssgi_second", __LINE__ + 1,
-    "// the same for second slabs behind taps x, y, depth z; moves x, y to their front faces\n"
-    "vec2 ssgi_second(ssgi_slice s, inout vec2 x, inout vec2 y, vec2 z, vec2 slab0, vec2 slab1, vec2 gap, bvec2 in_,\n"
-    "                 inout uvec2 mask) {\n"
-    "    vec2 front = vec2(slab0.x, slab1.x), high = ssgi_behind(s, x, y, z, front - z), bx = x, by = y;\n"
-    "    vec2 low = min(ssgi_behind(s, bx, by, front, ssgi_deep(front, vec2(slab0.y, slab1.y), 2.0 * gap)), high);\n"
-    "    vec2 far = sqrt(x * x + y * y);\n"
-    "    bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
-    "    far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "    return ssgi_fresh(mask, ssgi_between(low, mix(low, high, seen)), far);\n"
-    "}\n" },
-
-{ "ssgi_got", __LINE__ + 1,
-    "struct ssgi_got { // sums of a walk: shares of the cosine-weighted hemisphere, attenuated\n"
-    "    float all; // #if pass == HSAO\n"
-    "    vec3 dark; // of the environment, over pi // #if environment == MAP\n"
-    "    ssgi_sh dark; // of the cosine lobe, over pi // #if environment == SH\n"
-    "    vec3 bounce; // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients bounce; // #if pass == S3HO && bounce\n"
+{ "ssgi_taps", __LINE__ + 1,
+    "struct ssgi_taps { // one step's, a side each\n"
+    "    ivec2 q0, q1; // pixels\n"
+    "    vec3 d0, d1; // from the receiver\n"
+    "    vec2 z, x, y, distance; // view depth; along t and up\n"
+    "    vec2 c, h; // cosine and sine of the elevation\n"
+    "    bvec2 inside, seen, up; // in the picture; within the radius; above the tangent plane\n"
     "};\n" },
 
-{ "ssgi_parts", __LINE__ + 1,
-    "// occlusion of a slice's two sides, with weighted sums of elevations' cosines and sines\n"
-    "struct ssgi_parts { vec2 w, c, s; };\n" },
-
-{ "ssgi_part", __LINE__ + 1,
-    "// adds shares w of both sides at elevations with cosines c and sines s, of any length\n"
-    "void ssgi_part(inout ssgi_parts parts, vec2 c, vec2 s, vec2 w) {\n"
-    "    vec2 unit = inversesqrt(max(c * c + s * s, 1e-12));\n"
-    "    parts.w += w, parts.c += w * c * unit, parts.s += w * s * unit;\n"
+{ "ssgi_taps_at", __LINE__ + 1,
+    "ssgi_taps ssgi_taps_at(ssgi_slice s, vec3 P, ivec2 q0, ivec2 q1) {\n"
+    "    vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
+    "    vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
+    "    vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
+    "    vec2 l = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18);\n"
+    "    vec2 h = clamp(y / l, 0.0, 1.0), c = sqrt(1.0 - h * h);\n"
+    "    vec2 least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
+    "    bvec2 inside = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
+    "    bvec2 seen = bvec2(inside.x && l.x < u_ssgi_radius, inside.y && l.y < u_ssgi_radius);\n"
+    "    bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
+    "    return ssgi_taps(q0, q1, d0, d1, z, x, y, l, mix(c, -c, lessThan(x, vec2(0.0))), h, inside, seen, up);\n"
     "}\n" },
 
-{ "ssgi_blocked_by", __LINE__ + 1,
+{ "ssgi_walked", __LINE__ + 1,
+    "struct ssgi_walked { // what the steps so far leave to the next, a side each\n"
+    "    uvec2 mask; // sectors that are covered\n"
+    "    vec2 distance, u; // of the last taps: from the receiver; along the slice, of the radius\n"
+    "    vec2 low, high, z; // its arc, its view depth // #if behind != SOLID\n"
+    "    vec2 end_; // where its surface ends // #if behind > SOLID\n"
+    "    vec2 c, h; // lower elevation of the covered arc // #if environment\n"
+    "    vec2 share, shared_c, shared_h; // blocked so far, and times its elevation // #if environment\n"
+    "};\n" },
+
+{ "ssgi_walked_none", __LINE__ + 1,
+    "ssgi_walked ssgi_walked_none(float z) {\n"
+    "    ssgi_walked w;\n"
+    "    w.mask = uvec2(0u);\n"
+    "    w.distance = w.u = vec2(0.0);\n"
+    "    w.low = w.high = vec2(0.0), w.z = vec2(z); // #if behind != SOLID\n"
+    "    w.end_ = w.z; // #if behind > SOLID\n"
+    "    w.c = vec2(1.0), w.h = vec2(0.0); // #if environment\n"
+    "    w.share = w.shared_c = w.shared_h = vec2(0.0); // #if environment\n"
+    "    return w;\n"
+    "}\n" },
+
+{ "ssgi_add_elevation", __LINE__ + 1,
+    "// adds blocked shares at elevations with cosines c and sines h, of any length\n"
+    "void ssgi_add_elevation(inout ssgi_walked w, vec2 c, vec2 h, vec2 share) {\n"
+    "    vec2 unit = inversesqrt(max(c * c + h * h, 1e-12));\n"
+    "    w.share += share, w.shared_c += share * c * unit, w.shared_h += share * h * unit;\n"
+    "}\n" },
+
+{ "ssgi_add_blocked", __LINE__ + 1,
     "// one evaluation of the environment or the harmonics a side, whatever the steps\n"
-    "void ssgi_blocked_by(inout ssgi_got got, ssgi_slice s, ssgi_parts parts) {\n"
+    "void ssgi_add_blocked(inout ssgi_sums sums, ssgi_slice s, ssgi_walked w) {\n"
     "    for (int k = 0; k < 2; ++k) {\n"
-    "        vec3 way = s.t * (k == 0 ? parts.c.x : -parts.c.y) + s.up * parts.s[k];\n"
+    "        vec3 way = s.t * (k == 0 ? w.shared_c.x : -w.shared_c.y) + s.up * w.shared_h[k];\n"
     "        way *= inversesqrt(max(dot(way, way), 1e-24));\n"
-    "        got.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * parts.w[k]; // #if environment == MAP\n"
-    "        ssgi_sh_add(got.dark, ssgi_sh_basis(way), parts.w[k]); // #if environment == SH\n"
+    "        sums.dark += ssgi_environment(transpose(u_ssgi_rotation) * way) * w.share[k]; // #if environment == MAP\n"
+    "        ssgi_sh_add(sums.lobe, ssgi_sh_basis(way), -SSGI_PI * w.share[k]); // #if environment == SH\n"
     "    }\n"
     "}\n" },
 
-{ "ssgi_sends", __LINE__ + 1,
-    "// Adds what the surface at pixel q, at an offset d, sends. Unseen sides send a guess that\n"
-    "// measurements support: a quarter of the seen one's, a second slab half; edge-on, within o's rounding, nothing.\n"
-    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w, float second) { // #if behind == SLABS\n"
-    "void ssgi_sends(inout ssgi_got got, ivec2 q, vec3 d, float w) { // #if behind != SLABS\n"
+{ "ssgi_add_sent", __LINE__ + 1,
+    "// Adds what the surface at pixel q, at an offset d, sends: its share, and that of the second slab behind it.\n"
+    "// Edge-on, within the rounding of its normal, it sends nothing.\n"
+    "void ssgi_add_sent(inout ssgi_sums sums, ivec2 q, vec3 d, float share, float second) {\n"
     "    uvec2 s = texelFetch(t_ssgi_senders, ivec3(q + u_ssgi_target, 0), 0).xy;\n"
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
     "    float facing = -dot(o, d), edge = 0.03 * length(d); // #if !two_sided\n"
-    "    w *= facing > edge ? 1.0 : facing < -edge ? 0.25 : 0.0; // #if !two_sided\n"
-    "    w += 0.5 * second; // #if behind == SLABS\n"
-    "    got.bounce += ssgi_unpack_radiance(s.x) * w; // #if pass == SSDO\n"
-    "    ssgi_reflected(got.bounce, o, d, ssgi_unpack_radiance(s.x) * w); // #if pass != SSDO\n"
+    "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0; // #if !two_sided\n"
+    "    share += SSGI_SECOND * second; // #if behind == SLABS\n"
+    "    sums.bounce += ssgi_unpack_radiance(s.x) * share; // #if pass == SSDO\n"
+    "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO\n"
+    "}\n" },
+
+{ "ssgi_cover", __LINE__ + 1,
+    "#if behind == SOLID\n"
+    "// covers what a step's taps block; share of the hemisphere that is newly blocked\n"
+    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t) {\n"
+    "    uvec2 arc = ssgi_sectors(vec2(0.0), ssgi_sector(s, t.c, t.up));\n"
+    "    vec2 share = ssgi_cover_sectors(s, w.mask, arc, 0.5 * (t.distance + w.distance));\n"
+    "    w.distance = min(t.distance, u_ssgi_radius);\n"
+    "#if environment\n"
+    "    ssgi_add_elevation(w, t.c + w.c, t.h + w.h, share);\n"
+    "    w.c = t.c, w.h = t.h;\n"
+    "#endif\n"
+    "    return share;\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_cover", __LINE__ + 1,
+    "#if behind != SOLID\n"
+    "// covers what a step's taps block, whose thickness is `deep`; share of the hemisphere that is newly blocked\n"
+    "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 deep, vec2 gap) {\n"
+    "    vec2 x = t.x, y = t.y, high = ssgi_sector(s, t.c, t.up), low = min(ssgi_deepen(s, x, y, t.z, deep), high);\n"
+    "    vec2 l = t.distance;\n"
+    "    bvec2 joined = lessThan(abs(t.z - w.z), SSGI_JOINED * gap); // #if behind == CONSTANT\n"
+    "#if behind > SOLID\n"
+    "    vec2 end_ = t.z + deep;\n"
+    "    bvec2 joined = lessThan(max(t.z - w.end_, w.z - end_), gap); // their depths overlap\n"
+    "    w.end_ = mix(vec2(-SSGI_FAR), end_, t.seen);\n"
+    "    l = 0.5 * (l + min(l, sqrt(x * x + y * y)));\n"
+    "#endif\n"
+    "    joined = bvec2(joined.x && t.seen.x, joined.y && t.seen.y);\n"
+    "    uvec2 arc = ssgi_sectors(mix(low, min(low, w.low), joined), mix(high, max(high, w.high), joined));\n"
+    "    // a joined arc lies halfway to the last tap, another an eighth of the way\n"
+    "    vec2 share = ssgi_cover_sectors(s, w.mask, arc, mix(l, w.distance, mix(vec2(0.125), vec2(0.5), joined)));\n"
+    "    w.z = mix(vec2(-SSGI_FAR), t.z, t.seen), w.low = low, w.high = high;\n"
+    "    w.distance = min(l, u_ssgi_radius);\n"
+    "#if environment\n"
+    "    vec2 r = inversesqrt(max(x * x + y * y, 1e-36));\n"
+    "    vec2 c = mix(mix(vec2(1.0), x * r, greaterThan(y, vec2(0.0))), w.c, joined);\n"
+    "    vec2 h = mix(max(y, 0.0) * r, w.h, joined);\n"
+    "    ssgi_add_elevation(w, t.c + c, t.h + h, share);\n"
+    "    w.c = t.c, w.h = t.h;\n"
+    "#endif\n"
+    "    return share;\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_cover_second", __LINE__ + 1,
+    "// the same of second slabs behind the taps\n"
+    "vec2 ssgi_cover_second(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 front, vec2 back, vec2 gap) {\n"
+    "    vec2 x = t.x, y = t.y, high = ssgi_deepen(s, x, y, t.z, front - t.z), bx = x, by = y;\n"
+    "    vec2 low = min(ssgi_deepen(s, bx, by, front, ssgi_slab_thickness(front, back, 2.0 * gap)), high);\n"
+    "    vec2 l = sqrt(x * x + y * y);\n"
+    "    bvec2 seen = bvec2(t.inside.x && l.x < u_ssgi_radius, t.inside.y && l.y < u_ssgi_radius);\n"
+    "    l = 0.5 * (l + min(l, sqrt(bx * bx + by * by)));\n"
+    "    vec2 share = ssgi_cover_sectors(s, w.mask, ssgi_sectors(low, mix(low, high, seen)), l);\n"
+    "    ssgi_add_elevation(w, x, max(y, 0.0), share); // #if environment\n"
+    "    return share;\n"
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
-    "// both sides (.x, .y) of a slice from near to far; pixels: of a radius along it\n"
-    "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_got got) {\n"
-    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // #if span\n"
+    "// a slice from near to far; pixels: of a radius along it\n"
+    "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
+    "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
     "    pixels *= share; // #if span\n"
-    "    vec2 last = vec2(0.0);\n"
-    "#if behind != SOLID\n"
-    "    vec2 top = vec2(0.0), bottom = vec2(0.0), was = vec2(-P.z), before = vec2(0.0);\n"
-    "    vec2 ended = was; // #if behind != CONSTANT\n"
-    "#endif\n"
-    "    vec2 lowc = vec2(1.0), lows = vec2(0.0); // lower elevation of the covered arc // #if environment\n"
-    "    ssgi_parts parts = ssgi_parts(vec2(0.0), vec2(0.0), vec2(0.0)); // #if environment\n"
-    "    uvec2 mask = uvec2(0u);\n"
+    "    ssgi_walked w = ssgi_walked_none(-P.z);\n"
     "    for (int k = 0; k < SSGI_STEPS; ++k) {\n"
     "        vec2 u = (float(k) + vec2(xi.y, 1.0 - xi.y)) / float(SSGI_STEPS);\n"
     "        u *= u;\n"
     "        ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
-    "        vec2 z = vec2(ssgi_depth(q0), ssgi_depth(q1));\n"
-    "        vec3 d0 = ssgi_position(vec2(q0) + 0.5, z.x) - P, d1 = ssgi_position(vec2(q1) + 0.5, z.y) - P;\n"
-    "        vec2 x = vec2(dot(d0, s.t), -dot(d1, s.t)), y = vec2(dot(d0, s.n), dot(d1, s.n));\n"
-    "        vec2 far = max(sqrt(vec2(dot(d0, d0), dot(d1, d1))), 1e-18), h = clamp(y / far, 0.0, 1.0);\n"
-    "        vec2 c = sqrt(1.0 - h * h), least = mix(vec2(SSGI_LEVEL), vec2(SSGI_OVER), lessThan(x, vec2(0.0)));\n"
-    "        bvec2 in_ = bvec2(ssgi_inside(q0), ssgi_inside(q1));\n"
-    "        bvec2 seen = bvec2(in_.x && far.x < u_ssgi_radius, in_.y && far.y < u_ssgi_radius);\n"
-    "        bvec2 up = bvec2(seen.x && h.x > least.x, seen.y && h.y > least.y);\n"
-    "        c = mix(c, -c, lessThan(x, vec2(0.0)));\n"
-    "        vec2 high = ssgi_sector(s, c, up), w;\n"
-    "#if behind == SOLID\n"
-    "        w = ssgi_fresh(mask, ssgi_between(vec2(0.0), high), 0.5 * (far + last)) * s.share;\n"
-    "#else\n"
-    "        vec2 gap = (u - before) * u_ssgi_radius, bx = x, by = y; // gap: from tap to tap\n"
+    "        ssgi_taps t = ssgi_taps_at(s, P, q0, q1);\n"
+    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: from tap to tap\n"
     "        gap *= share; // #if span\n"
-    "        before = u;\n"
-    "#if behind == CONSTANT\n"
-    "        vec2 low = min(ssgi_behind(s, bx, by, z, vec2(u_ssgi_thickness)), high);\n"
-    "        bvec2 joined = lessThan(abs(z - was), SSGI_JOINED * gap);\n"
-    "#else\n"
-    "        vec3 back0 = ssgi_slabs(q0), back1 = ssgi_slabs(q1);\n"
-    "        vec2 deep = ssgi_deep(z, vec2(back0.x, back1.x), gap), end_ = z + deep;\n"
-    "        vec2 low = min(ssgi_behind(s, bx, by, z, deep), high);\n"
-    "        bvec2 joined = lessThan(max(z - ended, was - end_), gap); // their depths overlap\n"
-    "        ended = mix(vec2(-SSGI_FAR), end_, seen);\n"
-    "        far = 0.5 * (far + min(far, sqrt(bx * bx + by * by)));\n"
-    "#endif\n"
-    "        joined = bvec2(joined.x && seen.x, joined.y && seen.y);\n"
-    "        uvec2 arc = ssgi_between(mix(low, min(low, bottom), joined), mix(high, max(high, top), joined));\n"
-    "        w = ssgi_fresh(mask, arc, mix(far, last, mix(vec2(0.125), vec2(0.5), joined))) * s.share;\n"
-    "        was = mix(vec2(-SSGI_FAR), z, seen);\n"
-    "        bottom = low, top = high;\n"
-    "#endif\n"
-    "        last = min(far, u_ssgi_radius);\n"
-    "        got.all += w.x + w.y; // #if pass == HSAO\n"
-    "#if environment\n"
-    "        vec2 r = inversesqrt(max(bx * bx + by * by, 1e-36)); // #if behind != SOLID\n"
-    "        lowc = mix(mix(vec2(1.0), bx * r, greaterThan(by, vec2(0.0))), lowc, joined); // #if behind != SOLID\n"
-    "        lows = mix(max(by, 0.0) * r, lows, joined); // #if behind != SOLID\n"
-    "        ssgi_part(parts, c + lowc, h + lows, w);\n"
-    "        lowc = c, lows = h;\n"
-    "#endif\n"
-    "        ssgi_sends(got, q0, d0, w.x); // #if bounce && behind != SLABS\n"
-    "        ssgi_sends(got, q1, d1, w.y); // #if bounce && behind != SLABS\n"
+    "        w.u = u;\n"
+    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if behind > SOLID\n"
+    "        vec2 deep = ssgi_slab_thickness(t.z, vec2(back0.x, back1.x), gap); // #if behind > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if behind > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if behind == CONSTANT\n"
+    "        vec2 first = ssgi_cover(s, w, t); // #if behind == SOLID\n"
     "#if behind == SLABS\n"
-    "        vec2 first = w; // #if bounce\n"
-    "        w = ssgi_second(s, x, y, z, back0.yz, back1.yz, gap, in_, mask) * s.share;\n"
-    "        got.all += w.x + w.y; // #if pass == HSAO\n"
-    "        ssgi_part(parts, x, max(y, 0.0), w); // #if environment\n"
-    "        ssgi_sends(got, q0, d0, first.x, w.x); // #if bounce\n"
-    "        ssgi_sends(got, q1, d1, first.y, w.y); // #if bounce\n"
+    "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), vec2(back0.z, back1.z), gap);\n"
     "#endif\n"
+    "        sums.all += first.x + first.y + second.x + second.y; // #if pass == HSAO\n"
+    "        ssgi_add_sent(sums, t.q0, t.d0, first.x, second.x); // #if bounce\n"
+    "        ssgi_add_sent(sums, t.q1, t.d1, first.y, second.y); // #if bounce\n"
     "    }\n"
-    "    ssgi_blocked_by(got, s, parts); // #if environment\n"
-    "}\n" },
-
-{ "ssgi_walk", __LINE__ + 1,
-    "void ssgi_walk(ivec2 p, vec3 P, vec3 normal, vec2 xi, inout ssgi_got got) {\n"
-    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
-    "    vec3 V = ssgi_toward(P);\n"
-    "    mat3 basis = ssgi_basis(V);\n"
-    "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
-    "        float phi = 3.14159265 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
-    "        // rounds the sectors, independently of the turn and the offset\n"
-    "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
-    "        ssgi_slice s = ssgi_slice_of(P, V, along, normal, noise);\n"
-    "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, got);\n"
-    "    }\n"
+    "    ssgi_add_blocked(sums, s, w); // #if environment\n"
     "}\n" },
 
 { "ssgi_gather", __LINE__ + 1,
     "#if search == SLICES\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == HSAO\n"
-    "// what is blocked, taken from what the open pixel gets; what senders bring where it is // #if pass == SSDO\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) { // #if pass == SSDO\n"
-    "// the cosine lobe less what is blocked of it, and the lobes of what blocks // #if pass == S3HO\n"
-    "void ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi, inout ssgi_coefficients v) { // #if pass == S3HO\n"
-    "    ssgi_got got;\n"
-    "    got.all = 0.0; // #if pass == HSAO\n"
-    "    got.dark = vec3(0.0); // #if environment == MAP\n"
-    "    got.dark = ssgi_sh_zonal(vec4(0.0), n); // #if environment == SH\n"
-    "    got.bounce = vec3(0.0); // #if pass == SSDO && bounce\n"
-    "    got.bounce = v; // #if pass == S3HO && bounce\n"
-    "    ssgi_walk(p, P, n, xi, got);\n"
-    "    return got.all; // #if pass == HSAO\n"
-    "    v = got.bounce; // #if pass == S3HO && bounce\n"
-    "#if environment == MAP\n"
-    "    vec3 open = ssgi_open(P, n); // #if restore != DIFFERENCE\n"
-    "    o_ssgi_light.xyz = max(open - got.dark, 0.0); // #if !restore\n"
-    "    o_ssgi_light.xyz = clamp(1.0 - got.dark / max(open, 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
-    "    o_ssgi_light.xyz = -got.dark; // #if restore == DIFFERENCE\n"
-    "#elif environment == SH\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == SSDO\n"
-    "    ssgi_sh lobe = ssgi_sh_zonal(SSGI_COSINE, n);\n"
-    "    ssgi_sh_add(lobe, got.dark, -3.14159265);\n"
-    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], lobe, 1.0);\n"
-    "    o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == SSDO\n"
-    "#endif\n"
-    "    o_ssgi_bounce.xyz = got.bounce; // #if pass == SSDO && bounce\n"
-    "}\n"
-    "#endif\n" },
-
-{ "ssgi_gather", __LINE__ + 1,
-    "#if pass == HSAO && search == MARCH\n"
-    "// occlusion: horizons of SSGI_DIRECTIONS tangent directions [HSAO08 eq. 6]\n"
-    "float ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
-    "    mat3 basis = ssgi_basis(n);\n"
-    "    vec3 start = ssgi_lift(P, n);\n"
-    "    float sum = 0.0;\n"
+    "ssgi_sums ssgi_gather(ivec2 p, vec3 P, vec3 n, vec2 xi) {\n"
+    "    ssgi_sums sums = ssgi_sums_none(n);\n"
+    "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
+    "    vec3 V = ssgi_toward(P);\n"
+    "    mat3 basis = ssgi_basis(V);\n"
     "    for (int i = 0; i < SSGI_DIRECTIONS; ++i) {\n"
-    "        float a = 6.28318531 * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
-    "        vec3 t = basis[0] * cos(a) + basis[1] * sin(a);\n"
-    "        vec2 h = ssgi_horizon(P, start, n, t, xi.y - 0.5);\n"
-    "        sum += h.y;\n"
-    "        vec2 u = vec2(fract(xi.x * 3.0 + float(i) * 0.61803399), xi.y); // #if normal_rays\n"
-    "        sum += ssgi_above(start, n, t, h.x, u); // #if normal_rays\n"
+    "        float phi = SSGI_PI * (float(i) + xi.x) / float(SSGI_DIRECTIONS);\n"
+    "        vec3 along = basis[0] * cos(phi) + basis[1] * sin(phi);\n"
+    "        // rounds the sectors, independently of the turn and the offset\n"
+    "        vec2 noise = fract(xi.y * vec2(7.23, 11.41) + xi.x * 3.7 + float(i) * 0.61803399);\n"
+    "        ssgi_slice s = ssgi_slice_of(P, V, along, n, noise);\n"
+    "        ssgi_walk_slice(s, P, vec2(p) + 0.5, ssgi_screen(P, along) * u_ssgi_radius, xi, sums);\n"
     "    }\n"
-    "    return sum / float(SSGI_DIRECTIONS);\n"
+    "    return sums;\n"
     "}\n"
     "#endif\n" },
 
-{ "main_gather", __LINE__ + 1,
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2; // #if half\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target; // #if !half\n"
-    "    vec2 xi = ssgi_noise(p);\n"
-    "    p *= 2; // one pixel of every 2x2 // #if half\n"
-    "    float z = ssgi_layer(p, SSGI_RECEIVER); // #if receiver\n"
-    "    float z = ssgi_depth(p); // #if !receiver\n"
-    "    o_ssgi_ao = vec2(1.0, SSGI_FAR); // #if pass < SSDO\n"
-    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if pass == SSDO && environment || pass == S3HO && shaded\n"
-    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if pass == SSDO && bounce\n"
-    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if pass == S3HO\n"
-    "    if (z < SSGI_FAR) {\n"
-    "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "        o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, n, xi), 0.0, 1.0), z); // #if pass < SSDO\n"
-    "        ssgi_gather(p, P, n, xi); // #if pass == SSDO\n"
-    "        ssgi_gather(p, P, n, xi, v); // #if pass == S3HO\n"
-    "        o_ssgi_light.xyz = ssgi_kept(ssgi_irradiance(v, n), P, n); // #if pass == S3HO && shaded\n"
-    "    }\n"
-    "    ssgi_store(v); // #if pass == S3HO && !shaded\n"
+{ "ssgi_map_light", __LINE__ + 1,
+    "#if search == SLICES\n"
+    "vec3 ssgi_map_light(vec3 dark, vec3 P, vec3 n) { // light of the environment, as desc.restore wants it\n"
+    "    return max(ssgi_open_light(P, n) - dark, 0.0); // #if !restore\n"
+    "    return clamp(1.0 - dark / max(ssgi_open_light(P, n), 1e-9), 0.0, 1.0); // #if restore == RATIO\n"
+    "    return -dark; // #if restore == DIFFERENCE\n"
+    "}\n"
+    "#endif\n" },
+
+/* ---- what is written */
+
+{ "ssgi_transfer", __LINE__ + 1,
+    "ssgi_coefficients ssgi_transfer(ssgi_sums sums) { // from harmonics to irradiance [S3HO12 eq. 2]\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none(); // #if !(pass == S3HO && bounce)\n"
+    "    ssgi_coefficients v = sums.bounce; // #if pass == S3HO && bounce\n"
+    "    for (int c = 0; c < v.c.length(); ++c) ssgi_sh_add(v.c[c], sums.lobe, 1.0); // #if environment == SH\n"
+    "    return v;\n"
     "}\n" },
 
+{ "main_occlusion", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    float z = ssgi_depth(p);\n"
+    "    o_ssgi_ao = vec2(1.0, SSGI_FAR);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "    o_ssgi_ao = vec2(clamp(1.0 - ssgi_gather(p, P, n, ssgi_noise(texel)).all, 0.0, 1.0), z);\n"
+    "}\n" },
+
+{ "main_ssdo", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    float z = ssgi_receiver_depth(p);\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z); // #if environment\n"
+    "    o_ssgi_bounce = vec4(0.0, 0.0, 0.0, z); // #if bounce\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "    ssgi_sums sums = ssgi_gather(p, P, n, ssgi_noise(texel));\n"
+    "    o_ssgi_light.xyz = ssgi_map_light(sums.dark, P, n); // #if environment == MAP\n"
+    "    vec3 light = ssgi_irradiance(ssgi_transfer(sums), n); // #if environment == SH\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(light, P, n); // #if environment == SH\n"
+    "    o_ssgi_bounce.xyz = sums.bounce; // #if bounce\n"
+    "}\n" },
+
+{ "main_s3ho", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    float z = ssgi_depth(p);\n"
+    "    ssgi_coefficients v = ssgi_coefficients_none();\n"
+    "    if (z < SSGI_FAR) {\n"
+    "        vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "        v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
+    "    }\n"
+    "    ssgi_store(v);\n"
+    "}\n" },
+
+{ "main_s3ho_shaded", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target / 2, p = 2 * texel; // of every 2x2 // #if half\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) - u_ssgi_target, p = texel; // #if !half\n"
+    "    float z = ssgi_depth(p);\n"
+    "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
+    "    if (z >= SSGI_FAR) return;\n"
+    "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
+    "    ssgi_coefficients v = ssgi_transfer(ssgi_gather(p, P, n, ssgi_noise(texel)));\n"
+    "    o_ssgi_light.xyz = ssgi_encode_for_filter(ssgi_irradiance(v, n), P, n);\n"
+    "}\n" },
 /* ==== >>field: occluders whose occlusion was baked ================================================================ */
 
 { "ssgi_corner", __LINE__ + 1,
@@ -2023,8 +2247,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return 3 * half_ * half_ + (level % 2 == 0 ? 3 * half_ + 1 : 0);\n"
     "}\n" },
 
-{ "ssgi_part", __LINE__ + 1,
-    "vec3 ssgi_part(int i, int n, int c) { // weights of corner c of part i of n * n\n"
+{ "ssgi_part_corner", __LINE__ + 1,
+    "vec3 ssgi_part_corner(int i, int n, int c) { // weights of corner c of part i of n * n\n"
     "    int row = int(sqrt(float(i) + 0.5)), place = i - row * row, odd = place & 1;\n"
     "    int down = row + (odd == 1 ? (c == 1 ? 1 : 0) : (c > 0 ? 1 : 0));\n"
     "    int across = place / 2 + (odd == 1 ? (c > 0 ? 1 : 0) : (c > 1 ? 1 : 0));\n"
@@ -2041,6 +2265,45 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(max(d.x, d.y), max(u_ssgi_surfel.y + P.z, 0.0));\n"
     "}\n" },
 
+{ "SSGI_MOST", __LINE__ + 1,
+    "const float SSGI_MOST = 3169.0; // surfels of level 64, the tessellator's last: ssgi_tess_count(64)\n" },
+
+{ "SSGI_WHOLE", __LINE__ + 1,
+    "const float SSGI_WHOLE = 1e-5; // what is so little above a whole number counts as that\n" },
+
+{ "ssgi_parts", __LINE__ + 1,
+    "// parts of an edge that a triangle needs beyond level 64, by its corners' view depths and its area\n"
+    "int ssgi_parts(vec3 z, float area) {\n"
+    "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
+    "    float nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
+    "    if (nearest >= 0.0) nearest = max(nearest, u_ssgi_surfel.y);\n"
+    "    float r = ssgi_surfel_radius(nearest);\n"
+    "    return int(clamp(ceil(sqrt(area / (SSGI_PI * SSGI_MOST * r * r)) - SSGI_WHOLE), 1.0, u_ssgi_surfel.w));\n"
+    "}\n" },
+
+{ "ssgi_tess_level", __LINE__ + 1,
+    "int ssgi_tess_level(float discs) { // the least level with as many surfels\n"
+    "    return discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - SSGI_WHOLE), 64.0)) : 1;\n"
+    "}\n" },
+
+{ "ssgi_alive", __LINE__ + 1,
+    "// of the three surfels of a small triangle those that stay, a bit each: thinned stochastically\n"
+    "int ssgi_alive(uint key, float share) {\n"
+    "    int alive = 0;\n"
+    "    for (int i = 0; i < 3; ++i)\n"
+    "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
+    "    return alive;\n"
+    "}\n" },
+
+{ "ssgi_inset", __LINE__ + 1,
+    "// a corner, scaled about the centre of the inscribed circle so that discs of radius r end at the edges\n"
+    "vec3 ssgi_inset(vec3 at[3], int corner, float r, float area) {\n"
+    "    vec3 edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
+    "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
+    "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
+    "    return centre + inset * (at[corner] - centre);\n"
+    "}\n" },
+
 { "main_levels", __LINE__ + 1,
     "layout(vertices = 3) out;\n"
     "in vec3 v_ssgi_position[], v_ssgi_normal[], v_ssgi_colour[];\n"
@@ -2048,41 +2311,28 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "out vec3 v_ssgi_corner[], v_ssgi_facing[], v_ssgi_tint[];\n"
     "patch out vec4 v_ssgi_patch; // radius, level, key in two halves\n"
     "void main() {\n"
-    "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3], edge;\n"
+    "    vec3 z = -vec3(v_ssgi_position[0].z, v_ssgi_position[1].z, v_ssgi_position[2].z), at[3];\n"
     "    vec3 sides[2] = vec3[2](v_ssgi_position[1] - v_ssgi_position[0], v_ssgi_position[2] - v_ssgi_position[0]);\n"
     "    float whole = 0.5 * length(cross(sides[0], sides[1]));\n"
-    "    float low = min(z.x, min(z.y, z.z)), high = max(z.x, max(z.y, z.z));\n"
-    "    float nearest = low > 0.0 ? low : high < 0.0 ? high : 0.0;\n"
-    "    if (nearest >= 0.0) nearest = max(nearest, u_ssgi_surfel.y);\n"
-    "    float r = ssgi_surfel_radius(nearest);\n"
-    "    int n = int(clamp(ceil(sqrt(whole / (3.14159265 * 3169.0 * r * r)) - 1e-5), 1.0, u_ssgi_surfel.w));\n"
-    "    int part = int(v_ssgi_part[0].x + 0.5);\n"
+    "    int n = ssgi_parts(z, whole), part = int(v_ssgi_part[0].x + 0.5);\n"
     "    bool empty = part >= n * n || !(whole > 0.0 && whole < SSGI_FAR);\n"
     "    part = min(part, n * n - 1);\n"
     "    for (int c = 0; c < 3; ++c) {\n"
-    "        vec3 w = ssgi_part(part, n, c);\n"
+    "        vec3 w = ssgi_part_corner(part, n, c);\n"
     "        at[c] = v_ssgi_position[0] * w.x + v_ssgi_position[1] * w.y + v_ssgi_position[2] * w.z;\n"
     "    }\n"
     "    vec3 middle = (at[0] + at[1] + at[2]) / 3.0;\n"
     "    float area = whole / float(n * n), aside = ssgi_outside(middle);\n"
     "    float extent = max(distance(at[0], middle), max(distance(at[1], middle), distance(at[2], middle)));\n"
-    "    empty = empty || aside - extent > u_ssgi_radius;\n"
-    "    r = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
+    "    float r = ssgi_surfel_radius(-middle.z) + u_ssgi_surfel.z * aside;\n"
     "    uint a = uint(v_ssgi_part[0].y), b = uint(v_ssgi_part[1].y), c = uint(v_ssgi_part[2].y);\n"
     "    uint key = a + (b - a) * 2654435769u + (c - a) * 3266489909u + uint(part) * 2246822507u;\n"
-    "    float discs = area / (3.14159265 * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
-    "    int alive = 0; // small triangles are thinned stochastically\n"
-    "    for (int i = 0; i < 3; ++i)\n"
-    "        if (float(((key + uint(i)) * 2654435769u) >> 8) / 16777216.0 < share) alive |= 1 << i;\n"
-    "    empty = empty || alive == 0;\n"
-    "    int level = discs > 3.0 ? int(min(ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5), 64.0)) : 1;\n"
-    "    r = sqrt(area / (3.14159265 * share * float(ssgi_tess_count(level)))); // their area sums to the triangle's\n"
-    "    edge = vec3(length(at[2] - at[1]), length(at[0] - at[2]), length(at[1] - at[0]));\n"
-    "    float perimeter = edge.x + edge.y + edge.z, inset = max(1.0 - r * perimeter / (2.0 * area), 0.25);\n"
-    "    // scaled about the incentre: discs end at the edges\n"
-    "    vec3 centre = (edge.x * at[0] + edge.y * at[1] + edge.z * at[2]) / perimeter;\n"
-    "    vec3 w = ssgi_part(part, n, gl_InvocationID);\n"
-    "    v_ssgi_corner[gl_InvocationID] = centre + inset * (at[gl_InvocationID] - centre);\n"
+    "    float discs = area / (SSGI_PI * r * r), share = u_ssgi_keep_small > 0.0 ? 1.0 : min(discs / 3.0, 1.0);\n"
+    "    int alive = ssgi_alive(key, share), level = ssgi_tess_level(discs);\n"
+    "    empty = empty || aside - extent > u_ssgi_radius || alive == 0;\n"
+    "    r = sqrt(area / (SSGI_PI * share * float(ssgi_tess_count(level)))); // their area sums to the triangle's\n"
+    "    vec3 w = ssgi_part_corner(part, n, gl_InvocationID);\n"
+    "    v_ssgi_corner[gl_InvocationID] = ssgi_inset(at, gl_InvocationID, r, area);\n"
     "    v_ssgi_facing[gl_InvocationID] = v_ssgi_normal[0] * w.x + v_ssgi_normal[1] * w.y + v_ssgi_normal[2] * w.z;\n"
     "    v_ssgi_tint[gl_InvocationID] = v_ssgi_colour[0] * w.x + v_ssgi_colour[1] * w.y + v_ssgi_colour[2] * w.z;\n"
     "    v_ssgi_patch = vec4(r, level, (key >> 16) + uint(alive) * 65536u, key & 65535u);\n"
@@ -2106,7 +2356,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "vec3 ssgi_surfel_sent(vec3 P, vec3 n, vec3 colour) {\n"
     "    return colour; // #if sends == COLOUR\n"
     "    return ssgi_custom_surfel(P, n, colour); // #if sends == CUSTOM\n"
-    "    vec3 sum = ssgi_lit(P, n, 0.0) * 0.31830989; // #if sends == LIGHTS\n"
+    "    vec3 sum = ssgi_lit(P, n, 0.0) * SSGI_OVER_PI; // #if sends == LIGHTS\n"
     "    sum += ssgi_irradiance_map(transpose(u_ssgi_rotation) * n, 0); // #if sends == LIGHTS && environment\n"
     "    return colour * sum; // #if sends == LIGHTS\n"
     "}\n" },
@@ -2149,6 +2399,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 /* Level l interleaves each block of 2^l x 2^l pixels into as many sub-buffers, which lie side by side. */
+
 { "main_shuffle", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
@@ -2266,6 +2517,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return ssgi_disc(v, n, rr);\n"
     "}\n" },
 
+{ "ssgi_effect", __LINE__ + 1,
+    "vec4 ssgi_effect(vec3 sent, vec3 v, float form, float area) { // what a surfel brings; its form factor\n"
+    "    return form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0); // #if effect == LIGHT\n"
+    "    return form * vec4(sent, 1.0); // #if effect == BOUNCE\n"
+    "    return vec4(sent * (ssgi_gloss * area), form); // #if effect == SPECULAR\n"
+    "}\n" },
+
 { "main_splat", __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -2275,14 +2533,6 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 P = uintBitsToFloat(t.xyz), v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "#if effect == SCATTER\n"
-    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
-    "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
-    "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
-    "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
-    "    vec3 R = y * (s + a) * exp(s * (h - 1.0 / a)) * a * a + z * (s + b) * exp(s * (h - 1.0 / b)) * b * b;\n"
-    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
-    "#else\n"
     "    vec3 n = normalize(ssgi_octahedral_decode((vec2(t.w >> 16, t.w & 65535u) - 32768.0) * (1.0 / 32767.0)));\n"
     "    float away = -dot(v, v_ssgi_turned.xyz), rr = v_ssgi_at.w;\n"
     "    away = abs(away); // #if two_sided\n"
@@ -2290,18 +2540,29 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_span = float(SSGI_SPAN) * ssgi_surfel_radius(-P.z); // #if span\n"
     "    away *= 1.0 - v_ssgi_seen * ssgi_near(vec2(sqrt(dd))).x; // #if span\n"
     "    ssgi_P = P, ssgi_gloss = 0.0; // #if effect == SPECULAR\n"
-    "    float form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * v_ssgi_turned.w * rr * away;\n"
+    "    float area = v_ssgi_turned.w * rr * away, form = ssgi_form(v, n, v_ssgi_turned.xyz, rr) * area;\n"
     "    if (!(form > 0.0)) discard;\n"
     "    form *= max(1.0 - sqrt(dd) / u_ssgi_radius, 0.0); // #if effect == OCCLUSION && !hard\n"
     "    o_ssgi_levels = form; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = form * vec4(ssgi_environment(transpose(u_ssgi_rotation) * v), 1.0); // #if effect == LIGHT\n"
-    "    o_ssgi_levels = form * vec4(v_ssgi_sent.xyz, 1.0); // #if effect == BOUNCE\n"
-    "    vec3 glossy = v_ssgi_sent.xyz * (ssgi_gloss * v_ssgi_turned.w * rr * away); // #if effect == SPECULAR\n"
-    "    o_ssgi_levels = vec4(glossy, form); // #if effect == SPECULAR\n"
-    "#endif\n"
+    "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area); // #if effect != OCCLUSION\n"
     "}\n" },
 
-/* ==== >>filter ================================================================================================== */
+{ "main_splat_scatter", __LINE__ + 1,
+    "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
+    "flat in float v_ssgi_end;\n"
+    "void main() {\n"
+    "    vec3 P = uintBitsToFloat(texelFetch(t_ssgi_shuffled, ivec2(gl_FragCoord.xy), 0).xyz);\n"
+    "    vec3 v = v_ssgi_at.xyz - P;\n"
+    "    float dd = dot(v, v);\n"
+    "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
+    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
+    "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
+    "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
+    "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
+    "    vec3 R = y * (s + a) * exp(s * (h - 1.0 / a)) * a * a + z * (s + b) * exp(s * (h - 1.0 / b)) * b * b;\n"
+    "    o_ssgi_levels = vec4(v_ssgi_sent.xyz * u_ssgi_dipole[3].xyz * R, 1.0) * (v_ssgi_turned.w * v_ssgi_at.w);\n"
+    "}\n" },
+/* ==== >>filter: within surfaces, over frames, onto your picture ================================================= */
 
 { "ssgi_plane", __LINE__ + 1,
     "vec3 ssgi_plane(vec3 P, vec3 n) { // the tangent plane at P, for ssgi_off_plane\n"
@@ -2316,6 +2577,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs((dot(k.xy, o) + k.z) * z + k.z * P.z); // #if !orthographic\n"
     "}\n" },
 
+/* ---- surfels' levels */
+
 { "main_smooth", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 q = ivec2(gl_FragCoord.xy);\n"
@@ -2325,7 +2588,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) discard;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P), plane = ssgi_plane(P, n);\n"
     "    float footprint = ssgi_footprint(z), near = 1.0 / (footprint * (1.0 + float(reach)));\n"
-    "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0)); float all = 1.0;\n"
+    "    vec4 sum = vec4(texelFetch(t_ssgi_levels, q, 0));\n"
+    "    float weights = 1.0;\n"
     "    for (int i = -reach; i <= reach; ++i) { // a box over the block that the level interleaves\n"
     "        ivec2 o = SSGI_AXIS == 0 ? ivec2(i, 0) : ivec2(0, i);\n"
     "        if (i == 0 || !ssgi_inside(p + o)) continue;\n"
@@ -2335,42 +2599,113 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (w > 0.0) w *= max(dot(n, ssgi_normal(p + o, ssgi_position(vec2(p + o) + 0.5, d))), 0.0);\n"
     "#endif\n"
     "        if (!(w > 0.0) || d >= SSGI_FAR) continue;\n"
-    "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), all += w;\n"
+    "        sum += w * texelFetch(t_ssgi_levels, q + o, 0), weights += w;\n"
     "    }\n"
-    "    o_ssgi_levels = sum.x / all; // #if effect == OCCLUSION\n"
-    "    o_ssgi_levels = sum / all; // #if effect != OCCLUSION\n"
+    "    o_ssgi_levels = sum.x / weights; // #if effect == OCCLUSION\n"
+    "    o_ssgi_levels = sum / weights; // #if effect != OCCLUSION\n"
     "}\n" },
 
-{ "ssgi_once", __LINE__ + 1,
+{ "ssgi_saturate_form", __LINE__ + 1,
     "// surfel-surfel visibility is ignored: each hides its share of what the others leave\n"
-    "float ssgi_once(float form) {\n"
+    "float ssgi_saturate_form(float form) {\n"
     "    return form > 1e-4 ? (1.0 - exp(-form)) / form : 1.0;\n"
     "}\n" },
 
-{ "main_sum", __LINE__ + 1,
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    float z = ssgi_depth(p);\n"
+{ "ssgi_sum_levels", __LINE__ + 1,
+    "vec4 ssgi_sum_levels(ivec2 p, float z) {\n"
     "    vec4 sum = vec4(0.0);\n"
     "    for (int l = 0; l < SSGI_LEVELS && z < SSGI_FAR; ++l)\n"
     "        sum += texelFetch(t_ssgi_levels, p + ivec2(0, l * u_ssgi_level.y), 0);\n"
-    "#if effect == OCCLUSION\n"
-    "    o_ssgi_ao = vec2(1.0 - sum.x * ssgi_once(sum.x), z);\n"
+    "    return sum;\n"
+    "}\n" },
+
+{ "main_sum_occlusion", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_depth(p), sum = ssgi_sum_levels(p, z).x;\n"
+    "    o_ssgi_ao = vec2(1.0 - sum * ssgi_saturate_form(sum), z);\n"
     "    o_ssgi_ao.x *= texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x; // #if span\n"
-    "#elif effect == LIGHT\n"
+    "}\n" },
+
+{ "main_sum_light", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_depth(p);\n"
     "    o_ssgi_light = vec4(0.0, 0.0, 0.0, z);\n"
     "    if (z >= SSGI_FAR) return;\n"
+    "    vec4 sum = ssgi_sum_levels(p, z);\n"
     "    vec3 n = transpose(u_ssgi_rotation) * ssgi_normal(p, ssgi_position(vec2(p) + 0.5, z));\n"
-    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_once(sum.w), 0.0);\n"
+    "    o_ssgi_light.xyz = max(ssgi_irradiance_map(n, 0) - sum.xyz * ssgi_saturate_form(sum.w), 0.0);\n"
     "    o_ssgi_light.xyz *= texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz; // #if span\n"
-    "#else\n"
-    "    sum.xyz *= ssgi_once(sum.w); // #if effect != SCATTER\n"
+    "}\n" },
+
+{ "main_sum_sent", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_depth(p);\n"
+    "    vec4 sum = ssgi_sum_levels(p, z);\n"
+    "    sum.xyz *= ssgi_saturate_form(sum.w); // #if effect != SCATTER\n"
     "    sum += texelFetch(t_ssgi_light, p + u_ssgi_target, 0); // #if span\n"
     "    o_ssgi_bounce = vec4(sum.xyz, z); // #if effect == BOUNCE\n"
     "    o_ssgi_specular = vec4(sum.xyz, z); // #if effect == SPECULAR\n"
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
-    "#endif\n"
     "}\n" },
+
+/* ---- blur: what a pixel's neighbours on its surface have. In half size the four or more of half size around it. */
+
+{ "ssgi_blurred", __LINE__ + 1,
+    "struct ssgi_blurred { // the pixel that is filtered\n"
+    "    vec3 P, n, plane; // n, plane: where they are asked for\n"
+    "    float z, footprint;\n"
+    "};\n" },
+
+{ "ssgi_blurred_at", __LINE__ + 1,
+    "ssgi_blurred ssgi_blurred_at(ivec2 p, float z) {\n"
+    "    ssgi_blurred c;\n"
+    "    c.P = ssgi_position(vec2(p) + 0.5, z), c.z = z, c.footprint = ssgi_footprint(z);\n"
+    "    c.n = ssgi_normal(p, c.P); // #if filter == BILATERAL || restore\n"
+    "    c.plane = ssgi_plane(c.P, c.n); // #if filter == BILATERAL\n"
+    "    return c;\n"
+    "}\n" },
+
+{ "ssgi_neighbour", __LINE__ + 1,
+    "struct ssgi_neighbour { ivec2 at, q, o; }; // its texel, its pixel, from the one that is filtered\n" },
+
+{ "ssgi_neighbour_at", __LINE__ + 1,
+    "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
+    "    ivec2 h = p / 2 + ivec2(x, y); // #if half\n"
+    "    return ssgi_neighbour(h + u_ssgi_target / 2, h * 2, h * 2 - p); // #if half\n"
+    "    return ssgi_neighbour(p + ivec2(x, y) + u_ssgi_target, p + ivec2(x, y), ivec2(x, y)); // #if !half\n"
+    "}\n" },
+
+{ "ssgi_blur_weight", __LINE__ + 1,
+    "#if filter == GAUSSIAN\n"
+    "// Gaussian over the depth difference plus a pixel's footprint [HSAO08 4.1.3]\n"
+    "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
+    "    float variance = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
+    "    float distance_ = float(t.o.x * t.o.x + t.o.y * t.o.y);\n"
+    "    return exp(-0.5 * distance_ / variance) * c.footprint / (c.footprint + abs(z - c.z));\n"
+    "}\n"
+    "#endif\n" },
+
+{ "ssgi_blur_weight", __LINE__ + 1,
+    "#if filter == BILATERAL\n"
+    "// a box over a tile of noise, within a 20th of the radius and a pixel of the tangent plane\n"
+    "float ssgi_blur_weight(ssgi_blurred c, ssgi_neighbour t, float z) {\n"
+    "    float off = ssgi_off_plane(c.plane, vec2(t.o), c.P, z) / (0.05 * u_ssgi_radius + c.footprint);\n"
+    "#if half\n"
+    "    vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(t.o));\n"
+    "    // never 0: if no tap lies on the plane, the closest to it wins\n"
+    "    float w = tent.x * tent.y * max(1.0 - off, 1e-3 / (1.0 + off));\n"
+    "#else\n"
+    "    float w = max(1.0 - off, 0.0);\n"
+    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
+    "    if (SSGI_FILTER_RADIUS > 1 && abs(t.o.y) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
+    "#endif\n"
+    "    w *= max(dot(c.n, ssgi_normal(t.q, ssgi_position(vec2(t.q) + 0.5, z))), 1e-3); // #if filter_normals\n"
+    "    return w;\n"
+    "}\n"
+    "#endif\n" },
 
 { "ssgi_onto", __LINE__ + 1,
     "vec4 ssgi_onto(ivec2 p, float ao) { // what is blended onto a picture\n"
@@ -2379,89 +2714,87 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return vec4(vec3(ao), 1.0); // #if onto == MULTIPLY\n"
     "}\n" },
 
-{ "main_compose", __LINE__ + 1,
+{ "main_blur_grey", __LINE__ + 1,
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "#if colour == GREY\n"
-    "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
-    "#else\n"
-    "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
-    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz; // #if bounce\n"
-    "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
-    "#endif\n"
-    "}\n" },
-
-{ "main_blur", __LINE__ + 1,
-    "void main() {\n"
-    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
-    "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if colour == COEFFICIENTS && half\n"
-    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target); // #if colour == COEFFICIENTS && !half\n"
-    "    vec4 sum = vec4(0.0); // #if colour == COLOUR && half\n"
-    "    vec2 sum = vec2(0.0); // #if colour == GREY && half\n"
-    "    vec4 sum = texelFetch(t_ssgi_light, p + u_ssgi_target, 0); // #if colour == COLOUR && !half\n"
-    "    vec2 sum = texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).xy; // #if colour == GREY && !half\n"
-    "    float z = ssgi_depth(p), all = 0.0; // #if half\n"
-    "    float z = ssgi_depth(p), all = 1.0; // #if colour == COEFFICIENTS && !half\n"
-    "    float z = sum.w; sum.w = 1.0; // #if colour == COLOUR && !half\n"
-    "    float z = sum.y; sum.y = 1.0; // #if colour == GREY && !half\n"
-    "    vec3 P = ssgi_position(vec2(p) + 0.5, z); float footprint = ssgi_footprint(z);\n"
-    "    vec3 n = ssgi_normal(p, P); // #if filter == BILATERAL || restore\n"
-    "    vec3 plane = ssgi_plane(P, n); // #if filter == BILATERAL\n"
-    "    float near = 1.0 / (0.05 * u_ssgi_radius + footprint); // #if filter == BILATERAL\n"
+    "    float z = ssgi_depth(p); // #if half\n"
+    "    vec2 centre = texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).xy, sum = vec2(centre.x, 1.0); // #if !half\n"
+    "    float z = centre.y; // #if !half\n"
+    "    vec2 sum = vec2(0.0); // #if half\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
     "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
     "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
-    "#if half\n"
-    "            ivec2 h = p / 2 + ivec2(x, y), q = h * 2, o = q - p, at = h + u_ssgi_target / 2;\n"
-    "#else\n"
-    "            if (x == 0 && y == 0) continue;\n"
-    "            ivec2 o = ivec2(x, y), q = p + o, at = q + u_ssgi_target;\n"
-    "#endif\n"
-    "            float d = ssgi_depth(q); // #if colour == COEFFICIENTS\n"
-    "            vec4 s = texelFetch(t_ssgi_light, at, 0); // #if colour == COLOUR\n"
-    "            vec2 s = texelFetch(t_ssgi_ao, at, 0).xy; // #if colour == GREY\n"
-    "            float d = s.w; s.w = 1.0; // #if colour == COLOUR\n"
-    "            float d = s.y; s.y = 1.0; // #if colour == GREY\n"
-    "#if filter == GAUSSIAN\n"
-    "            // Gaussian over the depth difference plus a pixel's footprint [HSAO08 4.1.3]\n"
-    "            float sigma2 = 0.25 * float(SSGI_FILTER_RADIUS * SSGI_FILTER_RADIUS) + 0.25;\n"
-    "            float w = exp(-0.5 * float(x * x + y * y) / sigma2) * footprint / (footprint + abs(d - z));\n"
-    "#else\n"
-    "            float off = ssgi_off_plane(plane, vec2(o), P, d) * near; // of the centre's tangent plane\n"
-    "#if half\n"
-    "            vec2 tent = float(2 * SSGI_FILTER_RADIUS + 2) - abs(vec2(o));\n"
-    "            // never 0: if no tap lies on the plane, the closest to it wins\n"
-    "            float w = tent.x * tent.y * max(1.0 - off, 1e-3 / (1.0 + off));\n"
-    "#else\n"
-    "            float w = max(1.0 - off, 0.0); // a box that covers one tile of noise\n"
-    "            if (SSGI_FILTER_RADIUS > 1 && abs(x) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
-    "            if (SSGI_FILTER_RADIUS > 1 && abs(y) == SSGI_FILTER_RADIUS) w *= 0.5;\n"
-    "#endif\n"
-    "            w *= max(dot(n, ssgi_normal(q, ssgi_position(vec2(q) + 0.5, d))), 1e-3); // #if filter_normals\n"
-    "#endif\n"
-    "#if colour == COEFFICIENTS\n"
-    "            if (!ssgi_inside(q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
-    "            ssgi_coefficients s = ssgi_load(at);\n"
-    "            for (int c = 0; c < s.c.length(); ++c) ssgi_sh_add(sum.c[c], s.c[c], w);\n"
-    "            all += w;\n"
-    "#else\n"
-    "            if (ssgi_inside(q) && d < SSGI_FAR) sum += s * w;\n"
-    "#endif\n"
+    "            if (x == 0 && y == 0) continue; // #if !half\n"
+    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
+    "            vec2 s = texelFetch(t_ssgi_ao, t.at, 0).xy;\n"
+    "            if (ssgi_inside(t.q) && s.y < SSGI_FAR) sum += vec2(s.x, 1.0) * ssgi_blur_weight(c, t, s.y);\n"
     "        }\n"
-    "#if colour == COEFFICIENTS\n"
-    "    float scale = z < SSGI_FAR && all > 0.0 ? 1.0 / all : 0.0;\n"
-    "    for (int c = 0; c < sum.c.length(); ++c) ssgi_sh_add(sum.c[c], sum.c[c], scale - 1.0);\n"
-    "    ssgi_store(sum);\n"
-    "#elif colour == COLOUR\n"
-    "    o_ssgi_light = vec4(z < SSGI_FAR && sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0), z);\n"
-    "    if (z >= SSGI_FAR) return; // #if restore\n"
-    "    o_ssgi_light.xyz *= ssgi_open(P, n); // #if restore == RATIO\n"
-    "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open(P, n), 0.0); // #if restore == DIFFERENCE\n"
-    "#else\n"
     "    float ao = z < SSGI_FAR && sum.y > 0.0 ? sum.x / sum.y : 1.0;\n"
     "    o_ssgi_picture = ssgi_onto(p, ao); // #if onto\n"
     "    o_ssgi_ao = ao; // #if !onto\n"
-    "#endif\n"
     "}\n" },
+
+{ "main_blur_light", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    float z = ssgi_depth(p); // #if half\n"
+    "    vec4 centre = texelFetch(t_ssgi_light, p + u_ssgi_target, 0), sum = vec4(centre.xyz, 1.0); // #if !half\n"
+    "    float z = centre.w; // #if !half\n"
+    "    vec4 sum = vec4(0.0); // #if half\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
+    "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
+    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
+    "            if (x == 0 && y == 0) continue; // #if !half\n"
+    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
+    "            vec4 s = texelFetch(t_ssgi_light, t.at, 0);\n"
+    "            if (ssgi_inside(t.q) && s.w < SSGI_FAR) sum += vec4(s.xyz, 1.0) * ssgi_blur_weight(c, t, s.w);\n"
+    "        }\n"
+    "    o_ssgi_light = vec4(z < SSGI_FAR && sum.w > 0.0 ? sum.xyz / sum.w : vec3(0.0), z);\n"
+    "    if (z >= SSGI_FAR) return; // #if restore\n"
+    "    o_ssgi_light.xyz *= ssgi_open_light(c.P, c.n); // #if restore == RATIO\n"
+    "    o_ssgi_light.xyz = max(o_ssgi_light.xyz + ssgi_open_light(c.P, c.n), 0.0); // #if restore == DIFFERENCE\n"
+    "}\n" },
+
+{ "main_blur_coefficients", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    ssgi_coefficients sum = ssgi_coefficients_none(); // #if half\n"
+    "    ssgi_coefficients sum = ssgi_load(p + u_ssgi_target); // #if !half\n"
+    "    float z = ssgi_depth(p), weights = 0.0; // #if half\n"
+    "    float z = ssgi_depth(p), weights = 1.0; // #if !half\n"
+    "    ssgi_blurred c = ssgi_blurred_at(p, z);\n"
+    "    for (int y = -SSGI_FILTER_RADIUS; y <= SSGI_FILTER_RADIUS; ++y)\n"
+    "        for (int x = -SSGI_FILTER_RADIUS; x <= SSGI_FILTER_RADIUS; ++x) {\n"
+    "            if (x == 0 && y == 0) continue; // #if !half\n"
+    "            ssgi_neighbour t = ssgi_neighbour_at(p, x, y);\n"
+    "            float d = ssgi_depth(t.q), w = ssgi_blur_weight(c, t, d);\n"
+    "            if (!ssgi_inside(t.q) || d >= SSGI_FAR || w <= 0.0) continue;\n"
+    "            ssgi_coefficients s = ssgi_load(t.at);\n"
+    "            for (int k = 0; k < s.c.length(); ++k) ssgi_sh_add(sum.c[k], s.c[k], w);\n"
+    "            weights += w;\n"
+    "        }\n"
+    "    float scale = z < SSGI_FAR && weights > 0.0 ? 1.0 / weights : 0.0;\n"
+    "    for (int k = 0; k < sum.c.length(); ++k) ssgi_sh_add(sum.c[k], sum.c[k], scale - 1.0);\n"
+    "    ssgi_store(sum);\n"
+    "}\n" },
+
+/* ---- compose */
+
+{ "main_compose_grey", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    o_ssgi_picture = ssgi_onto(p, texelFetch(t_ssgi_ao, p + u_ssgi_target, 0).x);\n"
+    "}\n" },
+
+{ "main_compose_light", __LINE__ + 1,
+    "void main() {\n"
+    "    ivec2 p = ivec2(gl_FragCoord.xy) - u_ssgi_target;\n"
+    "    vec3 light = texelFetch(t_ssgi_light, p + u_ssgi_target, 0).xyz;\n"
+    "    light += texelFetch(t_ssgi_bounce, p + u_ssgi_target, 0).xyz; // #if bounce\n"
+    "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
+    "}\n" },
+
+/* ---- history: the mean over frames of what the last ones saw of this surface */
 
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
@@ -2476,12 +2809,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return texelFetch(t, q, 0).xxxy; // #if colour == GREY\n"
     "}\n" },
 
-{ "ssgi_was", __LINE__ + 1,
-    "// a point's pixel and depth in the last frame\n"
-    "vec3 ssgi_was(vec3 P) {\n"
-    "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
-    "    return P; // #if orthographic\n"
-    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
+{ "ssgi_now", __LINE__ + 1,
+    "vec4 ssgi_now(ivec2 q) { // this frame's\n"
+    "    return ssgi_texel(t_ssgi_light, q); // #if colour == COLOUR\n"
+    "    return ssgi_texel(t_ssgi_ao, q); // #if colour == GREY\n"
     "}\n" },
 
 { "ssgi_grey", __LINE__ + 1,
@@ -2490,128 +2821,155 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return t.x; // #if colour == GREY\n"
     "}\n" },
 
+{ "ssgi_reproject", __LINE__ + 1,
+    "// a point's pixel and depth in the last frame\n"
+    "vec3 ssgi_reproject(vec3 P) {\n"
+    "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
+    "    return P; // #if orthographic\n"
+    "    return vec3(P.xy / max(P.z, 1e-30), P.z); // #if !orthographic\n"
+    "}\n" },
+
+{ "ssgi_image", __LINE__ + 1,
+    "struct ssgi_image { int wide; ivec2 first, size; }; // what is averaged: pixels a texel, its place, its size\n" },
+
+{ "ssgi_image_of", __LINE__ + 1,
+    "ssgi_image ssgi_image_of() {\n"
+    "    int wide = 1; // #if !half\n"
+    "    int wide = 2; // #if half\n"
+    "    return ssgi_image(wide, u_ssgi_target / wide, (u_ssgi_size + wide - 1) / wide);\n"
+    "}\n" },
+
 { "ssgi_last", __LINE__ + 1,
+    "struct ssgi_last { // the last frame's texel that shows this surface\n"
+    "    vec3 off; // from its place, in texels; z: 0: there is none\n"
+    "    vec4 light, means;\n"
+    "};\n" },
+
+{ "ssgi_last_of", __LINE__ + 1,
     "// Reprojects P: the closer of two texels of the last frame that shows P's plane and holds finite values, and\n"
-    "// its offset in texels; z: 0 if there is none. Interpolation would blur over frames: that texel is kept\n"
-    "// whole and its offset is carried along, in sixteenths of a texel, as x * 32 + y.\n"
-    "vec3 ssgi_last(ivec2 p, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first, out vec4 result, out vec4 means) {\n"
-    "    vec3 best = vec3(0.0), was = ssgi_was(P); vec2 at = was.xy, carried = vec2(0.0);\n"
+    "// its offset in texels. Interpolation would blur over frames: that texel is kept whole and its offset is\n"
+    "// carried along, in sixteenths of a texel, as x * 32 + y.\n"
+    "ssgi_last ssgi_last_of(ivec2 p, vec3 P, vec3 n, ssgi_image image) {\n"
+    "    ssgi_last best = ssgi_last(vec3(0.0), vec4(0.0), vec4(0.0));\n"
+    "    vec3 was = ssgi_reproject(P);\n"
+    "    vec2 at = was.xy, carried = vec2(0.0);\n"
+    "    float wide = float(image.wide), footprint = ssgi_footprint(-P.z), nearest = 8.0;\n"
     "    vec4 plane = vec4(n, 0.0) * u_ssgi_last_from; // as the last frame's pixels and depth have it\n"
     "    plane.w -= dot(n, P);\n"
-    "    float slack = 0.5 * wide * ssgi_footprint(-P.z) - 0.001 * P.z, least = 8.0;\n"
+    "    float slack = 0.5 * wide * footprint - 0.001 * P.z;\n"
     "#if motion\n"
     "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
-    "    slack += max(distance(at, by) - 0.5, 0.0) * ssgi_footprint(-P.z); // it may have come closer as far\n"
+    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // it may have come closer as far\n"
     "    at = by;\n"
     "#endif\n"
     "    at = (at - 0.5) / wide;\n"
-    "    result = means = vec4(0.0);\n"
-    "    bool seen = all(lessThan(abs(2.0 * at - vec2(size)), vec2(size + 2))) && ssgi_finite(vec4(at, was.z, 0.0));\n"
-    "    if (!seen || was.z <= 0.0 || u_ssgi_history <= 1.0) return best;\n"
+    "    bool shown = all(lessThan(abs(2.0 * at - vec2(image.size)), vec2(image.size + 2)));\n"
+    "    if (!shown || !ssgi_finite(vec4(at, was.z, 0.0)) || was.z <= 0.0 || u_ssgi_history <= 1.0) return best;\n"
     "    for (int k = 0; k < 2; ++k) { // the second: where the first one's offset says\n"
-    "        ivec2 q = clamp(ivec2(floor(at - carried + 0.5)), ivec2(0), size - 1);\n"
-    "        vec4 t = ssgi_texel(t_ssgi_history, first + q), m = texelFetch(t_ssgi_means, first + q, 0);\n"
+    "        ivec2 q = clamp(ivec2(floor(at - carried + 0.5)), ivec2(0), image.size - 1);\n"
+    "        vec4 t = ssgi_texel(t_ssgi_history, image.first + q), m = texelFetch(t_ssgi_means, image.first + q, 0);\n"
     "        vec4 Q = vec4((vec2(q) * wide + 0.5) * t.w, t.w, 1.0); // #if !orthographic\n"
     "        vec4 Q = vec4(vec2(q) * wide + 0.5, t.w, 1.0); // #if orthographic\n"
     "        float column = floor(m.w * 0.03125);\n"
     "        carried = clamp(vec2(column, m.w - 32.0 * column) * 0.0625 - 1.0, -1.0, 1.0);\n"
     "        vec2 off = vec2(q) - at + carried;\n"
-    "        bool near = abs(dot(plane, Q)) < slack && dot(off, off) < least && m.z >= 1.0;\n"
+    "        bool near = abs(dot(plane, Q)) < slack && dot(off, off) < nearest && m.z >= 1.0;\n"
     "        if (!near || !ssgi_finite(m) || !ssgi_finite(t)) continue;\n"
-    "        least = dot(off, off), best = vec3(off, 1.0), result = t, means = m;\n"
+    "        nearest = dot(off, off), best = ssgi_last(vec3(off, 1.0), t, m);\n"
     "    }\n"
     "    return best;\n"
     "}\n" },
 
-{ "ssgi_moved", __LINE__ + 1,
-    "// Whether depth at two taps shows that an occluder came or went, which the pixels of a 2x2 tell each other.\n"
-    "// Where the last frame's texel is beside the place, slopes differ as well.\n"
-    "bool ssgi_moved(ivec2 h, vec3 P, vec3 n, float wide, ivec2 size, ivec2 first) {\n"
+{ "ssgi_occluder_moved", __LINE__ + 1,
+    "// Whether depth at a tap, `by` texels off, shows that an occluder of P came or went. along: how far P moved\n"
+    "// on its own\n"
+    "bool ssgi_occluder_moved(ivec2 by, ivec2 h, vec3 P, vec3 n, vec2 along, ssgi_image image) {\n"
+    "    ivec2 q = clamp(h + by, ivec2(0), image.size - 1);\n"
+    "    vec3 Q = ssgi_position(vec2(q * image.wide) + 0.5, ssgi_now(image.first + q).w), was = ssgi_reproject(Q);\n"
+    "    vec2 at = (was.xy + along - 0.5) / float(image.wide);\n"
+    "    ivec2 r = clamp(ivec2(floor(at + 0.5)), ivec2(0), image.size - 1);\n"
+    "    float e = ssgi_texel(t_ssgi_history, image.first + r).w, nearer = min(e, was.z);\n"
+    "    Q *= min(e / was.z, 1.0); // #if !orthographic\n"
+    "    Q.z += max(was.z - e, 0.0); // #if orthographic\n"
+    "    Q = (Q - P) / u_ssgi_radius;\n"
+    "    // where the last frame's texel is beside the place, slopes differ as well\n"
+    "    float l = length(Q), texels = float(image.wide) * (0.5 + 10.0 * distance(at, vec2(r))) + length(along);\n"
+    "    float slack = texels * ssgi_footprint(nearer) + 0.002 * nearer;\n"
+    "    return abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
+    "}\n" },
+
+{ "ssgi_occluders_moved", __LINE__ + 1,
+    "// Whether any of two taps says so, or any of those of the other pixels of a 2x2: these tell each other.\n"
+    "bool ssgi_occluders_moved(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec2 xi = fract(fract(dot(vec2(h), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / wide; // #if orthographic\n"
-    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / (-P.z * wide); // #if !orthographic\n"
-    "    vec2 way = vec2(cos(6.2832 * xi.x), sin(6.2832 * xi.x));\n"
-    "    float moved = 0.0;\n"
+    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / float(image.wide); // #if orthographic\n"
+    "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / (-P.z * float(image.wide)); // #if !orthographic\n"
+    "    vec2 way = vec2(cos(2.0 * SSGI_PI * xi.x), sin(2.0 * SSGI_PI * xi.x)), along = vec2(0.0);\n"
     "#if motion\n"
-    "    ivec2 p = h * int(wide); // what moved along with P stays where it is\n"
-    "    vec2 along = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - ssgi_was(P).xy;\n"
+    "    ivec2 p = h * image.wide; // what moved along with P stays where it is\n"
+    "    along = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy - ssgi_reproject(P).xy;\n"
     "#endif\n"
-    "    for (int k = 0; k < 2; ++k) {\n"
+    "    float moved = 0.0;\n"
+    "    for (int k = 0; k < 2; ++k) { // one within a third of the radius, one beyond\n"
     "        float s = k == 0 ? 0.05 + 0.3 * xi.y : 0.35 + 0.65 * xi.y;\n"
-    "        ivec2 q = clamp(h + ivec2(floor(s * reach * way + 0.5)), ivec2(0), size - 1);\n"
-    "        float d = ssgi_texel(t_ssgi_light, first + q).w; // #if colour == COLOUR\n"
-    "        float d = ssgi_texel(t_ssgi_ao, first + q).w; // #if colour == GREY\n"
-    "        vec3 Q = ssgi_position(vec2(q * int(wide)) + 0.5, d), was = ssgi_was(Q);\n"
-    "        was.xy += along; // #if motion\n"
-    "        vec2 at = (was.xy - 0.5) / wide;\n"
-    "        ivec2 r = clamp(ivec2(floor(at + 0.5)), ivec2(0), size - 1);\n"
-    "        float e = ssgi_texel(t_ssgi_history, first + r).w, least = min(e, was.z); // what was nearer\n"
-    "        Q *= min(e / was.z, 1.0); // #if !orthographic\n"
-    "        Q.z += max(was.z - e, 0.0); // #if orthographic\n"
-    "        Q = (Q - P) / u_ssgi_radius;\n"
-    "        float l = length(Q);\n"
-    "        float slack = wide * ssgi_footprint(least) * (0.5 + 10.0 * distance(at, vec2(r))) + 0.002 * least;\n"
-    "        slack += ssgi_footprint(least) * length(along); // #if motion\n"
-    "        if (abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l) moved = 1.0;\n"
+    "        if (ssgi_occluder_moved(ivec2(floor(s * reach * way + 0.5)), h, P, n, along, image)) moved = 1.0;\n"
     "        way = vec2(-way.y, way.x);\n"
     "    }\n"
     "    moved = max(moved, abs(dFdx(moved)));\n"
     "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
     "}\n" },
 
-{ "ssgi_around", __LINE__ + 1,
-    "// mean of 3x3, as blur will see them, and how they spread\n"
-    "vec2 ssgi_around(ivec2 h, vec3 P, vec3 n, int wide, ivec2 size, ivec2 first) {\n"
+{ "ssgi_neighbourhood", __LINE__ + 1,
+    "// mean of 3x3 within the surface, as blur will see them, and the deviation of a mean of as many\n"
+    "vec2 ssgi_neighbourhood(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec3 plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
-    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(wide) * ssgi_footprint(-P.z));\n"
+    "    float near = 1.0 / (0.05 * u_ssgi_radius + float(image.wide) * ssgi_footprint(-P.z));\n"
     "    for (int k = 0; k < 9; ++k) {\n"
-    "        ivec2 q = clamp(h + ivec2(k % 3, k / 3) - 1, ivec2(0), size - 1);\n"
-    "        vec4 t = ssgi_texel(t_ssgi_light, first + q); // #if colour == COLOUR\n"
-    "        vec4 t = ssgi_texel(t_ssgi_ao, first + q); // #if colour == GREY\n"
-    "        float s = ssgi_grey(t), w = 1.0 - ssgi_off_plane(plane, vec2((q - h) * wide), P, t.w) * near;\n"
+    "        ivec2 q = clamp(h + ivec2(k % 3, k / 3) - 1, ivec2(0), image.size - 1);\n"
+    "        vec4 t = ssgi_now(image.first + q);\n"
+    "        float s = ssgi_grey(t), w = 1.0 - ssgi_off_plane(plane, vec2((q - h) * image.wide), P, t.w) * near;\n"
     "        if (t.w < SSGI_FAR && w > 0.0) sum += w * vec3(s, s * s, 1.0);\n"
     "    }\n"
-    "    float few = 9.0 / sum.z; sum /= sum.z;\n"
-    "    sum.y = max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0);\n"
-    "    return vec2(sum.x, sqrt(sum.y * few));\n"
+    "    float few = 9.0 / sum.z; // a tenth of the mean more where they are few\n"
+    "    sum /= sum.z;\n"
+    "    float variance = max(sum.y - sum.x * sum.x, 0.0) + 0.01 * sum.x * sum.x * (few - 1.0);\n"
+    "    return vec2(sum.x, sqrt(variance * few));\n"
     "}\n" },
 
 { "main_history", __LINE__ + 1,
     "void main() {\n"
-    "    int wide = 1; // #if !half\n"
-    "    int wide = 2; // #if half\n"
-    "    ivec2 first = u_ssgi_target / wide, h = ivec2(gl_FragCoord.xy) - first, p = h * wide;\n"
-    "    ivec2 size = (u_ssgi_size + wide - 1) / wide;\n"
-    "    vec4 now = ssgi_texel(t_ssgi_light, first + h), last, means; // #if colour == COLOUR\n"
-    "    vec4 now = ssgi_texel(t_ssgi_ao, first + h), last, means; // #if colour == GREY\n"
+    "    ssgi_image image = ssgi_image_of();\n"
+    "    ivec2 h = ivec2(gl_FragCoord.xy) - image.first, p = h * image.wide;\n"
+    "    vec4 now = ssgi_now(image.first + h);\n"
     "    float z = now.w, v = ssgi_grey(now), frames = 1.0;\n"
     "    vec3 P = ssgi_position(vec2(p) + 0.5, z), n = ssgi_normal(p, P);\n"
-    "    bool moved = ssgi_moved(h, P, n, float(wide), size, first);\n"
+    "    bool moved = ssgi_occluders_moved(h, P, n, image);\n"
     "    o_ssgi_light = now; // #if colour == COLOUR\n"
     "    o_ssgi_ao = now.xw; // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(v, v, 1.0, 528.0);\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528: carried by nothing\n"
     "    if (z >= SSGI_FAR) return;\n"
-    "    vec3 off = ssgi_last(p, P, n, float(wide), size, first, last, means);\n"
-    "    if (off.z > 0.0 && !moved) frames = min(means.z + 1.0, u_ssgi_history);\n"
+    "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
+    "    if (last.off.z > 0.0 && !moved) frames = min(last.means.z + 1.0, u_ssgi_history);\n"
     "    // Where light changes the average follows: its 3x3 mean stays within the noise of recent frames',\n"
     "    // a quarter to a seventh of their spread, more where few are of this surface.\n"
-    "    vec2 around = ssgi_around(h, P, n, wide, size, first);\n"
+    "    vec2 around = ssgi_neighbourhood(h, P, n, image);\n"
     "    float jump = 0.7 * around.y + 0.02 * abs(around.x);\n"
     "    float drift = 0.2 * around.y + 0.005 * abs(around.x) + 1e-9;\n"
-    "    float quick = mix(means.x, around.x, 1.0 / min(frames, 2.0));\n"
+    "    float quick = mix(last.means.x, around.x, 1.0 / min(frames, 2.0));\n"
     "    quick = clamp(quick, around.x - jump, around.x + jump);\n"
-    "    float mean = mix(means.y, around.x, 1.0 / frames), by = clamp(mean, quick - drift, quick + drift) - mean;\n"
+    "    float mean = mix(last.means.y, around.x, 1.0 / frames);\n"
+    "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
     "    frames = max(frames * (1.0 - 0.85 * min(abs(by) / drift, 1.0)), 1.0);\n"
     "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR && restore != DIFFERENCE\n"
-    "    last = mix(last, now, 1.0 / frames);\n"
+    "    vec4 average = mix(last.light, now, 1.0 / frames);\n"
     "#if colour == COLOUR && restore == DIFFERENCE\n"
-    "    o_ssgi_light.xyz = last.xyz + by;\n"
+    "    o_ssgi_light.xyz = average.xyz + by;\n"
     "#elif colour == COLOUR\n"
-    "    o_ssgi_light.xyz = max(last.xyz * (frames > 1.0 ? 1.0 + by / mean : 1.0), 0.0);\n"
+    "    o_ssgi_light.xyz = max(average.xyz * (frames > 1.0 ? 1.0 + by / mean : 1.0), 0.0);\n"
     "#endif\n"
-    "    o_ssgi_ao.x = clamp(last.x + by, 0.0, 1.0); // #if colour == GREY\n"
-    "    off.xy = clamp(floor(off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
-    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off.xy, vec2(32.0, 1.0)));\n"
+    "    o_ssgi_ao.x = clamp(average.x + by, 0.0, 1.0); // #if colour == GREY\n"
+    "    vec2 off = clamp(floor(last.off.xy * (16.0 - 16.0 / frames) + 16.5), 0.0, 31.0);\n"
+    "    o_ssgi_means = vec4(quick, mean + by, frames, dot(off, vec2(32.0, 1.0)));\n"
     "}\n" },
 
 { "main_triangle", __LINE__ + 1,
@@ -2749,21 +3107,42 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 /* ==== >>passes: the main function of each stage =================================================================== */
 typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
 
-#define SSGI_GL__ALL(pass, name, main) { SSGI_GL_##pass, name, NULL, { "main_triangle", main, NULL, NULL, NULL } }
-#define SSGI_GL__PLAIN(pass, name) SSGI_GL__ALL(pass, name, "main_" name)
+#define SSGI_GL__WHEN(pass, name, when, main) \
+    { SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } }
+#define SSGI_GL__ALWAYS(pass, name, main) SSGI_GL__WHEN(pass, name, NULL, main)
+#define SSGI_GL__SPLAT(when, fragment) \
+    { SSGI_GL_SPLAT, "splat", "!tessellate && " when, { "main_quad", fragment, NULL, NULL, NULL } }, \
+    { SSGI_GL_SPLAT, "splat", "tessellate && " when, \
+      { "main_patch", fragment, "main_levels", "main_points", "main_strip" } }
+
 static const ssgi_gl__pass ssgi_gl__passes[] = {
-    SSGI_GL__ALL(SSAO, "ssao", "main_gather"), SSGI_GL__ALL(HSAO, "hsao", "main_gather"),
-    SSGI_GL__ALL(SSDO, "ssdo", "main_gather"), SSGI_GL__ALL(S3HO, "s3ho", "main_gather"),
-    SSGI_GL__PLAIN(LIGHTS, "lights"), SSGI_GL__PLAIN(SENDERS, "senders"), SSGI_GL__PLAIN(SHADE, "shade"),
+    SSGI_GL__ALWAYS(SSAO, "ssao", "main_occlusion"),
+    SSGI_GL__ALWAYS(HSAO, "hsao", "main_occlusion"),
+    SSGI_GL__ALWAYS(SSDO, "ssdo", "main_ssdo"),
+    SSGI_GL__WHEN(S3HO, "s3ho", "!shaded", "main_s3ho"),
+    SSGI_GL__WHEN(S3HO, "s3ho", "shaded", "main_s3ho_shaded"),
+    SSGI_GL__ALWAYS(LIGHTS, "lights", "main_lights"),
+    SSGI_GL__ALWAYS(SENDERS, "senders", "main_senders"),
+    SSGI_GL__WHEN(SHADE, "shade", "shading != BENT", "main_shade"),
+    SSGI_GL__WHEN(SHADE, "shade", "shading == BENT", "main_bent"),
     { SSGI_GL_FIELD, "field", NULL, { "main_occluder", "main_field", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "!tessellate", { "main_buffer", "main_nothing", NULL, NULL, NULL } },
     { SSGI_GL_SURFELS, "surfels", "tessellate", { "main_patch", "main_nothing", "main_levels", "main_points", NULL } },
-    { SSGI_GL_SPLAT, "splat", "!tessellate", { "main_quad", "main_splat", NULL, NULL, NULL } },
-    { SSGI_GL_SPLAT, "splat", "tessellate",
-      { "main_patch", "main_splat", "main_levels", "main_points", "main_strip" } },
-    SSGI_GL__PLAIN(SHUFFLE, "shuffle"), SSGI_GL__PLAIN(UNSHUFFLE, "unshuffle"), SSGI_GL__PLAIN(SMOOTH, "smooth"),
-    SSGI_GL__PLAIN(SUM, "sum"), SSGI_GL__PLAIN(BLUR, "blur"), SSGI_GL__PLAIN(HISTORY, "history"),
-    SSGI_GL__PLAIN(COMPOSE, "compose") };
+    SSGI_GL__ALWAYS(SHUFFLE, "shuffle", "main_shuffle"),
+    SSGI_GL__SPLAT("effect != SCATTER", "main_splat"),
+    SSGI_GL__SPLAT("effect == SCATTER", "main_splat_scatter"),
+    SSGI_GL__ALWAYS(UNSHUFFLE, "unshuffle", "main_unshuffle"),
+    SSGI_GL__ALWAYS(SMOOTH, "smooth", "main_smooth"),
+    SSGI_GL__WHEN(SUM, "sum", "effect == OCCLUSION", "main_sum_occlusion"),
+    SSGI_GL__WHEN(SUM, "sum", "effect == LIGHT", "main_sum_light"),
+    SSGI_GL__WHEN(SUM, "sum", "effect > LIGHT", "main_sum_sent"),
+    SSGI_GL__WHEN(BLUR, "blur", "colour == GREY", "main_blur_grey"),
+    SSGI_GL__WHEN(BLUR, "blur", "colour == COLOUR", "main_blur_light"),
+    SSGI_GL__WHEN(BLUR, "blur", "colour == COEFFICIENTS", "main_blur_coefficients"),
+    SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
+    SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
+    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light") };
+
 enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
        SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
        SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes) };

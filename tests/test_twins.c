@@ -731,9 +731,9 @@ static void twin_sectors(void)
             memcpy(in[i], i % 1000 == 3 ? whole : tap, sizeof tap);
         }
         if (!probe(&d, &frame, 0,
-                   "uvec2 mask = uvec2(0u); vec2 sum = vec2(0.0);"
-                   "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_fresh(mask, ssgi_between(vec2(x.x, 0.0), "
-                   "vec2(x.y, x.x)), x.zz); }"
+                   "uvec2 mask = uvec2(0u); vec2 sum = vec2(0.0); ssgi_slice s; s.share = vec2(1.0);"
+                   "for (int k = 0; k < 4; ++k) { vec4 x = X(k); sum += ssgi_cover_sectors(s, mask, "
+                   "ssgi_sectors(vec2(x.x, 0.0), vec2(x.y, x.x)), x.zz); }"
                    "o = vec4(sum, ssgi_count(mask));"))
             return;
         for (int i = 0; i < MANY; ++i) {
@@ -781,12 +781,12 @@ static void twin_deep(void)
         memcpy(in[i], a, sizeof a);
     }
     if (probe(&d, &frame, 0,
-              "vec2 deep = ssgi_deep(vec2(a.x, 1.0), vec2(a.y, 1.2), vec2(a.z, 0.0)); o = vec4(deep, 0.0, 0.0);"))
+              "o = vec4(ssgi_slab_thickness(vec2(a.x, 1.0), vec2(a.y, 1.2), vec2(a.z, 0.0)), 0.0, 0.0);"))
         for (int i = 0; i < MANY; ++i) {
             const float z = in[i][0], back = in[i][1];
             NEAR(out[i][0], (i & 3) == 1 ? fmaxf(fminf(back - z, 0.5f), in[i][2]) : fmaxf(0.3f, in[i][2]),
-                 2e-7f * z + 1e-6f, "ssgi_deep");
-            NEAR(out[i][1], 0.2f, 1e-6f, "ssgi_deep, the second");
+                 2e-7f * z + 1e-6f, "ssgi_slab_thickness");
+            NEAR(out[i][1], 0.2f, 1e-6f, "ssgi_slab_thickness, the second");
         }
 }
 
@@ -827,7 +827,7 @@ static void slices_limits(void)
         const int went = probe(&d, &frame, texture,
                                "vec3 P = ssgi_position(vec2(texel) + 0.5, ssgi_depth(texel)); mat3 m = "
                                "ssgi_basis(vec3(0.0, 0.0, 1.0));"
-                               "o = vec4(ssgi_gather(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)));");
+                               "o = vec4(ssgi_gather(texel, P, m[0] * a.x + m[2] * a.y, vec2(0.0, a.z)).all);");
         glDeleteTextures(1, &texture);
         if (!went) return;
         const double whole = arc(1.5707963267949 + tilt, tilt),
@@ -868,7 +868,8 @@ static void shadow_slack(void)
         GLuint texture = kit_texture(SIDE, SIDE, GL_RGBA32F, map[0]);
         const int went =
             probe(&d, &frame, texture,
-                  "float bias; o = vec4(ssgi_shadow(0, a.xyz, vec3(0.0, 0.0, 1.0), length(a.xyz), 1.0, 0.0, bias));");
+                  "ssgi_light s; s.distance = length(a.xyz), s.facing = vec4(0.0);"
+                  "float bias; o = vec4(ssgi_shadow(0, a.xyz, vec3(0.0, 0.0, 1.0), s, 1.0, bias));");
         glDeleteTextures(1, &texture);
         if (!went) return;
         for (int i = 0; i < SIDE; ++i)
