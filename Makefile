@@ -167,7 +167,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
-TESTS = main t test_math test_trace test_files test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
+TESTS = main t test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
 
