@@ -41,14 +41,14 @@ build/render: examples/render.c $(KIT_O)
 
 # The same under sanitizers, for make test: drawn with once a method.
 SANITIZED = $(KIT:%=build/sanitized/%.o) build/sanitized/library.o build/sanitized/render.o
-build/sanitized/%.o: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+SANITIZE  = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) $(FLAGS) -c $< -o $@
+	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
 build/sanitized/render.o: examples/render.c $(HEADERS) | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) $(FLAGS) -c $< -o $@
+	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
@@ -167,7 +167,7 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
-TESTS = main t test_math test_trace test_files test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
+TESTS = main t test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
 build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
 
@@ -181,12 +181,23 @@ clean:
 .PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
-VIEWER_O = $(addprefix build/kit/,util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o)
+VIEWER_O    = util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o
+VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
-build/viewer: examples/viewer.c $(VIEWER_O)
+glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(VIEWER_O) $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL -o $@
+build/viewer: examples/viewer.c $(VIEWER_O:%=build/kit/%) | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $^ $(VIEWER_LIBS) -o $@
+
+# The same under sanitizers: of memory and undefined behaviour, of threads.
+build/viewer-sanitized: examples/viewer.c $(VIEWER_O:%=build/sanitized/%) | glfw
+	@echo '  cc $@'; $(CC) $(SANITIZE) $^ $(VIEWER_LIBS) -o $@
+build/viewer-threads: examples/viewer.c $(VIEWER_O:%=build/threads/%) | glfw
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
+build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
+	@mkdir -p $(@D)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread -c $< -o $@
 
 # OpenSceneGraph with ambient occlusion by the same steps.
 engine: build/engine
@@ -197,14 +208,16 @@ build/engine: examples/engine.cpp ssgi.h ssgi_gl.h
 	@echo '  c++ $@'; $(CXX) -std=c++17 -Wall -Wextra $(CFLAGS) $< \
 	  $(shell pkg-config --cflags --libs openscenegraph-osgViewer openscenegraph-osgDB) -lGL -o $@
 
-# Both under Xvfb, beside build/render's pictures; what is not installed is named as skipped.
+# Both under Xvfb, beside build/render's pictures; what is not installed is named as skipped. FUZZ=300: so many damaged
+# files and arguments for the viewer.
 build/rmse: tests/rmse.c | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
 viewer-test: build/render build/rmse
-	@if pkg-config --exists glfw3; then $(MAKE) --no-print-directory viewer; fi
+	@command -v Xvfb >/dev/null && pkg-config --exists glfw3 || sh examples/kit/install.sh xvfb libglfw3-dev || true
+	@if pkg-config --exists glfw3; then $(MAKE) -s viewer build/viewer-sanitized build/viewer-threads; fi
 	@if pkg-config --exists openscenegraph-osgViewer; then $(MAKE) --no-print-directory engine; fi
-	@sh tests/viewer.sh
+	@FUZZ=$(FUZZ) sh tests/viewer.sh
 
 # Milliseconds of every method on whatever GPU EGL finds, as Markdown: report/bench.md. METHOD=hsao: names that begin so.
 bench: build/bench
@@ -213,7 +226,7 @@ bench: build/bench
 build/bench: examples/bench.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
-.PHONY: viewer engine viewer-test bench
+.PHONY: viewer glfw engine viewer-test bench
 
 # The page: examples/web on three.js from npm, to be served from build/web; its tests draw it in a browser without a
 # window. What they install lies under build/web-deps; make web-test skips by name what cannot be had.

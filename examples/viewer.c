@@ -1,7 +1,7 @@
 /* viewer.c - a window onto a scene: methods live, beside another or beside the truth, with their error and GPU times.
 
       build/viewer room                          build/viewer SCENE.obj --method hsao --right truth
-      build/viewer SCENE.gltf --preset best      keys: h
+      build/viewer SCENE.gltf --preset best      keys: h; options: --help
 
    And the example of an embedding in real time: between the two lines of "====" a method is a list of draws from
    ssgi_gl_steps, whichever it is, and one loop allocates, binds and draws them. What stands above is what an engine has
@@ -13,6 +13,8 @@
 #include <GLFW/glfw3.h>
 #include "kit/kit.h"
 #include <ctype.h>
+#include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdarg.h>
@@ -133,119 +135,212 @@ static void timer_end(timer *t)
 
 /* ---- >>gltf: positions, normals, indices, base colours, the nodes' transforms; nothing else ---------------------- */
 
-/* A value of JSON: kind is one of { [ " 0 t; text: of a string, or of a number. key: in an object. */
-typedef struct json { char kind; const char *text, *key; size_t length, keys; int child, next; } json;
-typedef struct gltf { json *v; int count, room; const char *at, *end; char *buffer[16]; size_t size[16]; } gltf;
+/* A value of JSON: kind is one of { [ " 0 t; text: of a string, a number or a word. key: in an object. Both are offsets
+   into the file. Its items are so many from first on in gltf's; next is for the parser alone. */
+typedef struct json { uint32_t text, length, key, keys; int next, first, items; char kind; } json;
 
-static void blank(gltf *g) { while (g->at < g->end && isspace((unsigned char)*g->at)) ++g->at; }
+/* What a file may ask for: a small one can name one mesh a thousand times, and so on down. */
+enum { DEEPEST = 64, MOST_KEYS = 256, BUFFERS = 16, DEEPEST_NODE = 1000, MOST_PRIMITIVES = 1 << 18,
+       MOST_TRIANGLES = 1 << 24 };
+static const double FARTHEST = 1e15;        /* as of an OBJ: squares of distances are floats, too */
 
-static int quoted(gltf *g, const char **text, size_t *length)
+typedef struct gltf {
+    const char *path, *text, *at, *end;
+    kit_error  *err;
+    json       *v;
+    int        *item, count, room, items, item_room;
+    char       *buffer[BUFFERS];
+    size_t      size[BUFFERS];
+    int         accessors, views, materials, meshes, nodes;         /* arrays */
+    size_t      primitives, triangles, triangle_room;               /* how many were asked for; the mesh's room */
+    char       *seen;                       /* of a node: it is in the scene */
+} gltf;
+
+static int no_memory(const gltf *g) { return kit_fail(g->err, "%s: no memory", g->path); }
+
+static int bad_json(const gltf *g, const char *what)
+{
+    return kit_fail(g->err, "%s: is not JSON: %s at byte %zu", g->path, what, (size_t)(g->at - g->text));
+}
+
+static void skip_space(gltf *g)
+{
+    while (g->at < g->end && (*g->at == ' ' || *g->at == '\t' || *g->at == '\r' || *g->at == '\n')) ++g->at;
+}
+
+static int quoted(gltf *g, uint32_t *text, uint32_t *length)
 {
     const char *from = ++g->at;
-    while (g->at < g->end && *g->at != '"') g->at += *g->at == '\\' ? 2 : 1;
-    if (g->at >= g->end) return -1;
-    *text = from;
-    *length = (size_t)(g->at++ - from);
+    while (g->at < g->end && *g->at != '"') g->at += *g->at == '\\' && g->at + 1 < g->end ? 2 : 1;
+    if (g->at >= g->end) return bad_json(g, "a string has no end");
+    *text = (uint32_t)(from - g->text);
+    *length = (uint32_t)(g->at++ - from);
     return 0;
 }
 
-/* The number of the value that stands at g->at, -1: there is none. */
+static int plain(gltf *g, json *v)          /* a number, which is looked at when it is asked for, or a word */
+{
+    static const char *const words[] = { "true", "false", "null" };
+    const char *from = g->at;
+    while (g->at < g->end && (isalnum((unsigned char)*g->at) || *g->at == '-' || *g->at == '+' || *g->at == '.'))
+        ++g->at;
+    v->length = (uint32_t)(g->at - from);
+    v->kind = *from == '-' || isdigit((unsigned char)*from) ? '0' : 't';
+    for (int i = 0; i < 3; ++i) if (strlen(words[i]) == v->length && !memcmp(from, words[i], v->length)) return 0;
+    if (v->kind == '0') return 0;
+    g->at = from;
+    return bad_json(g, "neither a value nor an end");
+}
+
+/* The values that are chained from first on become the items of a value, side by side. */
+static int keep_items(gltf *g, int of, int first)
+{
+    g->v[of].first = g->items;
+    for (int i = first; i >= 0; i = g->v[i].next) {
+        if (g->items == g->item_room) {
+            int *more = realloc(g->item, (size_t)(g->item_room = 2 * g->item_room + 256) * sizeof *more);
+            if (!more) return no_memory(g);
+            g->item = more;
+        }
+        g->item[g->items++] = i;
+        ++g->v[of].items;
+    }
+    if (g->v[of].kind != '{' || g->v[of].items <= MOST_KEYS) return 0;
+    return kit_fail(g->err, "%s: an object of %d keys ends at byte %zu: %d at most are read", g->path, g->v[of].items,
+                    (size_t)(g->at - g->text), MOST_KEYS);
+}
+
+static int key_of(gltf *g, uint32_t *key, uint32_t *keys)
+{
+    if (g->at >= g->end || *g->at != '"') return bad_json(g, "a key is missing");
+    if (quoted(g, key, keys)) return -1;
+    skip_space(g);
+    if (g->at >= g->end || *g->at != ':') return bad_json(g, "a colon is missing");
+    ++g->at;
+    return 0;
+}
+
+/* The number of the value that stands at g->at; -1: there is none, and the error says why. */
 static int json_parse(gltf *g, int depth)
 {
-    int last = -1;
     if (g->count == g->room) {
         json *more = realloc(g->v, (size_t)(g->room = 2 * g->room + 256) * sizeof *more);
-        if (!more) return -1;
+        if (!more) return no_memory(g);
         g->v = more;
     }
     const int me = g->count++;
-    blank(g);
-    if (g->at >= g->end || depth > 64) return -1;
-    g->v[me] = (json){ .kind = *g->at, .text = g->at, .child = -1, .next = -1 };
+    int first = -1, last = -1;
+    skip_space(g);
+    if (g->at >= g->end) return bad_json(g, "a value is missing");
+    if (depth > DEEPEST)
+        return kit_fail(g->err, "%s: at byte %zu more than %d brackets are open", g->path, (size_t)(g->at - g->text),
+                        DEEPEST);
+    g->v[me] = (json){ .kind = *g->at, .text = (uint32_t)(g->at - g->text), .next = -1 };
     if (*g->at == '"') return quoted(g, &g->v[me].text, &g->v[me].length) ? -1 : me;
-    if (*g->at != '{' && *g->at != '[') {
-        while (g->at < g->end && !strchr(",]}", *g->at) && !isspace((unsigned char)*g->at)) ++g->at;
-        g->v[me].length = (size_t)(g->at - g->v[me].text);
-        return g->v[me].length ? me : -1;
-    }
+    if (*g->at != '{' && *g->at != '[') return plain(g, &g->v[me]) ? -1 : me;
     const char close = *g->at++ == '{' ? '}' : ']';
-    for (blank(g); g->at < g->end && *g->at != close; blank(g)) {
-        const char *key = NULL;
-        size_t keys = 0;
-        if (close == '}') {
-            if (*g->at != '"' || quoted(g, &key, &keys)) return -1;
-            blank(g);
-            if (g->at >= g->end || *g->at++ != ':') return -1;
-        }
+    for (skip_space(g); g->at < g->end && *g->at != close; skip_space(g)) {
+        uint32_t key = 0, keys = 0;
+        if (last >= 0 && *g->at != ',') return bad_json(g, "a comma is missing");
+        if (last >= 0) { ++g->at; skip_space(g); }
+        if (close == '}' && key_of(g, &key, &keys)) return -1;
         const int v = json_parse(g, depth + 1);
         if (v < 0) return -1;
         g->v[v].key = key;
         g->v[v].keys = keys;
-        if (last < 0) g->v[me].child = v; else g->v[last].next = v;
+        if (last < 0) first = v; else g->v[last].next = v;
         last = v;
-        blank(g);
-        if (g->at < g->end && *g->at == ',') ++g->at;
     }
-    return g->at < g->end ? (++g->at, me) : -1;
+    if (g->at >= g->end) return bad_json(g, "a bracket is not closed");
+    ++g->at;
+    return keep_items(g, me, first) ? -1 : me;
 }
 
 static int get(const gltf *g, int of, const char *key)
 {
-    for (int i = of < 0 ? -1 : g->v[of].child; i >= 0; i = g->v[i].next)
-        if (g->v[i].keys == strlen(key) && !strncmp(g->v[i].key, key, g->v[i].keys)) return i;
+    const size_t length = strlen(key);
+    for (int i = 0; of >= 0 && g->v[of].kind == '{' && i < g->v[of].items; ++i) {
+        const int k = g->item[g->v[of].first + i];
+        if (g->v[k].keys == length && !memcmp(g->text + g->v[k].key, key, length)) return k;
+    }
     return -1;
 }
 
-static int item(const gltf *g, int of, int k)
+static int items(const gltf *g, int of) { return of >= 0 && g->v[of].kind == '[' ? g->v[of].items : 0; }
+static int item(const gltf *g, int of, int k) { return k >= 0 && k < items(g, of) ? g->item[g->v[of].first + k] : -1; }
+
+static double number(const gltf *g, int v, double otherwise)     /* NAN: it is none, or more than a float can hold */
 {
-    int i = of < 0 || k < 0 ? -1 : g->v[of].child;
-    while (i >= 0 && k--) i = g->v[i].next;
-    return i;
+    char text[128] = "", *end;
+    if (v < 0) return otherwise;
+    if (g->v[v].kind != '0' || g->v[v].length >= sizeof text) return (double)NAN;
+    memcpy(text, g->text + g->v[v].text, g->v[v].length);
+    const double value = strtod(text, &end);
+    return *end || strpbrk(text, "xX") || !(fabs(value) <= (double)FLT_MAX) ? (double)NAN : value;
 }
 
-static double number(const gltf *g, int v, double otherwise)
+static int whole_of(const gltf *g, int v, int otherwise)        /* -1: it is no whole number from 0 on */
 {
-    char text[32] = "";
-    if (v < 0 || g->v[v].length >= sizeof text) return otherwise;
-    memcpy(text, g->v[v].text, g->v[v].length);
-    return strtod(text, NULL);
+    const double value = number(g, v, otherwise);
+    return value >= 0 && value < 2147483648.0 && value == floor(value) ? (int)value : -1;
 }
 
 static int whole(const gltf *g, int of, const char *key, int otherwise)
 {
-    const double v = number(g, get(g, of, key), otherwise);
-    return v >= -1 && v < 2e9 ? (int)v : -1;
+    return whole_of(g, get(g, of, key), otherwise);
 }
 
-/* Element k of an accessor as floats, or as one number; all is checked when it is opened. */
-typedef struct elements { const unsigned char *data; size_t stride, size; int count, type, wide; } elements;
-
-static int elements_of(elements *e, const gltf *g, int root, int accessor, int wide)
+/* count numbers, which stay as they are where nothing is said. */
+static int numbers(const gltf *g, int of, const char *key, double *out, int count)
 {
-    const int a = item(g, get(g, root, "accessors"), accessor);
-    const int view = item(g, get(g, root, "bufferViews"), whole(g, a, "bufferView", -1));
-    const int buffer = whole(g, view, "buffer", 0);
-    memset(e, 0, sizeof *e);
-    if (a < 0 || view < 0 || buffer < 0 || buffer >= 16 || !g->buffer[buffer] || get(g, a, "sparse") >= 0) return -1;
-    e->type = whole(g, a, "componentType", 0);
-    e->count = whole(g, a, "count", 0);
-    e->wide = wide;
-    e->size = e->type == GL_FLOAT || e->type == GL_UNSIGNED_INT ? 4 : e->type == GL_UNSIGNED_SHORT ? 2 : 1;
-    if (wide > 1 ? e->type != GL_FLOAT : e->type != GL_UNSIGNED_INT && e->type != GL_UNSIGNED_SHORT
-                                         && e->type != GL_UNSIGNED_BYTE) return -1;
-    const int from[3] = { whole(g, view, "byteOffset", 0), whole(g, a, "byteOffset", 0),
-                          whole(g, view, "byteStride", 0) };
-    for (int i = 0; i < 3; ++i) if (from[i] < 0) return -1;
-    const size_t tight = (size_t)wide * e->size, at = (size_t)from[0] + (size_t)from[1];
-    e->stride = from[2] ? (size_t)from[2] : tight;
-    if (e->count < 1 || at + (size_t)(e->count - 1) * e->stride + tight > g->size[buffer]) return -1;
-    e->data = (const unsigned char *)g->buffer[buffer] + at;
+    const int list = get(g, of, key);
+    if (list < 0) return 0;
+    for (int i = 0; i < count; ++i) if (isnan(out[i] = number(g, item(g, list, i), (double)NAN))) return -1;
     return 0;
 }
 
-static uint32_t index_at(const elements *e, int k)      /* little-endian, as the format is */
+static int says(const gltf *g, int v, const char *text)
 {
-    const unsigned char *p = e->data + (size_t)k * e->stride;
+    return v >= 0 && g->v[v].kind == '"' && g->v[v].length == strlen(text)
+           && !memcmp(g->text + g->v[v].text, text, g->v[v].length);
+}
+
+/* The elements of an accessor, as floats or as one number; all is checked when it is opened. */
+typedef struct elements { const unsigned char *data; size_t stride, size; int count, type; } elements;
+
+static int elements_of(elements *e, const gltf *g, int accessor, int wide)
+{
+    const int a = item(g, g->accessors, accessor), v = item(g, g->views, whole(g, a, "bufferView", -1));
+    const int buffer = whole(g, v, "buffer", -1), type = whole(g, a, "componentType", -1);
+    const int at = whole(g, a, "byteOffset", 0), count = whole(g, a, "count", -1);
+    const int from = whole(g, v, "byteOffset", 0), size = whole(g, v, "byteLength", -1),
+              stride = whole(g, v, "byteStride", 0);
+    const char *why = NULL;
+    memset(e, 0, sizeof *e);
+    e->size = type == GL_FLOAT || type == GL_UNSIGNED_INT ? 4 : type == GL_UNSIGNED_SHORT ? 2 : 1;
+    const size_t tight = (size_t)wide * e->size, step = stride > 0 ? (size_t)stride : tight;
+    if (a < 0) why = "is not there";
+    else if (get(g, a, "sparse") >= 0) why = "is sparse, which is not read";
+    else if (get(g, a, "bufferView") < 0) why = "has no bufferView: compressed meshes are not read";
+    else if (v < 0 || buffer < 0 || buffer >= BUFFERS || !g->buffer[buffer])
+        why = "is of a bufferView or a buffer that is not there";
+    else if (at < 0 || from < 0 || size < 0 || stride < 0 || count < 1)
+        why = "has an offset, a length, a stride or a count that is no whole number, or none";
+    else if (!says(g, get(g, a, "type"), wide > 1 ? "VEC3" : "SCALAR")
+             || (wide > 1 ? type != GL_FLOAT
+                          : type != GL_UNSIGNED_INT && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_BYTE))
+        why = wide > 1 ? "must be three floats an element" : "must be one unsigned integer an element";
+    else if ((size_t)from + (size_t)size > g->size[buffer]) why = "is of a bufferView that ends beyond its buffer";
+    else if (step < tight) why = "has elements that overlap: its byteStride is too short";
+    else if ((size_t)at + (size_t)(count - 1) * step + tight > (size_t)size) why = "ends beyond its bufferView";
+    if (why) return kit_fail(g->err, "%s: accessor %d %s", g->path, accessor, why);
+    *e = (elements){ (const unsigned char *)g->buffer[buffer] + from + at, step, e->size, count, type };
+    return 0;
+}
+
+static uint32_t index_at(const elements *e, size_t k)   /* little-endian, as the format is */
+{
+    const unsigned char *p = e->data + k * e->stride;
     uint32_t v = 0;
     for (size_t i = 0; i < e->size; ++i) v |= (uint32_t)p[i] << 8 * i;
     return v;
@@ -261,149 +356,232 @@ static void times(float out[16], const float m[16], const float n[16])
         }
 }
 
-static void node_matrix(float m[16], const gltf *g, int node)
+static int node_matrix(float out[16], const gltf *g, int node)
 {
-    static const float one[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    const int matrix = get(g, node, "matrix"), t = get(g, node, "translation"), r = get(g, node, "rotation"),
-              s = get(g, node, "scale");
-    double q[4] = { 0, 0, 0, 1 };
-    for (int i = 0; i < 16; ++i) m[i] = (float)number(g, item(g, matrix, i), (double)one[i]);
-    if (matrix >= 0) return;
-    for (int i = 0; i < 4; ++i) q[i] = number(g, item(g, r, i), q[i]);
+    double m[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, q[4] = { 0, 0, 0, 1 }, s[3] = { 1, 1, 1 };
+    if (numbers(g, node, "matrix", m, 16) || numbers(g, node, "translation", m + 12, 3)
+        || numbers(g, node, "rotation", q, 4) || numbers(g, node, "scale", s, 3)) return -1;
     const double x = q[0], y = q[1], z = q[2], w = q[3];
     const double turn[9] = { 1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
                              2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
                              2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y) };
-    for (int c = 0; c < 3; ++c) {
-        for (int k = 0; k < 3; ++k) m[4 * c + k] = (float)(turn[3 * c + k] * number(g, item(g, s, c), 1));
-        m[12 + c] = (float)number(g, item(g, t, c), 0);
+    for (int i = 0; i < 9 && get(g, node, "matrix") < 0; ++i) m[i / 3 * 4 + i % 3] = turn[i] * s[i / 3];
+    for (int i = 0; i < 16; ++i) {
+        if (!(fabs(m[i]) <= (double)FLT_MAX)) return -1;
+        out[i] = (float)m[i];
     }
+    return 0;
 }
 
-static void corner(float *position, float *normal, const float m[16], const elements *e, const elements *n, uint32_t k)
+static int unit(const double v[3], float out[3])             /* 0: it has no direction */
+{
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length > 0) || !isfinite(length)) return 0;
+    for (int i = 0; i < 3; ++i) out[i] = (float)(v[i] / length);
+    return 1;
+}
+
+/* A corner in the world, its normal 0 where it has none; -1: it is too far away, or nowhere. */
+static int corner(float position[3], float normal[3], const float m[16], const elements *e, const elements *n,
+                  uint32_t k)
 {
     float p[2][3] = { { 0 } };
+    double turned[3] = { 0 };
     memcpy(p[0], e->data + k * e->stride, sizeof p[0]);
     if (n->data) memcpy(p[1], n->data + k * n->stride, sizeof p[1]);
     for (int r = 0; r < 3; ++r) {
-        position[r] = m[12 + r];
-        normal[r] = 0;
+        double at = (double)m[12 + r];
         for (int c = 0; c < 3; ++c) {
             double scale = 0;               /* normals turn with the axes and shrink where these stretch */
             for (int i = 0; i < 3; ++i) scale += (double)m[4 * c + i] * (double)m[4 * c + i];
-            position[r] += m[4 * c + r] * p[0][c];
-            normal[r] += m[4 * c + r] * p[1][c] / (float)fmax(scale, 1e-30);
+            at += (double)m[4 * c + r] * (double)p[0][c];
+            turned[r] += (double)m[4 * c + r] * (double)p[1][c] / fmax(scale, 1e-30);
         }
+        if (!(fabs(at) <= FARTHEST)) return -1;
+        position[r] = (float)at;
+        normal[r] = 0;
     }
+    unit(turned, normal);
+    return 0;
+}
+
+/* The triangle whose corners stand at the mesh's end is part of it, unless it has no area. */
+static void keep_triangle(kit_mesh *mesh, const double colour[3])
+{
+    float *p = mesh->position + 9 * mesh->triangles, *normal = mesh->normal + 9 * mesh->triangles, face[3];
+    double across[3];
+    for (int i = 0; i < 3; ++i) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        across[i] = ((double)p[3 + a] - (double)p[a]) * ((double)p[6 + b] - (double)p[b])
+                    - ((double)p[3 + b] - (double)p[b]) * ((double)p[6 + a] - (double)p[a]);
+    }
+    if (!unit(across, face)) return;
+    for (int k = 0; k < 9; k += 3)
+        if (normal[k] == 0 && normal[k + 1] == 0 && normal[k + 2] == 0) memcpy(normal + k, face, sizeof face);
+    for (int i = 0; i < 3; ++i) mesh->albedo[3 * mesh->triangles + (size_t)i] = (float)fmin(fmax(colour[i], 0), 1);
+    ++mesh->triangles;
+}
+
+/* One primitive more, and room for its triangles. */
+static int make_room(kit_mesh *mesh, gltf *g, size_t more)
+{
+    float **array[3] = { &mesh->position, &mesh->normal, &mesh->albedo };
+    g->triangles += more;
+    if (++g->primitives > MOST_PRIMITIVES || g->triangles > MOST_TRIANGLES)
+        return kit_fail(g->err, "%s: has more than %d triangles or %d primitives, each counted as often as it is used",
+                        g->path, MOST_TRIANGLES, MOST_PRIMITIVES);
+    if (mesh->triangles + more <= g->triangle_room) return 0;
+    g->triangle_room = 2 * mesh->triangles + more;
+    for (int i = 0; i < 3; ++i) {
+        float *a = realloc(*array[i], g->triangle_room * (i < 2 ? 9 : 3) * sizeof *a);
+        if (!a) return no_memory(g);
+        *array[i] = a;
+    }
+    return 0;
 }
 
 /* Triangles of a primitive, at the end of the mesh. */
-static int add_primitive(kit_mesh *mesh, const gltf *g, int root, int primitive, const float m[16])
+static int add_primitive(kit_mesh *mesh, gltf *g, int primitive, const float m[16])
 {
     const int attributes = get(g, primitive, "attributes"), mode = whole(g, primitive, "mode", 4);
-    const int indexed = whole(g, primitive, "indices", -1), normals = whole(g, attributes, "NORMAL", -1);
-    const int material = item(g, get(g, root, "materials"), whole(g, primitive, "material", -1));
-    const int colour = get(g, get(g, material, "pbrMetallicRoughness"), "baseColorFactor");
+    const int indices = get(g, primitive, "indices"), normals = get(g, attributes, "NORMAL");
+    const int material = get(g, primitive, "material");
+    const int of = material < 0 ? -1 : item(g, g->materials, whole_of(g, material, -1));
     elements p, n = { 0 }, index = { 0 };
-    if (mode != 4) return 0;                /* points and lines have no surface */
-    if (elements_of(&p, g, root, whole(g, attributes, "POSITION", -1), 3)
-        || (normals >= 0 && (elements_of(&n, g, root, normals, 3) || n.count != p.count))
-        || (indexed >= 0 && elements_of(&index, g, root, indexed, 1))) return -1;
-    const size_t more = (size_t)(indexed >= 0 ? index.count : p.count) / 3, all = mesh->triangles + more;
-    float **array[3] = { &mesh->position, &mesh->normal, &mesh->albedo };
-    for (int i = 0; i < 3; ++i) {
-        float *a = realloc(*array[i], all * (i < 2 ? 9 : 3) * sizeof *a + 1);
-        if (!a) return -1;
-        *array[i] = a;
-    }
-    for (size_t t = mesh->triangles; t < all; ++t) {
-        float *at = mesh->position + 9 * t, *normal = mesh->normal + 9 * t, face[3];
+    double colour[3] = { 0.8, 0.8, 0.8 };
+    if (mode >= 0 && mode < 4) return make_room(mesh, g, 0);        /* points and lines have no surface */
+    if (mode != 4)
+        return kit_fail(g->err, "%s: a primitive's mode must be 4, triangles: strips and fans are not read", g->path);
+    if ((material >= 0 && of < 0) || numbers(g, get(g, of, "pbrMetallicRoughness"), "baseColorFactor", colour, 3))
+        return kit_fail(g->err, "%s: a primitive's material is not there, or its colour is not four numbers", g->path);
+    if (elements_of(&p, g, whole(g, attributes, "POSITION", -1), 3)
+        || (normals >= 0 && elements_of(&n, g, whole_of(g, normals, -1), 3))
+        || (indices >= 0 && elements_of(&index, g, whole_of(g, indices, -1), 1))) return -1;
+    if (n.data && n.count != p.count)
+        return kit_fail(g->err, "%s: a primitive has %d positions and %d normals", g->path, p.count, n.count);
+    const size_t more = (size_t)(index.data ? index.count : p.count) / 3;
+    if (make_room(mesh, g, more)) return -1;
+    for (size_t t = 0; t < more; ++t) {
+        float *at = mesh->position + 9 * mesh->triangles, *normal = mesh->normal + 9 * mesh->triangles;
         for (size_t k = 0; k < 3; ++k) {
-            const int i = (int)(3 * (t - mesh->triangles) + k);
-            const uint32_t v = indexed >= 0 ? index_at(&index, i) : (uint32_t)i;
-            if (v >= (uint32_t)p.count) return -1;
-            corner(at + 3 * k, normal + 3 * k, m, &p, &n, v);
+            const uint32_t v = index.data ? index_at(&index, 3 * t + k) : (uint32_t)(3 * t + k);
+            if (v >= (uint32_t)p.count)
+                return kit_fail(g->err, "%s: a triangle names vertex %u of %d", g->path, (unsigned)v, p.count);
+            if (corner(at + 3 * k, normal + 3 * k, m, &p, &n, v))
+                return kit_fail(g->err, "%s: a vertex is not within %g of 0", g->path, FARTHEST);
         }
-        for (int i = 0; i < 3; ++i) {
-            const int a = (i + 1) % 3, b = (i + 2) % 3;
-            face[i] = (at[3 + a] - at[a]) * (at[6 + b] - at[b]) - (at[3 + b] - at[b]) * (at[6 + a] - at[a]);
-            mesh->albedo[3 * t + (size_t)i] = (float)number(g, item(g, colour, i), 0.8);
-        }
-        for (int k = 0; k < 9; k += 3) {
-            float *to = normal + k, length;
-            if (!n.data) memcpy(to, face, sizeof face);
-            length = sqrtf(to[0] * to[0] + to[1] * to[1] + to[2] * to[2]);
-            for (int i = 0; i < 3 && length > 0; ++i) to[i] /= length;
-        }
+        keep_triangle(mesh, colour);
     }
-    mesh->triangles = all;
     return 0;
 }
 
-static int add_node(kit_mesh *mesh, const gltf *g, int root, int k, const float parent[16], int depth)
+static int add_node(kit_mesh *mesh, gltf *g, int k, const float parent[16], int depth)
 {
-    const int node = item(g, get(g, root, "nodes"), k), children = get(g, node, "children");
-    const int primitives = get(g, item(g, get(g, root, "meshes"), whole(g, node, "mesh", -1)), "primitives");
+    const int node = item(g, g->nodes, k), children = get(g, node, "children"), mesh_ = get(g, node, "mesh");
+    const int of = mesh_ < 0 ? -1 : item(g, g->meshes, whole_of(g, mesh_, -1)), primitives = get(g, of, "primitives");
     float own[16], m[16];
-    if (node < 0 || depth > 64) return -1;
-    node_matrix(own, g, node);
+    if (node < 0) return kit_fail(g->err, "%s: a node is named that is not there", g->path);
+    if (depth > DEEPEST_NODE)
+        return kit_fail(g->err, "%s: node %d has more than %d ancestors", g->path, k, DEEPEST_NODE);
+    if (g->seen[k]++) return kit_fail(g->err, "%s: node %d comes twice: it must have one parent at most", g->path, k);
+    if (mesh_ >= 0 && of < 0) return kit_fail(g->err, "%s: node %d has a mesh that is not there", g->path, k);
+    if (node_matrix(own, g, node))
+        return kit_fail(g->err, "%s: node %d has a transform that is not of numbers", g->path, k);
     times(m, parent, own);
-    for (int i = 0; item(g, primitives, i) >= 0; ++i)
-        if (add_primitive(mesh, g, root, item(g, primitives, i), m)) return -1;
-    for (int i = 0; item(g, children, i) >= 0; ++i)
-        if (add_node(mesh, g, root, (int)number(g, item(g, children, i), -1), m, depth + 1)) return -1;
+    for (int i = 0; i < items(g, primitives); ++i)
+        if (add_primitive(mesh, g, item(g, primitives, i), m)) return -1;
+    for (int i = 0; i < items(g, children); ++i)
+        if (add_node(mesh, g, whole_of(g, item(g, children, i), -1), m, depth + 1)) return -1;
     return 0;
 }
 
-/* A buffer: behind "base64,", or a file beside the .gltf. */
-static int buffer_read(gltf *g, int i, const char *path, const json *uri, kit_error *err)
+static int base64_read(gltf *g, int i, const char *at, const char *end)
 {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    char name[4096];
-    const char *slash = strrchr(path, '/'), *at = uri->text, *end = at + uri->length;
-    const int folder = slash ? (int)(slash - path) + 1 : 0;
-    if (strncmp(at, "data:", 5)) {
-        const int n = snprintf(name, sizeof name, "%.*s%.*s", folder, path, (int)uri->length, at);
-        return n > 0 && (size_t)n < sizeof name ? kit_file_read(&g->buffer[i], &g->size[i], name, err) : -1;
-    }
-    while (at < end && *at != ',') ++at;
-    g->buffer[i] = malloc(uri->length + 1);
-    if (!g->buffer[i]) return kit_fail(err, "%s: no memory", path);
-    for (uint32_t bits = 0, have = 0; ++at < end && *at != '=';) {
-        const char *digit = strchr(digits, *at);
-        if (!digit) continue;
-        bits = bits << 6 | (uint32_t)(digit - digits);
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/", kind[] = ";base64";
+    const char *comma = memchr(at, ',', (size_t)(end - at));
+    signed char value[256];
+    if (!comma || comma - at < (int)sizeof kind - 1 || memcmp(comma - sizeof kind + 1, kind, sizeof kind - 1))
+        return kit_fail(g->err, "%s: the uri of buffer %d must be data:..;base64,.. or a file", g->path, i);
+    memset(value, -1, sizeof value);
+    for (int k = 0; k < 64; ++k) value[(unsigned char)digits[k]] = (signed char)k;
+    if (!(g->buffer[i] = malloc((size_t)(end - comma)))) return no_memory(g);
+    uint32_t bits = 0, have = 0;
+    for (at = comma + 1; at < end && *at != '='; ++at) {
+        const int digit = value[(unsigned char)*at];
+        if (digit < 0) return kit_fail(g->err, "%s: buffer %d is not base64", g->path, i);
+        bits = bits << 6 | (uint32_t)digit;
         have += 6;
         if (have >= 8) g->buffer[i][g->size[i]++] = (char)(bits >> (have -= 8));
     }
     return 0;
 }
 
-static int gltf_load(kit_scene *s, const char *path, kit_error *err)
+/* A buffer: behind "base64,", or a file beside the .gltf. */
+static int buffer_read(gltf *g, int i, int of)
+{
+    char name[4096];
+    const int uri = get(g, of, "uri"), length = whole(g, of, "byteLength", -1);
+    const char *slash = strrchr(g->path, '/'), *at = uri < 0 ? "" : g->text + g->v[uri].text;
+    const size_t folder = slash ? (size_t)(slash - g->path) + 1 : 0, size = uri < 0 ? 0 : g->v[uri].length;
+    if (uri < 0 || g->v[uri].kind != '"') return kit_fail(g->err, "%s: buffer %d has no uri", g->path, i);
+    if (size >= 5 && !memcmp(at, "data:", 5)) { if (base64_read(g, i, at, at + size)) return -1; }
+    else {
+        if (folder + size >= sizeof name)
+            return kit_fail(g->err, "%s: the uri of buffer %d has %zu bytes: no file has so long a name", g->path, i,
+                            size);
+        memcpy(name, g->path, folder);
+        memcpy(name + folder, at, size);
+        name[folder + size] = 0;
+        if (kit_file_read(&g->buffer[i], &g->size[i], name, g->err)) return -1;
+    }
+    if (length < 1 || (size_t)length > g->size[i])
+        return kit_fail(g->err, "%s: buffer %d has %zu bytes: its byteLength must be 1 to that", g->path, i,
+                        g->size[i]);
+    g->size[i] = (size_t)length;
+    return 0;
+}
+
+/* The triangles of the scene that the file says is its own. */
+static int gltf_read(kit_mesh *mesh, gltf *g)
 {
     static const float one[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
-    gltf g = { 0 };
+    const int root = json_parse(g, 0);
+    if (root < 0) return -1;
+    skip_space(g);
+    if (g->at < g->end) return bad_json(g, "more than one value");
+    const int buffers = get(g, root, "buffers"), scenes = get(g, root, "scenes");
+    const int scene = item(g, scenes, whole(g, root, "scene", 0)), nodes = get(g, scene, "nodes");
+    g->accessors = get(g, root, "accessors");
+    g->views = get(g, root, "bufferViews");
+    g->materials = get(g, root, "materials");
+    g->meshes = get(g, root, "meshes");
+    g->nodes = get(g, root, "nodes");
+    if (scene < 0) return kit_fail(g->err, "%s: has no scene, or not the one that it names", g->path);
+    if (items(g, buffers) > BUFFERS)
+        return kit_fail(g->err, "%s: has %d buffers: %d at most are read", g->path, items(g, buffers), BUFFERS);
+    for (int i = 0; i < items(g, buffers); ++i) if (buffer_read(g, i, item(g, buffers, i))) return -1;
+    if (!(g->seen = calloc((size_t)items(g, g->nodes) + 1, 1))) return no_memory(g);
+    for (int i = 0; i < items(g, nodes); ++i)
+        if (add_node(mesh, g, whole_of(g, item(g, nodes, i), -1), one, 0)) return -1;
+    return mesh->triangles ? 0 : kit_fail(g->err, "%s: holds no triangles", g->path);
+}
+
+static int gltf_load(kit_scene *s, const char *path, kit_error *err)
+{
+    gltf g = { .path = path, .err = err };
     char *text = NULL;
     size_t size;
     double half = 0;
     if (kit_file_read(&text, &size, path, err)) return -1;
-    g.at = text;
+    g.text = g.at = text;
     g.end = text + size;
-    const int root = json_parse(&g, 0), buffers = get(&g, root, "buffers");
-    const int scene = item(&g, get(&g, root, "scenes"), whole(&g, root, "scene", 0)), nodes = get(&g, scene, "nodes");
-    int failed = root < 0 ? kit_fail(err, "%s: is not JSON", path) : 0;
     memset(s, 0, sizeof *s);
-    for (int i = 0; i < 16 && item(&g, buffers, i) >= 0 && !failed; ++i) {
-        const int uri = get(&g, item(&g, buffers, i), "uri");
-        failed = uri < 0 ? kit_fail(err, "%s: buffer %d has no uri", path, i)
-                         : buffer_read(&g, i, path, &g.v[uri], err);
-    }
-    for (int i = 0; item(&g, nodes, i) >= 0 && !failed; ++i)
-        if (add_node(&s->mesh, &g, root, (int)number(&g, item(&g, nodes, i), -1), one, 0))
-            failed = kit_fail(err, "%s: a mesh is damaged, sparse or compressed", path);
-    if (!failed && !s->mesh.triangles) failed = kit_fail(err, "%s: holds no triangles", path);
-    for (int i = 0; i < 16; ++i) free(g.buffer[i]);
+    const int failed = size > INT_MAX / 2 ? kit_fail(err, "%s: must not be larger than 1 GiB", path)
+                                          : gltf_read(&s->mesh, &g);
+    for (int i = 0; i < BUFFERS; ++i) free(g.buffer[i]);
     free(g.v);
+    free(g.item);
+    free(g.seen);
     free(text);
     if (failed) { kit_mesh_free(&s->mesh); return -1; }
     for (int i = 0; i < 3; ++i) s->mesh.lower[i] = s->mesh.upper[i] = s->mesh.position[i];
@@ -722,20 +900,26 @@ typedef struct half {
 
 /* ---- >>truth: traced by the kit beside the drawing, a 64th of the pixels at a time ------------------------------- */
 
+typedef struct progress {
+    unsigned version;                       /* counts what was added */
+    int      tracing, rounds;               /* rays a pixel of the round that is traced now; rounds that are whole */
+    float    share;                         /* of that round */
+} progress;
+
 typedef struct truth {
     pthread_t          thread;
-    pthread_mutex_t    lock;
+    pthread_mutex_t    lock;                /* of all below: the thread reads what is wanted and writes what it found */
     pthread_cond_t     wake;
     const kit_scene   *scene;
     const kit_lighting *lighting;
     kit_camera         camera;              /* what is wanted; everything below as well */
     float              radius;
-    int                lit, started, quit;
+    int                lit, started, quit, failed;
     unsigned           wanted;              /* counts requests: another number cancels what is being traced */
-    unsigned           version;             /* counts what was added */
-    float             *rgb, share;          /* share: of the round that is traced now, which takes so many rays */
-    int                tracing, rounds;     /* rounds that are whole */
+    progress           now;
+    float             *rgb;
     int               *rays;                /* a pixel; 0: not known, rgb is a neighbour's */
+    kit_error          err;                 /* of what failed */
 } truth;
 
 /* What the kit skips by stride 8 is cheap, and shift moves which 64th it does not skip. The picture's sides are rounded
@@ -772,10 +956,10 @@ static void truth_add(truth *t, const kit_image *traced, int lit, int rays, int 
                 if (!b) t->rays[py * w + px] = rays;
             }
         }
-    t->share = (float)(k + 1) / 64;
-    t->tracing = rays;
-    t->rounds += k == 63;
-    ++t->version;
+    t->now.share = (float)(k + 1) / 64;
+    t->now.tracing = rays;
+    t->now.rounds += k == 63;
+    ++t->now.version;
 }
 
 static void *truth_thread(void *context)
@@ -791,7 +975,7 @@ static void *truth_thread(void *context)
         const kit_camera camera = t->camera;
         const float radius = t->radius;
         const int lit = t->lit;
-        for (int k = 0; k < 64 * 4 && t->wanted == now && !t->quit; ++k) {
+        for (int k = 0; k < 64 * 4 && t->wanted == now && !t->quit && !t->failed; ++k) {
             const int rays = rounds[k / 64], b = k % 64;
             const int i = (b & 1) * 4 + (b >> 2 & 1) * 2 + (b >> 4 & 1);
             const int j = (b >> 1 & 1) * 4 + (b >> 3 & 1) * 2 + (b >> 5 & 1);
@@ -806,6 +990,7 @@ static void *truth_thread(void *context)
             pthread_mutex_lock(&t->lock);
             if (!failed && t->wanted == now) truth_add(t, &traced, lit, rays, b, i, j);
             if (!failed) kit_image_free(&traced);
+            else if (t->wanted == now) { t->failed = 1; t->err = err; }
         }
         done = now;
     }
@@ -813,26 +998,34 @@ static void *truth_thread(void *context)
     return NULL;
 }
 
-/* Starts over when anything that it depends on is another than before. */
-static void truth_want(truth *t, const kit_camera *camera, float radius, int lit)
+/* Starts over when anything that it depends on is another than before. What is wanted is written here alone: it may be
+   read here without the lock. */
+static int truth_want(truth *t, const kit_camera *camera, float radius, int lit, kit_error *err)
 {
     const size_t pixels = (size_t)camera->width * (size_t)camera->height;
-    if (t->started && !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->lit == lit) return;
+    if (t->started && !memcmp(&t->camera, camera, sizeof *camera) && t->radius == radius && t->lit == lit) return 0;
+    float *rgb = calloc(3 * pixels, sizeof *rgb);
+    int *rays = calloc(pixels, sizeof *rays);
+    if (!rgb || !rays) {
+        free(rgb);
+        free(rays);
+        return kit_fail(err, "no memory for a truth of %d x %d", camera->width, camera->height);
+    }
     pthread_mutex_lock(&t->lock);
     free(t->rgb);
     free(t->rays);
-    t->rgb = calloc(3 * pixels, sizeof *t->rgb);
-    t->rays = calloc(pixels, sizeof *t->rays);
+    t->rgb = rgb;
+    t->rays = rays;
     t->camera = *camera;
     t->radius = radius;
     t->lit = lit;
-    t->share = 0;
-    t->rounds = 0;
-    ++t->version;
-    if (t->rgb && t->rays) ++t->wanted;
+    t->failed = 0;
+    t->now = (progress){ .version = t->now.version + 1 };
+    ++t->wanted;
     pthread_cond_signal(&t->wake);
     pthread_mutex_unlock(&t->lock);
     if (!t->started) t->started = !pthread_create(&t->thread, NULL, truth_thread, t);
+    return t->started ? 0 : kit_fail(err, "no thread for the truth");
 }
 
 static void truth_close(truth *t)
@@ -860,7 +1053,8 @@ typedef struct viewer {
     gbuffer      gbuffer;
     half         half[2];
     truth        truth;
-    unsigned     shown, frame;
+    progress     shown;                     /* of the truth, when its picture was made */
+    unsigned     frame;
     double       mouse[2], scored;
     GLuint       resolve, display, text, quads, truth_picture;
     char         note[256];
@@ -1051,20 +1245,25 @@ static void half_score(viewer *v, half *h)
 }
 
 /* The truth so far as a texture; rows turn over. */
-static void truth_upload(viewer *v)
+static int truth_upload(viewer *v)
 {
     const int w = v->truth.camera.width, height = v->truth.camera.height;
-    float *p;
-    if (v->shown == v->truth.version || !(p = malloc((size_t)w * (size_t)height * 3 * sizeof *p))) return;
+    const size_t row = 3 * (size_t)w;
+    float *p = NULL;
     pthread_mutex_lock(&v->truth.lock);
-    for (int y = 0; y < height; ++y)
-        memcpy(p + 3 * (size_t)y * (size_t)w, v->truth.rgb + 3 * (size_t)(height - 1 - y) * (size_t)w,
-               3 * (size_t)w * sizeof *p);
-    v->shown = v->truth.version;
+    const int failed = v->truth.failed, is_new = v->shown.version != v->truth.now.version;
+    if (is_new) p = malloc(row * (size_t)height * sizeof *p);
+    for (int y = 0; y < height && p; ++y)
+        memcpy(p + row * (size_t)y, v->truth.rgb + row * (size_t)(height - 1 - y), row * sizeof *p);
+    v->shown = v->truth.now;
+    if (failed) v->err = v->truth.err;
     pthread_mutex_unlock(&v->truth.lock);
+    if (failed || !is_new) { free(p); return failed ? -1 : 0; }
+    if (!p) return kit_fail(&v->err, "no memory for a truth of %d x %d", w, height);
     glDeleteTextures(1, &v->truth_picture);
     v->truth_picture = texture_of(w, height, 0, GL_RGBA32F, GL_RGB, GL_FLOAT, p);
     free(p);
+    return 0;
 }
 
 /* ---- >>text ------------------------------------------------------------------------------------------------------ */
@@ -1155,7 +1354,7 @@ static void describe(char *text, size_t size, const viewer *v, const half *h)
 {
     double all = 0;
     if (h->method == TRUTH) {
-        add(text, size, "ray-traced truth\n%d rays a pixel: %.0f %%", v->truth.tracing, (double)v->truth.share * 100);
+        add(text, size, "ray-traced truth\n%d rays a pixel: %.0f %%", v->shown.tracing, (double)v->shown.share * 100);
         return;
     }
     add(text, size, "%s, %s", methods[h->method].name, presets[h->preset]);
@@ -1342,6 +1541,8 @@ static int fit(viewer *v)                   /* sizes are the window's, programs 
     v->camera.width = w;
     v->camera.height = h;
     for (int i = 0; i < 1 + v->split_on && (sized || v->dirty); ++i) if (half_open(v, &v->half[i])) return -1;
+    if ((sized || v->dirty) && glGetError() == GL_OUT_OF_MEMORY)
+        return kit_fail(&v->err, "the GPU has no memory for a window of %d x %d", w, h);
     v->dirty = 0;
     return 0;
 }
@@ -1360,12 +1561,12 @@ static int show(viewer *v)
         if (v->half[i].method != TRUTH && half_draw(v, &v->half[i], to_view, projection)) return -1;
     ++v->frame;
     if (v->error || (v->split_on && v->half[1].method == TRUTH)) {
-        truth_want(&v->truth, &seen, v->radius, methods[v->half[0].method].lit);
+        if (truth_want(&v->truth, &seen, v->radius, methods[v->half[0].method].lit, &v->err)) return -1;
         if (kit_seconds() > v->scored + 0.5) {
             for (int i = 0; i < 1 + v->split_on; ++i) half_score(v, &v->half[i]);
             v->scored = kit_seconds();
         }
-        truth_upload(v);
+        if (truth_upload(v)) return -1;
     }
     for (int i = 0; i < 2; ++i) {
         const int lit = v->half[i].method == TRUTH ? v->truth.lit : methods[v->half[i].method].lit;
@@ -1416,12 +1617,13 @@ static int programs_open(viewer *v)
     return 0;
 }
 
-static int floats(const char *text, float *out, int count)
+static int floats(const char *text, float *out, int count)       /* none farther from 0 than scenes are */
 {
     char *end = NULL;
     for (int i = 0; i < count; ++i, text = end + 1) {
         out[i] = strtof(text, &end);
-        if (end == text || *end != (i + 1 < count ? ',' : 0)) return -1;
+        if (end == text || *end != (i + 1 < count ? ',' : 0) || !(fabs((double)out[i]) <= FARTHEST))
+            return -1;
     }
     return 0;
 }
@@ -1438,60 +1640,148 @@ static int method_named(const char *name)
     return strcmp(name, "truth") ? -1 : TRUTH;
 }
 
+static int whole_between(const char *text, int least, int most, int *out)
+{
+    char *end;
+    const long value = strtol(text, &end, 10);
+    if (end == text || *end || value < least || value > most) return -1;
+    *out = (int)value;
+    return 0;
+}
+
+static int size_of(const char *text, int size[2])
+{
+    char width[8] = "";
+    const char *x = strchr(text, 'x');
+    if (!x || x - text >= (int)sizeof width) return -1;
+    memcpy(width, text, (size_t)(x - text));
+    return whole_between(width, 16, 16384, &size[0]) || whole_between(x + 1, 16, 16384, &size[1])
+           || size[0] * size[1] > 33554432;
+}
+
 static const char usage[] =
     "usage: viewer SCENE.obj | SCENE.gltf | NAME   [options]; h in the window lists its keys\n"
     "  --method ssao | hsao | hsao-march | ssdo | ssdo-points | s3ho   [hsao]\n"
     "  --right METHOD | truth     beside it\n"
     "  --preset fast | balanced | best   --behind constant | solid | back | slabs   --normal gbuffer | depth\n"
-    "  --radius R  --history  --env sky | FILE  --ground  --size WxH  --camera ex,ey,ez,tx,ty,tz  --up x,y,z";
+    "  --radius R  --history  --env sky | FILE  --ground  --size WxH  --camera ex,ey,ez,tx,ty,tz  --up x,y,z\n"
+    "  --shot F.png   a picture of the window, then the end   --frames N   so many frames before it   --keys\n";
 
-static int parse(viewer *v, int argc, char **argv, int size[2])
+/* What was asked for and is not the viewer's own. */
+typedef struct asked {
+    const char *scene;
+    int         ground, help, camera, up, size[2];
+    float       place[6], upward[3], radius[1];
+} asked;
+
+static int must(viewer *v, int good, const char *name, const char *value, const char *what)
+{
+    return good ? 0 : kit_fail(&v->err, "%s '%s': must %s", name, value, what);
+}
+
+/* An option with its value, "" where there is none. */
+static int option(viewer *v, asked *to, const char *name, const char *value)
 {
     static const char *const normals[] = { "gbuffer", "depth" };
-    const char *scene = NULL;
-    int ground = 0, bad = 0, camera = 0;
-    float place[6], up[3] = { 0 }, radius = 0;
-    v->half[0].method = v->half[1].method = 1;
-    v->half[0].preset = v->half[1].preset = SSGI_GL_BALANCED;
-    v->split = 0.5f;
-    v->panel = -1;
-    v->env = "sky";
-    for (int i = 1; i < argc && !bad; ++i) {
-        const char *a = argv[i], *x = i + 1 < argc ? argv[i + 1] : "";
-        if (strncmp(a, "--", 2)) { scene = a; continue; }
-        if (!strcmp(a, "--history")) { v->history = 1; continue; }
-        if (!strcmp(a, "--ground")) { ground = 1; continue; }
-        if (!strcmp(a, "--keys")) { v->help = 1; continue; }
-        ++i;
-        if (!strcmp(a, "--method")) bad = (v->half[0].method = method_named(x)) < 0 || v->half[0].method == TRUTH;
-        else if (!strcmp(a, "--right")) { bad = (v->half[1].method = method_named(x)) < 0; v->split_on = v->error = 1; }
-        else if (!strcmp(a, "--preset")) bad = (v->half[0].preset = v->half[1].preset = word(x, presets, 3)) < 0;
-        else if (!strcmp(a, "--behind")) bad = (v->behind = word(x, behinds, 4)) < 0;
-        else if (!strcmp(a, "--normal")) bad = (v->from_depth = word(x, normals, 2)) < 0;
-        else if (!strcmp(a, "--radius")) bad = floats(x, &radius, 1) || !(radius > 0);
-        else if (!strcmp(a, "--camera")) { bad = floats(x, place, 6); camera = 1; }
-        else if (!strcmp(a, "--up")) bad = floats(x, up, 3);
-        else if (!strcmp(a, "--env")) v->env = x;
-        else if (!strcmp(a, "--size"))
-            bad = sscanf(x, "%dx%d", &size[0], &size[1]) != 2 || size[0] < 16 || size[1] < 16;
-        else if (!strcmp(a, "--frames")) bad = (v->frames = atoi(x)) < 1;
-        else if (!strcmp(a, "--panel")) v->panel = atoi(x);
-        else if (!strcmp(a, "--shot")) v->shot = x;
-        else bad = 1;
-        if (bad) return kit_fail(&v->err, "%s %s: is not known", a, x);
+    half *left = &v->half[0], *right = &v->half[1];
+    if (!strcmp(name, "--method")) {
+        left->method = method_named(value);
+        return must(v, left->method >= 0 && left->method != TRUTH, name, value,
+                    "be ssao, hsao, hsao-march, ssdo, ssdo-points or s3ho");
     }
-    if (v->panel < 0) v->panel = !v->shot;
-    if (!scene)
-        return kit_fail(&v->err, "%s", usage);
-    const size_t n = strlen(scene);
-    if (n > 5 && !strcmp(scene + n - 5, ".gltf") ? gltf_load(&v->scene, scene, &v->err)
-                                                 : kit_scene_load(&v->scene, scene, ground, &v->err)) return -1;
-    v->camera = v->scene.camera;
-    v->camera.depth = KIT_DEPTH_NORMAL;
-    for (int i = 0; i < 3 && camera; ++i) { v->camera.eye[i] = place[i]; v->camera.target[i] = place[3 + i]; }
-    if (up[0] != 0 || up[1] != 0 || up[2] != 0) memcpy(v->camera.up, up, sizeof up);
-    v->home = v->camera;
-    v->radius = radius > 0 ? radius : v->scene.radius;
+    if (!strcmp(name, "--right")) {
+        v->split_on = v->error = 1;
+        right->method = method_named(value);
+        return must(v, right->method >= 0, name, value, "be a method or truth");
+    }
+    if (!strcmp(name, "--preset")) {
+        left->preset = right->preset = word(value, presets, 3);
+        return must(v, left->preset >= 0, name, value, "be fast, balanced or best");
+    }
+    if (!strcmp(name, "--behind")) {
+        v->behind = word(value, behinds, 4);
+        return must(v, v->behind >= 0, name, value, "be constant, solid, back or slabs");
+    }
+    if (!strcmp(name, "--normal")) {
+        v->from_depth = word(value, normals, 2);
+        return must(v, v->from_depth >= 0, name, value, "be gbuffer or depth");
+    }
+    if (!strcmp(name, "--radius"))
+        return must(v, !floats(value, to->radius, 1) && *to->radius > 0, name, value,
+                    "be a number above 0, at most 1e15");
+    if (!strcmp(name, "--camera")) {
+        to->camera = 1;
+        return must(v, !floats(value, to->place, 6), name, value,
+                    "be six numbers with commas between, each within 1e15 of 0");
+    }
+    if (!strcmp(name, "--up")) {
+        to->up = 1;
+        return must(v, !floats(value, to->upward, 3), name, value,
+                    "be three numbers with commas between, each within 1e15 of 0");
+    }
+    if (!strcmp(name, "--size"))
+        return must(v, !size_of(value, to->size), name, value, "be WxH, each 16..16384, of 33554432 pixels at most");
+    if (!strcmp(name, "--frames"))
+        return must(v, !whole_between(value, 1, 1000000, &v->frames), name, value, "be a whole number in 1..1000000");
+    if (!strcmp(name, "--panel"))
+        return must(v, !whole_between(value, 0, 1, &v->panel), name, value, "be 0 or 1");
+    if (!strcmp(name, "--env")) {
+        v->env = value;
+        return must(v, *value, name, value, "name an environment or its file");
+    }
+    if (!strcmp(name, "--shot")) {
+        v->shot = value;
+        return must(v, *value, name, value, "name a file");
+    }
+    return kit_fail(&v->err, "%s: there is no such option (--help names all)", name);
+}
+
+static int arguments(viewer *v, asked *to, int argc, char **argv)
+{
+    for (int i = 1; i < argc; ++i) {
+        const char *a = argv[i];
+        if (!strcmp(a, "--help") || !strcmp(a, "-h")) to->help = 1;
+        else if (!strcmp(a, "--history")) v->history = 1;
+        else if (!strcmp(a, "--ground")) to->ground = 1;
+        else if (!strcmp(a, "--keys")) v->help = 1;
+        else if (*a == '-') { if (option(v, to, a, i + 1 < argc ? argv[i + 1] : "")) return -1; ++i; }
+        else if (!to->scene) to->scene = a;
+        else return kit_fail(&v->err, "%s: only one scene can be shown (%s is one already)", a, to->scene);
+    }
+    if (to->help || to->scene) return 0;
+    return kit_fail(&v->err, "a scene must be given: SCENE.obj, SCENE.gltf or a built-in name (--help says more)");
+}
+
+/* The scene's camera, or what was asked for instead. */
+static int camera_of(viewer *v, const asked *to)
+{
+    kit_camera *c = &v->camera;
+    double away[3], length = 0, up = 0, along = 0;
+    *c = v->scene.camera;
+    c->depth = KIT_DEPTH_NORMAL;
+    if (to->camera) { memcpy(c->eye, to->place, sizeof c->eye); memcpy(c->target, to->place + 3, sizeof c->target); }
+    if (to->up) memcpy(c->up, to->upward, sizeof c->up);
+    for (int i = 0; i < 3; ++i) {
+        away[i] = (double)c->eye[i] - (double)c->target[i];
+        length += away[i] * away[i];
+        up += (double)c->up[i] * (double)c->up[i];
+        along += away[i] * (double)c->up[i];
+    }
+    if (!(length > 0)) return kit_fail(&v->err, "--camera: eye and target must differ");
+    if (!(up > 0) || along * along > 0.999999 * length * up)
+        return kit_fail(&v->err, "--up: must not be zero or along the view direction");
+    v->home = *c;
+    return 0;
+}
+
+static int open_scene(viewer *v, const asked *to)
+{
+    const size_t n = strlen(to->scene);
+    if (n > 5 && !strcmp(to->scene + n - 5, ".gltf") ? gltf_load(&v->scene, to->scene, &v->err)
+                                                     : kit_scene_load(&v->scene, to->scene, to->ground, &v->err))
+        return -1;
+    if (camera_of(v, to)) return -1;
+    v->radius = to->radius[0] > 0 ? to->radius[0] : v->scene.radius;
     if (kit_env_read(&v->lighting.env, v->env, &v->err)) return -1;
     const size_t pixels = (size_t)v->lighting.env.width * (size_t)v->lighting.env.height;
     v->equirect = malloc(3 * pixels * sizeof *v->equirect);
@@ -1527,40 +1817,53 @@ static int window_open(viewer *v, const int size[2])
 static int shot_next(const viewer *v)
 {
     return v->shot && v->frame + 1 >= (unsigned)(v->frames ? v->frames : 1)
-           && (!v->error || (v->truth.rounds && v->shown == v->truth.version));
+           && (!v->error || v->shown.rounds);
+}
+
+static int run(viewer *v)                   /* until the window is closed, or the picture is taken */
+{
+    v->truth.scene = &v->scene;
+    v->truth.lighting = &v->lighting;
+    v->dirty = 1;
+    while (!glfwWindowShouldClose(v->window)) {
+        glfwPollEvents();
+        const int shot = shot_next(v);
+        if (shot) v->scored = 0;
+        if (show(v)) return -1;
+        if (shot && v->error) printf("RMSE %.5f\n", v->half[0].error);
+        if (shot) return window_save(v, v->shot);
+        glfwSwapBuffers(v->window);
+    }
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
     static viewer v;
-    int size[2] = { 1280, 720 }, failed;
+    asked to = { .size = { 1280, 720 } };
     char cores[32];
+    kit_streams_open();
     pthread_mutex_init(&v.truth.lock, NULL);
     pthread_cond_init(&v.truth.wake, NULL);
     v.half[0].error = v.half[1].error = (double)NAN;
+    v.half[0].method = v.half[1].method = 1;
+    v.half[0].preset = v.half[1].preset = SSGI_GL_BALANCED;
+    v.split = 0.5f;
+    v.panel = -1;
+    v.env = "sky";
     snprintf(cores, sizeof cores, "%ld", sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) - 1 : 1);
     setenv("KIT_THREADS", cores, 0);        /* one core is left to draw */
-    failed = parse(&v, argc, argv, size) || window_open(&v, size) || gbuffer_open(&v.gbuffer, &v.scene.mesh, &v.err)
-          || programs_open(&v);
-    v.truth.scene = &v.scene;
-    v.truth.lighting = &v.lighting;
-    v.dirty = 1;
-    while (!failed && !glfwWindowShouldClose(v.window)) {
-        glfwPollEvents();
-        const int shot = shot_next(&v);
-        if (shot) v.scored = 0;
-        failed = show(&v);
-        if (!failed && shot) {
-            if (v.error) printf("RMSE %.5f\n", v.half[0].error);
-            failed = window_save(&v, v.shot);
-            break;
-        }
-        glfwSwapBuffers(v.window);
-    }
+    int failed = arguments(&v, &to, argc, argv);
+    if (v.panel < 0) v.panel = !v.shot;
+    if (!failed && to.help) fputs(usage, stdout);
+    else if (!failed)
+        failed = open_scene(&v, &to) || window_open(&v, to.size) || gbuffer_open(&v.gbuffer, &v.scene.mesh, &v.err)
+              || programs_open(&v) || run(&v);
     truth_close(&v.truth);
-    if (failed) fprintf(stderr, "viewer: %s\n", v.err.text);
     if (v.window) glfwDestroyWindow(v.window);
     glfwTerminate();
+    if (!failed) failed = kit_streams_close(&v.err);
+    if (failed) fprintf(stderr, "viewer: %s\n", v.err.text);
     kit_image_free(&v.lighting.env);
     kit_scene_free(&v.scene);
     free(v.equirect);

@@ -15,7 +15,7 @@ static const struct { const char *name; void (*run)(void);
                { "library", test_library },   { "text", test_text },           { "twins", test_twins },
                { "light", test_light },       { "vectors", test_vectors },     { "field", test_field },
                { "math", test_math },         { "trace", test_trace },         { "files", test_files },
-               { "steps", test_steps } };
+               { "steps", test_steps },       { "models", test_models } };
 enum { GROUPS = (int)(sizeof groups / sizeof groups[0]) };
 
 static struct { pid_t process; FILE *said; int answer[2], done; double seconds; } job[GROUPS];

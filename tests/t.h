@@ -28,6 +28,7 @@ extern int t_passed, t_failed;
 /* one function a file, called by main.c */
 void test_trace(void);
 void test_files(void);
+void test_models(void);
 void test_math(void);
 void test_library(void);
 void test_text(void);

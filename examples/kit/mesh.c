@@ -3,7 +3,8 @@
    Read: v, vn, f, o, g, mtllib, usemtl; newmtl and Kd. All else is ignored: vt, lines, points, curves, textures.
    Polygons: strictly convex ones become a fan, others are cut by clipping ears in the plane of their largest projection
    (with more than CONCAVE_MOST corners a fan again, for time's sake). Triangles without area are dropped.
-   Materials: of several with one name the last counts; all mtllib files are read before the first usemtl. */
+   Materials: of several with one name the last counts; all mtllib files are read before the first usemtl, each once.
+   Time and memory are in proportion to the files' sizes, whatever they hold. */
 #include "kit.h"
 
 #include <float.h>
@@ -11,9 +12,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define CONCAVE_MOST 1000
+#define EAR_TESTS 100                      /* a corner of a polygon; then what is known of the others is believed */
 
 void kit_mesh_free(kit_mesh *mesh)
 {
@@ -155,105 +158,233 @@ static void *array_add(array *a, size_t n, size_t element, const text *t)
     return (char *)a->data + (a->count - n) * element;
 }
 
+/* ---- keys ---------------------------------------------------------------------------------------------------- */
+
+typedef struct key { const char *bytes; size_t length; } key;
+
+/* The numbers of keys, found by their bytes. */
+typedef struct table { const key *keys; uint32_t *slot; size_t size; uint64_t secret[2]; } table;
+
+static uint64_t rotated(uint64_t v, int bits) { return v << bits | v >> (64 - bits); }
+
+static void sip_round(uint64_t v[4])
+{
+    v[0] += v[1]; v[1] = rotated(v[1], 13) ^ v[0]; v[0] = rotated(v[0], 32);
+    v[2] += v[3]; v[3] = rotated(v[3], 16) ^ v[2];
+    v[0] += v[3]; v[3] = rotated(v[3], 21) ^ v[0];
+    v[2] += v[1]; v[1] = rotated(v[1], 17) ^ v[2]; v[2] = rotated(v[2], 32);
+}
+
+/* SipHash-1-3 [Aumasson and Bernstein 2012]: without the secret nobody writes a file whose keys all share a slot. */
+static uint64_t key_hash(const key *k, const uint64_t secret[2])
+{
+    uint64_t v[4] = { secret[0] ^ 0x736f6d6570736575u, secret[1] ^ 0x646f72616e646f6du, secret[0] ^ 0x6c7967656e657261u,
+                      secret[1] ^ 0x7465646279746573u };
+    for (size_t i = 0; i <= k->length / 8; ++i) {
+        const size_t left = k->length - 8 * i;
+        uint64_t word = 0;
+        memcpy(&word, k->bytes + 8 * i, left < 8 ? left : 8);
+        if (left < 8) word |= (uint64_t)(k->length & 255) << 56;
+        v[3] ^= word;
+        sip_round(v);
+        v[0] ^= word;
+    }
+    v[2] ^= 255;
+    for (int i = 0; i < 3; ++i) sip_round(v);
+    return v[0] ^ v[1] ^ v[2] ^ v[3];
+}
+
+static int table_open(table *t, const key *keys, size_t count)
+{
+    *t = (table){ .keys = keys, .size = 16 };
+    while (t->size < 2 * count) t->size *= 2;
+    t->slot = calloc(t->size, sizeof *t->slot);        /* of a key, plus 1 */
+    if (getentropy(t->secret, sizeof t->secret)) t->secret[0] = (uintptr_t)t->slot;
+    return t->slot ? 0 : -1;
+}
+
+/* Where a key equal to k is, or would be. */
+static uint32_t *table_slot(const table *t, const key *k)
+{
+    size_t at = key_hash(k, t->secret) & (t->size - 1);
+    for (; t->slot[at]; at = (at + 1) & (t->size - 1)) {
+        const key *there = &t->keys[t->slot[at] - 1];
+        if (there->length == k->length && !memcmp(there->bytes, k->bytes, k->length)) break;
+    }
+    return &t->slot[at];
+}
+
+/* Key i, unless one that equals it is in there: the number of the one that is in there now. */
+static uint32_t table_add(table *t, uint32_t i)
+{
+    uint32_t *slot = table_slot(t, &t->keys[i]);
+    if (!*slot) *slot = i + 1;
+    return *slot - 1;
+}
+
 /* ---- materials ----------------------------------------------------------------------------------------------- */
 
-typedef struct material { char *name; size_t length; float albedo[3]; } material;
+/* way 0: by whole names, way 1: by what stands before a comment */
+typedef struct materials {
+    array named[2];                        /* key */
+    array albedo;                          /* float[3] */
+    array text;                            /* char *: the files, which the names are in */
+    table found[2];
+} materials;
 
 static const float grey[3] = { 0.8f, 0.8f, 0.8f };
 
 /* The rest of the line without blanks at its ends. Names may hold blanks and '#' ("Material #25"): see
    without_comment. */
-static size_t rest(text *t)
+static key rest(text *t)
 {
     const char *end = t->end;
     skip_blanks(t);
     while (end > t->at && blank(end[-1])) --end;
-    return (size_t)(end - t->at);
+    return (key){ t->at, (size_t)(end - t->at) };
 }
 
-static size_t without_comment(const char *name, size_t length)
+static key without_comment(key name)
 {
-    for (size_t i = 1; i < length; ++i)
-        if (name[i] == '#' && blank(name[i - 1])) {
-            while (i > 0 && blank(name[i - 1])) --i;
-            return i;
+    for (size_t i = 1; i < name.length; ++i)
+        if (name.bytes[i] == '#' && blank(name.bytes[i - 1])) {
+            while (i > 0 && blank(name.bytes[i - 1])) --i;
+            return (key){ name.bytes, i };
         }
-    return length;
+    return name;
 }
 
-static const float *material_find(const array *materials, const char *name, size_t length)
+static void materials_free(materials *m)
 {
-    const material *m = materials->data;
-    for (size_t i = materials->count; i-- > 0;)
-        if (m[i].length == length && !memcmp(m[i].name, name, length)) return m[i].albedo;
-    length = without_comment(name, length);
-    for (size_t i = materials->count; i-- > 0;)
-        if (without_comment(m[i].name, m[i].length) == length && !memcmp(m[i].name, name, length)) return m[i].albedo;
-    return grey;
+    for (size_t i = 0; i < m->text.count; ++i) free(((char **)m->text.data)[i]);
+    for (int way = 0; way < 2; ++way) { free(m->named[way].data); free(m->found[way].slot); }
+    free(m->albedo.data);
+    free(m->text.data);
 }
 
-static int materials_read(array *materials, const char *path, kit_error *err)
+/* A grey one; NULL: no memory. */
+static float *material_add(materials *m, key name, const text *t)
+{
+    key *whole = array_add(&m->named[0], 1, sizeof *whole, t), *bare = array_add(&m->named[1], 1, sizeof *bare, t);
+    float *albedo = array_add(&m->albedo, 3, sizeof *albedo, t);
+    if (!whole || !bare || !albedo) return NULL;
+    *whole = name;
+    *bare = without_comment(name);
+    return memcpy(albedo, grey, sizeof grey);
+}
+
+static int materials_read(materials *m, const char *path, kit_error *err)
 {
     char *data;
     size_t size;
     if (kit_file_read(&data, &size, path, NULL)) return 0;                      /* grey, as if there were none */
     prepare(data, size);
-    int failed = 0;
-    material *now = NULL;
-    for (text t = text_start(path, data, size, err); !failed && next_line(&t);) {
+    text t = text_start(path, data, size, err);
+    char **kept = array_add(&m->text, 1, sizeof *kept, &t);
+    if (!kept) { free(data); return -1; }
+    *kept = data;
+    for (float *now = NULL; next_line(&t);) {
         if (keyword(&t, "newmtl")) {
-            size_t length = rest(&t);
-            now = array_add(materials, 1, sizeof *now, &t);
-            if (!now) { failed = -1; break; }
-            *now = (material){ .name = malloc(length + 1), .length = length };
-            memcpy(now->albedo, grey, sizeof grey);
-            if (!now->name) {
-                materials->count--;
-                failed = kit_fail(err, "%s: no memory for its materials", path);
-                break;
-            }
-            memcpy(now->name, t.at, length);
+            if (!(now = material_add(m, rest(&t), &t))) return -1;
         } else if (now && keyword(&t, "Kd")) {
             static const char what[] = "Kd needs 1 or 3 numbers";
             float kd[3];
             skip_blanks(&t);
             /* "xyz", "spectral": no rgb */
             if (t.end - t.at >= 3 && (!memcmp(t.at, "xyz", 3) || !memcmp(t.at, "spe", 3))) continue;
-            failed = number(&t, &kd[0], what);
+            if (number(&t, &kd[0], what)) return -1;
             kd[1] = kd[2] = kd[0];
-            if (!failed && at_value(&t) && (number(&t, &kd[1], what) || number(&t, &kd[2], what))) failed = -1;
-            for (int k = 0; k < 3 && !failed; ++k) now->albedo[k] = fmaxf(0, fminf(1, kd[k]));
+            if (at_value(&t) && (number(&t, &kd[1], what) || number(&t, &kd[2], what))) return -1;
+            for (int k = 0; k < 3; ++k) now[k] = fmaxf(0, fminf(1, kd[k]));
         }
     }
-    free(data);
+    return 0;
+}
+
+/* A file that an mtllib line names and that is there. */
+typedef struct mtllib { char *path; struct { dev_t device; ino_t file; } id; } mtllib;
+
+static int mtllib_add(array *mtllibs, const text *t, key name)
+{
+    const char *slash = strrchr(t->path, '/');
+    const size_t folder = slash && *name.bytes != '/' ? (size_t)(slash - t->path) + 1 : 0;
+    const key bare = without_comment(name);
+    struct stat status;
+    char *path = malloc(folder + name.length + 1);
+    if (!path) return kit_fail(t->err, "%s: no memory for the names of its materials' files", t->path);
+    memcpy(path, t->path, folder);
+    memcpy(path + folder, name.bytes, name.length);
+    path[folder + name.length] = 0;
+    for (char *p = path + folder; *p; ++p) if (*p == '\\') *p = '/';            /* as Windows writes it */
+    int there = !stat(path, &status);
+    if (!there && bare.length < name.length) {
+        path[folder + bare.length] = 0;
+        there = !stat(path, &status);
+    }
+    mtllib *l = there ? array_add(mtllibs, 1, sizeof *l, t) : NULL;
+    if (!l) { free(path); return there ? -1 : 0; }
+    memset(l, 0, sizeof *l);               /* id is a key: no byte of it may be left to chance */
+    l->path = path;
+    l->id.device = status.st_dev;
+    l->id.file = status.st_ino;
+    return 0;
+}
+
+/* A file that is named more than once, however it is spelled, is read once, where the last line that names it has it:
+   its materials count then as if it were read each time. */
+static int mtllibs_read(materials *m, const array *mtllibs, const text *t)
+{
+    const mtllib *l = mtllibs->data;
+    const size_t count = mtllibs->count;
+    table last = { 0 };
+    key *id = malloc(count * sizeof *id + 1);
+    char *reads = malloc(count + 1);
+    int failed = 0;
+    for (size_t i = 0; id && i < count; ++i) id[i] = (key){ (const char *)&l[i].id, sizeof l[i].id };
+    if (!id || !reads || table_open(&last, id, count))
+        failed = kit_fail(t->err, "%s: no memory for the names of its materials' files", t->path);
+    for (size_t i = count; !failed && i-- > 0;) reads[i] = table_add(&last, (uint32_t)i) == i;
+    for (size_t i = 0; !failed && i < count; ++i) if (reads[i]) failed = materials_read(m, l[i].path, t->err);
+    free(last.slot);
+    free(id);
+    free(reads);
     return failed;
 }
 
-static int mtllib_read(array *materials, const text *t, const char *name, size_t length)
+/* All are there: from now on they are found. The last of one name goes in first, so that it counts. */
+static int materials_close(materials *m, const text *t)
 {
-    const char *slash = strrchr(t->path, '/');
-    size_t folder = slash && *name != '/' ? (size_t)(slash - t->path) + 1 : 0, bare = without_comment(name, length);
-    char *path = malloc(folder + length + 1);
-    if (!path) return kit_fail(t->err, "%s: no memory", t->path);
-    memcpy(path, t->path, folder);
-    memcpy(path + folder, name, length);
-    path[folder + length] = 0;
-    for (char *p = path + folder; *p; ++p) if (*p == '\\') *p = '/';            /* as Windows writes it */
-    if (access(path, F_OK)) path[folder + bare] = 0;
-    int failed = materials_read(materials, path, t->err);
-    free(path);
-    return failed;
+    const size_t count = m->named[0].count;
+    for (int way = 0; way < 2; ++way) {
+        if (table_open(&m->found[way], m->named[way].data, count))
+            return kit_fail(t->err, "%s: no memory for its materials", t->path);
+        for (size_t i = count; i-- > 0;) table_add(&m->found[way], (uint32_t)i);
+    }
+    return 0;
+}
+
+static const float *material_find(const materials *m, key name)
+{
+    const key wanted[2] = { name, without_comment(name) };
+    for (int way = 0; way < 2; ++way) {
+        const uint32_t slot = *table_slot(&m->found[way], &wanted[way]);
+        if (slot) return (const float *)m->albedo.data + 3 * (slot - 1);
+    }
+    return grey;
 }
 
 /* ---- faces --------------------------------------------------------------------------------------------------- */
 
-typedef struct corner { const float *position, *normal; double flat[2]; int next; } corner;
-typedef struct key { const char *bytes; size_t length; } key;
+enum { UNKNOWN, EAR, NO_EAR };
+typedef struct corner { const float *position, *normal; double flat[2]; int next, ear; } corner;
 
 typedef struct obj {
-    array vertices, normals, materials;    /* float[3], float[3], material */
+    array vertices, normals;               /* float[3] */
+    array mtllibs;                         /* mtllib */
+    materials materials;
     array corners;                         /* of the present face */
     array position, normal, albedo;        /* 9, 9, 3 floats a triangle */
+    array vertex;                          /* 3 uint32_t a triangle */
     /* key: names on o lines, on g lines; the first is that of what comes before any */
     array named[2];
     array line[2];                         /* uint32_t a triangle: which of them */
@@ -277,7 +408,8 @@ static int add_triangle(obj *o, const text *t, const corner *a, const corner *b,
     float *position = array_add(&o->position, 9, sizeof(float), t),
           *normal = array_add(&o->normal, 9, sizeof(float), t);
     float *colour = array_add(&o->albedo, 3, sizeof(float), t);
-    if (!position || !normal || !colour) return -1;
+    uint32_t *vertex = array_add(&o->vertex, 3, sizeof *vertex, t);
+    if (!position || !normal || !colour || !vertex) return -1;
     for (int way = 0; way < 2; ++way) {
         uint32_t *line = array_add(&o->line[way], 1, sizeof *line, t);
         if (!line) return -1;
@@ -289,6 +421,7 @@ static int add_triangle(obj *o, const text *t, const corner *a, const corner *b,
         for (int i = 0; i < 3; ++i) own[i] = p[k]->normal ? (double)p[k]->normal[i] : 0;
         length = sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
         memcpy(position + 3 * k, p[k]->position, 3 * sizeof(float));
+        vertex[k] = (uint32_t)((p[k]->position - (const float *)o->vertices.data) / 3);
         for (int i = 0; i < 3; ++i) normal[3 * k + i] = (float)(length > 0 ? own[i] / length : n[i] / area);
     }
     return 0;
@@ -335,36 +468,49 @@ static int flatten(corner *c, int count)
     return turned < 7;                     /* once around is 2 pi; a star polygon turns more often */
 }
 
-static int is_ear(const corner *c, int a, int b, int d)
+/* tests grows by the corners that were looked at. */
+static int is_ear(const corner *c, int a, int b, int d, size_t *tests)
 {
     double left = turn(&c[a], &c[b], &c[d]);
     if (left == 0 && turn_back(&c[a], &c[b], &c[d])) return 1;                  /* a spike without area */
     if (!(left > 0)) return 0;
-    for (int k = c[d].next; k != a; k = c[k].next)
+    for (int k = c[d].next; k != a; k = c[k].next, ++*tests)
         if (turn(&c[a], &c[b], &c[k]) >= 0 && turn(&c[b], &c[d], &c[k]) >= 0 && turn(&c[d], &c[a], &c[k]) >= 0
             && !same(&c[k], &c[a]) && !same(&c[k], &c[b]) && !same(&c[k], &c[d]))
             return 0; /* holes are bridged by doubled corners */
     return 1;
 }
 
-static int add_polygon(obj *o, const text *t, const float albedo[3])
+/* Cutting an ear changes whether its two neighbours are ears, and no other corner, unless the polygon crosses itself:
+   then asking all of them again finds more ears, which is done while it is cheap. Where no ear is left it is cut
+   anywhere. */
+static int add_concave(obj *o, const text *t, const float albedo[3])
 {
     corner *c = o->corners.data;
     int count = (int)o->corners.count, failed = 0;
-    if (count == 3 || flatten(c, count) || count > CONCAVE_MOST) {
-        for (int k = 2; k < count && !failed; ++k) failed = add_triangle(o, t, &c[0], &c[k - 1], &c[k], albedo);
-        return failed;
-    }
+    const size_t most = EAR_TESTS * (size_t)count;
+    size_t tests = 0;
+    for (int k = 0; k < count; ++k) c[k].ear = UNKNOWN;
     for (int a = 0, tries = 0; count > 2 && !failed;) {
-        int b = c[a].next, d = c[b].next;
-        /* none left (it crosses itself): cut anywhere */
-        if (tries++ < count && !is_ear(c, a, b, d)) { a = b; continue; }
+        const int b = c[a].next, d = c[b].next;
+        if (c[b].ear == UNKNOWN || tests < most) c[b].ear = is_ear(c, a, b, d, &tests) ? EAR : NO_EAR;
+        if (c[b].ear == NO_EAR && tries++ < count) { a = b; continue; }
         failed = add_triangle(o, t, &c[a], &c[b], &c[d], albedo);
         c[a].next = d;
+        c[a].ear = c[d].ear = UNKNOWN;
         a = d;                             /* moving on avoids fans of slivers */
         tries = 0;
         --count;
     }
+    return failed;
+}
+
+static int add_polygon(obj *o, const text *t, const float albedo[3])
+{
+    corner *c = o->corners.data;
+    int count = (int)o->corners.count, failed = 0;
+    if (count > 3 && !flatten(c, count) && count <= CONCAVE_MOST) return add_concave(o, t, albedo);
+    for (int k = 2; k < count && !failed; ++k) failed = add_triangle(o, t, &c[0], &c[k - 1], &c[k], albedo);
     return failed;
 }
 
@@ -415,22 +561,10 @@ static int face(obj *o, text *t, size_t seen_vertices, size_t seen_normals, cons
 /* first[i]: the first of the keys whose bytes are those of key i */
 static int first_of_equals(uint32_t *first, const key *keys, size_t count)
 {
-    size_t size = 16;
-    while (size < 2 * count) size *= 2;
-    uint32_t *slot = calloc(size, sizeof *slot);       /* of a key, plus 1 */
-    if (!slot) return -1;
-    for (size_t i = 0; i < count; ++i) {
-        const key *k = &keys[i];
-        uint32_t hash = 2166136261u;                    /* FNV-1a */
-        for (size_t b = 0; b < k->length; ++b) hash = (hash ^ (uint8_t)k->bytes[b]) * 16777619u;
-        size_t at = hash & (size - 1);
-        while (slot[at]
-               && (keys[slot[at] - 1].length != k->length || memcmp(keys[slot[at] - 1].bytes, k->bytes, k->length)))
-            at = (at + 1) & (size - 1);
-        if (!slot[at]) slot[at] = (uint32_t)i + 1;
-        first[i] = slot[at] - 1;
-    }
-    free(slot);
+    table t;
+    if (table_open(&t, keys, count)) return -1;
+    for (size_t i = 0; i < count; ++i) first[i] = table_add(&t, (uint32_t)i);
+    free(t.slot);
     return 0;
 }
 
@@ -467,23 +601,23 @@ static int64_t number_names(uint32_t *number, const obj *o, int way)
     return failed ? -1 : number_kinds(number, triangles, names);
 }
 
-/* and of the parts that hang together. */
+/* and of the parts that hang together: vertices at one place are one. */
 static int64_t number_parts(uint32_t *number, const obj *o)
 {
-    const size_t triangles = o->number.count, corners = 3 * triangles;
-    key *place = calloc(corners, sizeof *place);
-    uint32_t *first = malloc(corners * sizeof *first);
-    for (size_t i = 0; place && i < corners; ++i) place[i] = (key){ (const char *)o->position.data + 12 * i, 12 };
-    const int failed = !place || !first || first_of_equals(first, place, corners);
-    for (size_t t = 0; t < triangles; ++t) number[t] = (uint32_t)t;
-    for (size_t i = 0; !failed && i < corners; ++i) {
-        const uint32_t a = root(number, (uint32_t)(i / 3)), b = root(number, first[i] / 3);
-        number[a > b ? a : b] = a > b ? b : a;
+    const size_t triangles = o->number.count, vertices = o->vertices.count / 3;
+    const uint32_t *vertex = o->vertex.data;
+    key *place = calloc(vertices, sizeof *place);
+    uint32_t *parent = malloc(vertices * sizeof *parent);
+    for (size_t i = 0; place && i < vertices; ++i) place[i] = (key){ (const char *)o->vertices.data + 12 * i, 12 };
+    const int failed = !place || !parent || first_of_equals(parent, place, vertices);
+    for (size_t i = 0; !failed && i < 3 * triangles; ++i) {
+        const uint32_t a = root(parent, vertex[i / 3 * 3]), b = root(parent, vertex[i]);
+        parent[a > b ? a : b] = a > b ? b : a;
     }
-    for (size_t t = 0; t < triangles; ++t) number[t] = root(number, (uint32_t)t);
+    for (size_t t = 0; !failed && t < triangles; ++t) number[t] = root(parent, vertex[3 * t]);
     free(place);
-    free(first);
-    return failed ? -1 : number_kinds(number, triangles, triangles);
+    free(parent);
+    return failed ? -1 : number_kinds(number, triangles, vertices);
 }
 
 typedef struct share { size_t triangles; uint32_t number; } share;
@@ -514,10 +648,10 @@ static int keep_largest(uint32_t *number, size_t triangles, size_t numbers)
 }
 
 /* What comes now has this name. */
-static int name_add(obj *o, int way, const char *name, size_t length, const text *t)
+static int name_add(obj *o, int way, key name, const text *t)
 {
     key *k = array_add(&o->named[way], 1, sizeof *k, t);
-    if (k) *k = (key){ name, length };
+    if (k) *k = name;
     return k ? 0 : -1;
 }
 
@@ -537,8 +671,10 @@ static int objects_find(obj *o, const text *t)
     kit_object *object = array_add(&o->objects, (size_t)count, sizeof *object, t);
     if (!object) return -1;
     memset(object, 0, (size_t)count * sizeof *object);
-    for (size_t i = triangles; i-- > 0;) {
+    for (int64_t k = 0; k < count; ++k) object[k].first = SIZE_MAX;
+    for (size_t i = 0; i < triangles; ++i) {
         kit_object *of = &object[number[i] - 1];
+        if (of->first != SIZE_MAX) continue;
         of->first = i;
         of->casts = many && number[i] == KIT_MAX_OBJECTS ? 0 : -1;
         if (!of->casts) snprintf(of->name, sizeof of->name, "rest");
@@ -566,25 +702,24 @@ static int obj_read(obj *o, const char *path, const char *data, size_t size, kit
                         (double)v[i], (double)FARTHEST);
             }
         } else if (keyword(&t, "mtllib")) {
-            size_t length = rest(&t);
-            if (length && mtllib_read(&o->materials, &t, t.at, length)) return -1;
+            const key name = rest(&t);
+            if (name.length && mtllib_add(&o->mtllibs, &t, name)) return -1;
         }
     }
     size_t seen_vertices = 0, seen_normals = 0;
     const float *albedo = grey;
     int way;
     text t = text_start(path, data, size, err);
-    for (way = 0; way < 2; ++way) if (name_add(o, way, "default", 7, &t)) return -1;
+    if (mtllibs_read(&o->materials, &o->mtllibs, &t) || materials_close(&o->materials, &t)) return -1;
+    for (way = 0; way < 2; ++way) if (name_add(o, way, (key){ "default", 7 }, &t)) return -1;
     while (next_line(&t)) {
         if (keyword(&t, "f")) { if (face(o, &t, seen_vertices, seen_normals, albedo)) return -1; }
         else if (keyword(&t, "v")) ++seen_vertices;
         else if (keyword(&t, "vn")) ++seen_normals;
         else if (keyword(&t, "usemtl")) {
-            size_t length = rest(&t);
-            albedo = material_find(&o->materials, t.at, length);
+            albedo = material_find(&o->materials, rest(&t));
         } else if ((way = keyword(&t, "g")) || keyword(&t, "o")) {
-            const size_t length = rest(&t);
-            if (name_add(o, way, t.at, without_comment(t.at, length), &t)) return -1;
+            if (name_add(o, way, without_comment(rest(&t)), &t)) return -1;
         }
     }
     return o->position.count ? objects_find(o, &t) : kit_fail(err, "%s: no triangles in this OBJ file", path);
@@ -597,11 +732,16 @@ int kit_mesh_obj(kit_mesh *mesh, kit_object **object, int *objects, const char *
     obj o;
     memset(&o, 0, sizeof o);
     if (kit_file_read(&data, &size, path, err)) return -1;
+    if (size / 2 > UINT32_MAX) {            /* names, of 2 bytes at least, and vertices have numbers of 32 bits */
+        free(data);
+        return kit_fail(err, "%s: must not be larger than 8 GiB", path);
+    }
     prepare(data, size);
     int failed = obj_read(&o, path, data, size, err);
     free(data);
-    for (size_t i = 0; i < o.materials.count; ++i) free(((material *)o.materials.data)[i].name);
-    free(o.vertices.data); free(o.normals.data); free(o.materials.data); free(o.corners.data);
+    for (size_t i = 0; i < o.mtllibs.count; ++i) free(((mtllib *)o.mtllibs.data)[i].path);
+    materials_free(&o.materials);
+    free(o.vertices.data); free(o.normals.data); free(o.vertex.data); free(o.corners.data); free(o.mtllibs.data);
     for (int way = 0; way < 2; ++way) { free(o.named[way].data); free(o.line[way].data); }
     kit_mesh read = { .triangles = o.position.count / 9,
                       .position = o.position.data,

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define PI 3.14159265358979323846
 
@@ -49,20 +50,23 @@ static void frame_bounds(kit_camera *camera, const kit_mesh *mesh)
     }
 }
 
+/* the built-in scenes' names, as far as there is room */
+static void list_names(char *names, size_t size)
+{
+    size_t used = 0;
+    for (int i = 0; kit_builtin_at(i) && used < size; i++)
+        used += (size_t)snprintf(names + used, size - used, "%s%s", i ? ", " : "", kit_builtin_at(i)->name);
+}
+
 static int from_file(kit_scene *scene, const char *path, int floor_, kit_error *err)
 {
-    FILE *file = fopen(path, "rb");
     double diagonal = 0;
     int failed = 0;
-    if (!file) {
-        char names[160] = "";
-        for (int i = 0; kit_builtin_at(i); i++) {
-            strcat(names, i ? ", " : "");
-            strcat(names, kit_builtin_at(i)->name);
-        }
+    if (access(path, R_OK)) {              /* opening a pipe would wait for who writes it */
+        char names[sizeof err->text] = "";
+        list_names(names, sizeof names);
         return kit_fail(err, "scene '%s': neither a file that can be read nor a built-in scene (%s)", path, names);
     }
-    fclose(file);
     if (kit_mesh_obj(&scene->mesh, &scene->object, &scene->objects, path, err)) return -1;
     for (int k = 0; k < scene->objects; k++) scene->object[k].shape = -1;
     for (int i = 0; i < 3; i++) diagonal += pow((double)scene->mesh.upper[i] - (double)scene->mesh.lower[i], 2);

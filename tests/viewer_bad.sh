@@ -1,0 +1,128 @@
+# viewer_bad.sh - the part of viewer.sh on what the viewer refuses, what it may cost, and what sanitizers see. Uses its
+# check and $work.
+
+refused() {    # WORDS ARGUMENT ..: status 2, one line with the words, no picture
+    words=$1
+    shift
+    rm -f $work/none.png
+    ASAN_OPTIONS=exitcode=99 timeout 100 build/viewer-sanitized "$@" --shot $work/none.png >$work/out 2>$work/said
+    status=$?
+    check "viewer $*: status $status, \"$(head -c 300 $work/said)\", not 2 and one line that says \"$words\"" \
+        "$(test $status = 2 && test "$(wc -l <$work/said)" = 1 && grep -qF -e "$words" $work/said \
+               && ! test -e $work/none.png && ! test -s $work/out && echo 1)"
+}
+
+refused 'neither a file that can be read nor a built-in scene (room,' no-such-scene
+refused 'a scene must be given' --history
+refused 'only one scene can be shown (room is one already)' room boxes
+refused '--bogus: there is no such option' room --bogus 1
+for camera in nan,0,0,0,0,0 0,0,inf,0,0,0 1e16,0,0,0,0,0 1,2,3,4,5 1,2,3,4,5,6,7; do
+    refused 'must be six numbers with commas between, each within 1e15 of 0' room --camera $camera
+done
+refused 'eye and target must differ' room --camera 1,2,3,1,2,3
+refused 'must not be zero or along the view direction' room --camera 0,9,0,0,0,0
+refused 'must not be zero or along the view direction' room --up 0,0,0
+for size in 100000x100000 16384x16384 15x64 64x 64x64x 4294967360x64; do
+    refused 'must be WxH, each 16..16384, of 33554432 pixels at most' room --size $size
+done
+for radius in nan inf 0 -1 1x; do refused "--radius '$radius': must be a number above 0" room --radius $radius; done
+refused "--frames '0': must be a whole number in 1..1000000" room --frames 0
+refused "--method 'truth': must be ssao," room --method truth
+
+damaged() {    # WORDS SED: what is said of the triangle with this change
+    sed "$2" tests/triangle.gltf >$work/bad.gltf
+    check "$2 changes the triangle" "$(cmp -s tests/triangle.gltf $work/bad.gltf || echo 1)"
+    refused "$1" $work/bad.gltf
+}
+
+damaged 'is not JSON: a bracket is not closed at byte' '$s/}$//'
+damaged 'is not JSON: a string has no end at byte' '$s/"}]}$//'
+damaged 'is not JSON: a key is missing at byte' '$d'
+damaged 'is not JSON: a comma is missing at byte' 's/"mode":4/"mode":4 4/'
+damaged 'is not JSON: neither a value nor an end at byte' 's/"mode":4/"mode":nan/'
+damaged 'is not JSON: more than one value at byte' '$s/$/{}/'
+damaged 'more than 64 brackets are open' "1s/^{/&\"extras\":$(printf '%99s' '' | tr ' ' '['),/"
+damaged 'an object of 300 keys' "1s/^{/&\"extras\":{$(seq -s, 300 | sed 's/[0-9]*/"&":0/g')},/"
+damaged 'has no scene' 's/"scenes":\[[^]]*\]}\]/"scenes":[]/'
+damaged 'a node is named that is not there' 's/"children":\[2\]/"children":[3]/'
+damaged 'a node is named that is not there' 's/"children":\[2\]/"children":[-1]/'
+damaged 'node 2 comes twice: it must have one parent' 's/"children":\[2\]/"children":[2,2]/'
+damaged 'node 0 comes twice: it must have one parent' 's/"children":\[2\]/"children":[0]/'
+damaged 'node 1 has a transform that is not of numbers' 's/2\.5,-3e0/2.5,1e39/'
+damaged 'node 1 has a transform that is not of numbers' 's/2\.5,-3e0/2.5/'
+damaged 'a vertex is not within 1e+15 of 0' 's/2\.5,-3e0/2.5,1e16/'
+damaged 'a vertex is not within 1e+15 of 0' 's/,AACAPwAA/,AADAfwAA/'
+damaged 'node 1 has a mesh that is not there' 's/"mesh":0,"translation"/"mesh":1,"translation"/'
+damaged 'material is not there' 's/"material":0/"material":1/'
+damaged 'strips and fans are not read' 's/"mode":4/"mode":5/'
+damaged 'accessor 3 is not there' 's/"NORMAL":2/"NORMAL":3/'
+damaged 'accessor 1 must be three floats an element' 's/"NORMAL":2/"NORMAL":1/'
+damaged 'accessor 2 must be one unsigned integer an element' 's/"indices":1/"indices":2/'
+damaged 'accessor 0 is sparse' 's/"byteOffset":0/&,"sparse":{}/'
+damaged 'accessor 1 has no bufferView' 's/"bufferView":1,//'
+damaged 'accessor 0 has an offset' 's/"byteOffset":0/"byteOffset":-4/'
+damaged 'accessor 0 has an offset' 's/"count":3,"type":"VEC3","b/"count":0,"type":"VEC3","b/'
+damaged 'accessor 0 has an offset' 's/"count":3,"type":"VEC3","b/"count":2147483648,"type":"VEC3","b/'
+damaged 'accessor 0 ends beyond its bufferView' 's/"count":3,"type":"VEC3","b/"count":2147483647,"type":"VEC3","b/'
+damaged 'accessor 0 ends beyond its bufferView' 's/"byteOffset":0/"byteOffset":1/'
+damaged 'accessor 1 ends beyond its bufferView' 's/"count":3,"type":"SCALAR"/"count":4,"type":"SCALAR"/'
+damaged 'accessor 0 ends beyond its bufferView' 's/"byteStride":12/"byteStride":2147483647/'
+damaged 'its byteStride is too short' 's/"byteStride":12/"byteStride":8/'
+damaged 'bufferView that ends beyond its buffer' 's/"byteOffset":36,"byteLength":3/"byteOffset":36,"byteLength":4/'
+damaged 'a triangle names vertex 3 of 3' 's/AAEC"/AAED"/'
+damaged 'a primitive has 3 positions and 2 normals' '$!N;s/"count":3,"type":"VEC3"}\]/"count":2,"type":"VEC3"}]/'
+damaged 'buffer 0 has 39 bytes' 's/"byteLength":39/"byteLength":40/'
+damaged 'buffer 0 is not base64' 's/,AACAPwAA/,AACAP*AA/'
+damaged 'must be data:..;base64,.. or a file' 's/base64/base32/'
+damaged 'buffer 0 has no uri' 's/"uri":/"url":/'
+damaged 'has 18 buffers: 16 at most are read' "s/\"buffers\":\\[/&$(printf '%17s' '' | sed 's/ /{},/g')/"
+damaged 'the uri of buffer 0 has 5000 bytes' "s/\"data:[^\"]*\"/\"$(printf '%5000s' '' | tr ' ' x)\"/"
+damaged 'viewer-test/absent.bin: cannot be read' 's/"data:[^"]*"/"absent.bin"/'
+damaged 'is a directory' 's/"data:[^"]*"/"."/'
+
+# Small files that may not take long: 100,000 nodes, since each item of a list is found at once; a mesh of 4,000
+# primitives that 4,000 nodes have. In seconds of a processor, with so much to spare that any machine has them.
+larger() {    # NODES PRIMITIVES: the triangle, so often in a mesh that so many nodes have
+    awk -v nodes="$1" -v primitives="$2" '
+    function often(what, n, i) { for (i = 1; i < n; i++) printf "%s,", what }
+    /"children":\[1\]/ { printf "\"nodes\":[{\"children\":["
+                         for (i = 1; i < nodes; i++) printf "%d,", i
+                         print i "]}," }
+    /^\{"mesh":0,"translation"/ { often("{\"mesh\":0}", nodes); print "" }
+    /"primitives"/ { match($0, /\{"attributes.*"mode":4\}/); printf "\"meshes\":[{\"primitives\":["
+                     often(substr($0, RSTART, RLENGTH), primitives); print substr($0, RSTART) }
+    !/"children"|"primitives"/' tests/triangle.gltf
+}
+larger 100000 1 >$work/many.gltf
+larger 4000 4000 >$work/often.gltf
+(ulimit -t 20; build/viewer $work/many.gltf --env none 2>$work/said)
+check "viewer, 100,000 nodes in 20 s: $(cat $work/said)" "$(grep -q '^viewer: environment none' $work/said && echo 1)"
+(ulimit -t 20; build/viewer $work/often.gltf --env none 2>$work/said)
+check "viewer, a mesh 4,000 times in 20 s: $(cat $work/said)" "$(grep -q ' or 262144 primitives' $work/said && echo 1)"
+
+build/viewer --help >$work/out 2>$work/said
+check 'viewer --help: status 0, on standard output' "$(test $? = 0 && grep -q '^usage: viewer' $work/out \
+    && ! test -s $work/said && echo 1)"
+for option in --help '-h' "plane --right truth --size 32x24 --shot $work/a.png"; do
+    build/viewer $option >/dev/full 2>$work/said
+    check "viewer $option >/dev/full: status 2, one line" \
+        "$(test $? = 2 && test "$(wc -l <$work/said)" = 1 && grep -q 'standard output' $work/said && echo 1)"
+done
+
+# The truth is traced on another thread. Mesa's own threads are not looked at: they were not built for it.
+{ printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n'; printf '\200\220\240\201%.0s' $(seq 32); } >$work/dim.hdr
+for m in hsao ssdo; do
+    TSAN_OPTIONS='exitcode=66 ignore_noninstrumented_modules=1 detect_deadlocks=0' GALLIVM_PERF=nopt \
+        LP_NATIVE_VECTOR_WIDTH=128 build/viewer-threads boxes --method $m --preset fast --right truth \
+        --env $work/dim.hdr --frames 9 --panel 1 --size 32x24 --shot $work/a.png >$work/out 2>$work/said
+    status=$?
+    check "viewer, $m beside the truth under ThreadSanitizer: status $status" "$(test $status = 0 \
+        && ! test -s $work/said && grep -q '^RMSE 0' $work/out && echo 1)"
+    [ $status = 0 ] || grep -A12 -m3 WARNING $work/said
+done
+
+runs=${FUZZ:-30}
+sh tests/viewer_fuzz.sh build/viewer-sanitized "$runs" >$work/out
+echo "  viewer, damaged files and arguments: $(tail -n 1 $work/out)"
+check "viewer, damaged files and arguments: $(grep -a -A9 FINDING $work/out | head -n 40)" \
+    "$(tail -n 1 $work/out | grep -q ' 0 findings$' && echo 1)"
