@@ -104,9 +104,9 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
-build/figures: examples/figures.c | deps
+build/figures: examples/figures.c build/kit/util.o $(HEADERS) | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table; what make bench
 # measured on a GPU goes into its second column of costs.
