@@ -94,11 +94,13 @@ float *kit_image_channel(const kit_image *image, const char *name);      /* NULL
 
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
    and subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1)
-   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. Files are written as 32-bit
-   float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. A header that claims more
+   than the file's bytes can hold is refused before there is room for it. Files are written as 32-bit float, ZIP, to a
+   temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
-int    kit_hdr_read(kit_image *image, const char *path, kit_error *err); /* Radiance .hdr through stb: channels R,G,B */
+/* Radiance .hdr, rows flat or in runs (not the old way, a pixel repeated): channels R, G, B; the same of its header. */
+int    kit_hdr_read(kit_image *image, const char *path, kit_error *err);
 
 /* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values
    [0,1] are clamped, NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them as they are (ambient
