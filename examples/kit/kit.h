@@ -54,8 +54,8 @@ int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err
    ends it afterwards; other threads must have them blocked). A file that is there keeps its mode; where the system
    allows it, its owner. */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
-/* A string with its quotes; bytes that are not UTF-8 become U+FFFD. A number with so many decimals, below 0: nine
-   digits; null if it is not finite. */
+/* A string with its quotes; bytes that are not UTF-8 become U+FFFD. A number with so many decimals, below 0: so many
+   digits in all; null if it is not finite. */
 void   kit_json_string(FILE *out, const char *text);
 void   kit_json_number(FILE *out, double v, int decimals);
 /* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond

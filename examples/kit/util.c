@@ -313,6 +313,6 @@ void kit_json_string(FILE *out, const char *text)
 void kit_json_number(FILE *out, double v, int decimals)
 {
     if (!isfinite(v)) fputs("null", out);
-    else if (decimals < 0) fprintf(out, "%.9g", v);
+    else if (decimals < 0) fprintf(out, "%.*g", -decimals, v);
     else fprintf(out, "%.*f", decimals, v);
 }
