@@ -16,7 +16,7 @@ CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
-KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lm -lpthread -ldl
+KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 KIT       = util image places mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run \
             lights deep plan
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
@@ -104,9 +104,9 @@ stability: build/stability build/figures
 	build/figures
 
 # examples/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
-build/figures: examples/figures.c | deps
+build/figures: examples/figures.c build/kit/util.o $(HEADERS) | deps
 	@mkdir -p $(@D)
-	@echo '  cc $@'; $(CC) -std=c11 $(WARNINGS) $(CFLAGS) $< -lm -o $@
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
 
 # Fits the table of ssgi.h's room >>plan, for whoever changes methods: measures, prints the table; what make bench
 # measured on a GPU goes into its second column of costs.
@@ -167,12 +167,21 @@ npm: build/wasm/ssgi.wasm build/glsl-text
 	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
-TESTS = main t test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
+TESTS = main t others test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
 
+# Pictures are written and read while memory runs out: malloc is this program's own.
+build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -fno-builtin $(filter-out %.h,$^) $(KIT_LIBS) -o $@
+
+# Damaged pictures for so many seconds, under sanitizers: build/fuzz-files 600.
+build/fuzz-files: FLAGS = $(KIT_FLAGS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=undefined
+build/fuzz-files: tests/fuzz_files.c tests/others.c build/sanitized/util.o build/sanitized/image.o tests/others.h
+	@echo '  cc $@'; $(CC) $(FLAGS) $(filter-out %.h,$^) $(KIT_LIBS) -o $@
+
 # make test ONLY="math text" runs those groups.
-test: build/render build/render-sanitized build/glsl-text build/test
+test: build/render build/render-sanitized build/glsl-text build/figures build/starve build/fuzz-files build/test
 	build/test $(ONLY)
 
 clean:

@@ -5,7 +5,9 @@
    Reads chart.txt and stability.txt (kind, command, commit, machine, driver) and the csv beside them. When both are of
    full runs the page is examples/FIGURES.md, and the charts that it shows go to examples/pictures; else it is
    FIGURES.md in the folder of the csv, for a quick run should not replace a full one. After a run of a part (SCENE,
-   METHOD) all stays as it is. Bad input, or a write that fails: one line on stderr, status 2. */
+   METHOD) all stays as it is. Bad input, or a write that fails: one line on stderr, status 2; the page is then as it
+   was. */
+#include "kit/kit.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -184,7 +186,7 @@ static void settings(const csv *c, int row)
         "s3ho s3ho-fast", method))
         fprintf(page, ", `%s`", method);
     const char *const mark = strchr(set, ' ') ? "" : "`";      /* others' passes have words, ours have settings */
-    fprintf(page, *set ? ": %s" : "", mark);
+    if (*set) fprintf(page, ": %s", mark);
     for (const char *s = set; *s; ++s) {
         fputc(*s, page);
         if (*s == ',' && s[1] != ' ') fputc(' ', page);
@@ -686,19 +688,21 @@ static char run_of(const char *name, const char **note)
 }
 
 /* A chart that the page and README.md show. */
-static int kept(const char *name)
+static int kept(const char *name, kit_error *err)
 {
     char path[1024], *text = file_text(name);
     snprintf(path, sizeof path, "examples/pictures/%s", name);
-    FILE *f = text ? fopen(path, "w") : NULL;
-    const int failed = !f || fputs(text, f) < 0;
+    const int failed = text ? kit_file_write(path, text, strlen(text), err)
+                            : kit_fail(err, "%s/%s: cannot be read", folder, name);
     free(text);
-    return (f && fclose(f)) || failed;
+    return failed;
 }
 
 int main(int argc, char **argv)
 {
-    char path[1024];
+    char path[1024], *text = NULL;
+    size_t size;
+    kit_error err;
     if (argc > 2 || (argc > 1 && *argv[1] == '-')) { fputs("usage: figures [FOLDER of the csv]\n", stderr); return 2; }
     if (argc > 1) folder = argv[1];
     const char chart = run_of("chart.txt", &chart_note), stable = run_of("stability.txt", &stability_note);
@@ -707,8 +711,8 @@ int main(int argc, char **argv)
         "make stability)\n", folder); return 2; }
     full = chart == 'f' && stable == 'f';
     snprintf(path, sizeof path, full ? "examples/FIGURES.md" : "%s/FIGURES.md", folder);
-    page = fopen(path, "w");
-    if (!page) { fprintf(stderr, "figures: %s: cannot be written\n", path); return 2; }
+    page = open_memstream(&text, &size);
+    if (!page) { fputs("figures: out of memory\n", stderr); return 2; }
     fputs("# Figures\n\nMade by `make chart` and `make stability` from the csv that they write: change nothing here. "
         "Above each table stand the command,\n"
           "commit, machine and driver that it comes from.", page);
@@ -734,11 +738,11 @@ int main(int argc, char **argv)
         costs();
     }
     if (stable) stability();
-    if (full && (kept("chart.svg") || kept("chart-lit.svg") || kept("chart-deep-turn.svg"))) {
-        fputs("figures: examples/pictures: a chart cannot be copied there\n", stderr);
-        return 2;
-    }
-    if (ferror(page) || fclose(page)) { fprintf(stderr, "figures: %s: cannot be written\n", path); return 2; }
+    int failed = ferror(page);
+    if (fclose(page) || failed) { fputs("figures: out of memory\n", stderr); return 2; }
+    failed = full && (kept("chart.svg", &err) || kept("chart-lit.svg", &err) || kept("chart-deep-turn.svg", &err));
+    if (failed || kit_file_write(path, text, size, &err)) { fprintf(stderr, "figures: %s\n", err.text); return 2; }
+    free(text);
     printf("figures: %s%s\n", path, full ? "" : " (examples/FIGURES.md is written when both runs are full ones)");
     return 0;
 }

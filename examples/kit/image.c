@@ -1,12 +1,31 @@
 /* image.c - float pictures: EXR in and out, HDR in, PNG out, scores, difference colours. */
 #include "kit.h"
 
+#include <errno.h>
 #include <math.h>
 #include <OpenEXR/ImfCRgbaFile.h>
 #include <OpenEXR/openexr.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+#include <zlib.h>
+
+enum { ZIP_LEVEL = 4 };                    /* a few per cent larger than zlib's own 6, twice as fast */
+
+/* A PNG's bytes through zlib: what stb has for it ends the program when memory does. */
+static unsigned char *png_deflate(unsigned char *data, int size, int *packed, int level)
+{
+    uLongf bytes = compressBound((uLong)size);
+    unsigned char *out = malloc(bytes);
+    (void)level;
+    if (out && compress2(out, &bytes, data, (uLong)size, ZIP_LEVEL) != Z_OK) {
+        free(out);
+        out = NULL;
+    }
+    *packed = (int)bytes;
+    return out;
+}
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
@@ -18,12 +37,12 @@
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 #endif
 #define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_HDR
 #define STBI_ONLY_PNG                      /* for the tests, which read back what was written */
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
+#define STBIW_ZLIB_COMPRESS png_deflate
 #include <stb/stb_image_write.h>
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
@@ -88,38 +107,79 @@ float *kit_image_channel(const kit_image *image, const char *name)
 
 /* ---- EXR ---------------------------------------------------------------------------------------------------- */
 
-/* A file in memory, and OpenEXR's first complaint about it (the later ones are consequences). */
-typedef struct memory_file {
-    char  *data;
-    size_t size, capacity;
-    char   complaint[256];
-} memory_file;
+/* What went wrong in OpenEXR: its first complaint (the later ones are consequences), and whether memory ran out, which
+   it may pass over: a header then lacks a line, and is taken for another. They are the thread's, because no callback is
+   told whose they are, and a context that is asked may wait for the lock that it complains under. */
+static _Thread_local struct { char complaint[256]; int starved; } exr_trouble;
 
 static void exr_complaint(exr_const_context_t context, exr_result_t code, const char *message)
 {
-    void *user = NULL;
-    (void)code;
-    if (!context || exr_get_user_data(context, &user) != EXR_ERR_SUCCESS || !user) return;
-    memory_file *file = user;
-    if (!file->complaint[0]) snprintf(file->complaint, sizeof file->complaint, "%s", message);
+    (void)context, (void)code;
+    if (!exr_trouble.complaint[0]) snprintf(exr_trouble.complaint, sizeof exr_trouble.complaint, "%s", message);
 }
 
-static int64_t exr_memory_size(exr_const_context_t context, void *user)
+static void *exr_allocate(size_t bytes)
+{
+    void *data = malloc(bytes);
+    if (!data) exr_trouble.starved = 1;
+    return data;
+}
+
+/* user: what the callbacks below get. */
+static exr_context_initializer_t exr_initializer(void *user)
+{
+    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    memset(&exr_trouble, 0, sizeof exr_trouble);
+    errno = 0;
+    start.error_handler_fn = exr_complaint;
+    start.alloc_fn = exr_allocate;
+    start.free_fn = free;
+    start.user_data = user;
+    return start;
+}
+
+/* The older interface's memory, and zlib's, does not come from the context; when zlib has none, OpenEXR takes the file
+   for a damaged one. errno tells. */
+static int exr_fail(kit_error *err, const char *path, const char *why)
+{
+    if (exr_trouble.starved || errno == ENOMEM) why = "there is not enough memory for it";
+    return kit_fail(err, "%s: %s", path, why);
+}
+
+static int exr_fail_result(kit_error *err, const char *path, exr_result_t result)
+{
+    return exr_fail(err, path,
+                    exr_trouble.complaint[0] ? exr_trouble.complaint : exr_get_default_error_message(result));
+}
+
+typedef struct exr_source { int file; size_t size; } exr_source;
+
+static int64_t exr_source_size(exr_const_context_t context, void *user)
 {
     (void)context;
-    return (int64_t)((memory_file *)user)->size;
+    return (int64_t)((const exr_source *)user)->size;
 }
 
-static int64_t exr_memory_read(exr_const_context_t context, void *user, void *buffer, uint64_t size, uint64_t offset,
+/* Less than wanted at the file's end: the library asks for more than it needs while it reads headers. */
+static int64_t exr_source_read(exr_const_context_t context, void *user, void *buffer, uint64_t size, uint64_t offset,
                                exr_stream_error_func_ptr_t error)
 {
-    const memory_file *file = user;
-    (void)context, (void)error;
-    uint64_t left = offset < file->size ? file->size - offset : 0;
-    if (size > left) size = left;          /* the library asks for more than it needs while it reads headers */
-    memcpy(buffer, file->data + (left ? offset : 0), size);
-    return (int64_t)size;
+    const exr_source *source = user;
+    int64_t got = 0;
+    while ((uint64_t)got < size && offset <= INT64_MAX - size) {
+        const ssize_t n = pread(source->file, (char *)buffer + got, size - (uint64_t)got, (off_t)offset + got);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) {
+            error(context, EXR_ERR_READ_IO, "cannot be read: %s", strerror(errno));
+            return -1;
+        }
+        if (n == 0) break;
+        got += n;
+    }
+    return got;
 }
+
+typedef struct memory_file { char *data; size_t size, capacity; } memory_file;
 
 static int64_t exr_memory_write(exr_const_context_t context, void *user, const void *buffer, uint64_t size,
                                 uint64_t offset, exr_stream_error_func_ptr_t error)
@@ -140,11 +200,6 @@ static int64_t exr_memory_write(exr_const_context_t context, void *user, const v
     memcpy(file->data + offset, buffer, size);
     if (end > file->size) file->size = end;
     return (int64_t)size;
-}
-
-static int exr_fail(kit_error *err, const char *path, const memory_file *file, exr_result_t result)
-{
-    return kit_fail(err, "%s: %s", path, file->complaint[0] ? file->complaint : exr_get_default_error_message(result));
 }
 
 /* One chunk (some scanlines or a tile) straight into the planar picture; origin: its top-left pixel in the picture. */
@@ -201,9 +256,12 @@ static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2
     if (found != image->channels || !to[0] || !to[1] || !to[2])
         return kit_fail(err, "%s: its compression (DWAA or DWAB) is supported for the channels R, G, B (and A) alone",
                         path);
-    ImfRgba *row = malloc((size_t)image->width * sizeof *row);
+    ImfRgba *row = exr_allocate((size_t)image->width * sizeof *row);
     ImfInputFile *file = row ? ImfOpenInputFile(path) : NULL;
-    int good = file != NULL;
+    exr_attr_box2i_t is = *window;
+    if (file) ImfHeaderDataWindow(ImfInputHeader(file), &is.min.x, &is.min.y, &is.max.x, &is.max.y);
+    const int same = !memcmp(&is, window, sizeof is);
+    int good = file && same;
     for (int y = 0; y < image->height && good; ++y) {
         /* the base pointer is that of pixel (0, 0) of the data window's coordinates */
         ImfRgba *base = (ImfRgba *)((uintptr_t)row - (uintptr_t)((intptr_t)window->min.x * (intptr_t)sizeof *row));
@@ -215,14 +273,36 @@ static int exr_read_rgba(kit_image *image, const char *path, const exr_attr_box2
                 if (to[c]) to[c][(size_t)y * (size_t)image->width + (size_t)x] = ImfHalfToFloat(pixel[c]);
         }
     }
-    if (!good) kit_fail(err, "%s: %s", path, row ? ImfErrorMessage() : "no memory");
+    if (!good) exr_fail(err, path, same ? ImfErrorMessage() : "has become another picture meanwhile");
     if (file) ImfCloseInputFile(file);
     free(row);
     return good ? 0 : -1;
 }
 
-static int exr_read_part(kit_image *out, const char *path, exr_const_context_t context, const memory_file *file,
-                         kit_error *err)
+/* Whether a file can hold what its header claims, told before anything is allocated for it: a byte of it holds so many
+   bytes of pixels at most, and each chunk has a place in the table. deflate (ZIP, ZIPS) makes one of 1032; runs are of
+   128 in two bytes; PIZ repeats 255 halves in 9 bits; PXR24 deflates three bytes of a float; B44A has blocks of 32
+   bytes in 3; DWA deflates two halves for 64 floats, or runs. */
+static int exr_fits(exr_const_context_t context, const exr_attr_chlist_t *list, int64_t pixels, size_t size)
+{
+    static const double most[] = {
+        [EXR_COMPRESSION_NONE] = 1,          [EXR_COMPRESSION_RLE] = 64,           [EXR_COMPRESSION_ZIPS] = 1032,
+        [EXR_COMPRESSION_ZIP] = 1032,        [EXR_COMPRESSION_PIZ] = 510 * 8 / 9., [EXR_COMPRESSION_PXR24] = 1376,
+        [EXR_COMPRESSION_B44] = 32 / 3.,     [EXR_COMPRESSION_B44A] = 32 / 3.,     [EXR_COMPRESSION_DWAA] = 64 * 1032,
+        [EXR_COMPRESSION_DWAB] = 64 * 1032
+    };
+    exr_compression_t compression;
+    int32_t chunks;
+    double bytes = 0;
+    if (exr_get_compression(context, 0, &compression) != EXR_ERR_SUCCESS
+        || exr_get_chunk_count(context, 0, &chunks) != EXR_ERR_SUCCESS) return 0;
+    if ((size_t)compression >= sizeof most / sizeof *most) return 1;           /* it will say what it is */
+    for (int c = 0; c < list->num_channels; ++c)
+        bytes += (list->entries[c].pixel_type == EXR_PIXEL_HALF ? 2 : 4) * (double)pixels;
+    return bytes / most[compression] + 8.0 * chunks <= (double)size;
+}
+
+static int exr_read_part(kit_image *out, const char *path, exr_const_context_t context, size_t size, kit_error *err)
 {
     const exr_attr_chlist_t *list = NULL;
     exr_attr_box2i_t window;
@@ -232,7 +312,7 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
         return kit_fail(err, "%s: deep EXR files are not supported", path);
     if (result == EXR_ERR_SUCCESS) result = exr_get_channels(context, 0, &list);
     if (result == EXR_ERR_SUCCESS) result = exr_get_data_window(context, 0, &window);
-    if (result != EXR_ERR_SUCCESS) return exr_fail(err, path, file, result);
+    if (result != EXR_ERR_SUCCESS || exr_trouble.starved) return exr_fail_result(err, path, result);
     if (list->num_channels < 1 || list->num_channels > KIT_MAX_CHANNELS)
         return kit_fail(err, "%s: %d channels; 1 to %d are supported", path, list->num_channels, KIT_MAX_CHANNELS);
     for (int c = 0; c < list->num_channels; ++c) {
@@ -246,6 +326,9 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
     if (width < 1 || height < 1 || width > 65536 || height > 65536)
         return kit_fail(err, "%s: a picture of %lld x %lld is not supported", path, (long long)width,
                         (long long)height);
+    if (!exr_fits(context, list, width * height, size))
+        return kit_fail(err, "%s: its header claims %lld x %lld pixels of %d channels, which its %zu bytes cannot hold",
+                        path, (long long)width, (long long)height, list->num_channels, size);
 
     kit_image image;
     if (image_alloc(&image, (int)width, (int)height, list->num_channels, path, err)) return -1;
@@ -254,40 +337,50 @@ static int exr_read_part(kit_image *out, const char *path, exr_const_context_t c
     result = exr_read_pixels(context, storage == EXR_STORAGE_TILED, &window, &image);
     int failed = 0;
     if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED) failed = exr_read_rgba(&image, path, &window, err);
-    else if (result != EXR_ERR_SUCCESS) failed = exr_fail(err, path, file, result);
+    else if (result != EXR_ERR_SUCCESS) failed = exr_fail_result(err, path, result);
     if (failed) kit_image_free(&image);
     else *out = image;
     return failed;
 }
 
-static exr_context_initializer_t exr_initializer(memory_file *file)
-{
-    exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    start.error_handler_fn = exr_complaint;
-    start.user_data = file;
-    return start;
-}
-
 int kit_exr_read(kit_image *image, const char *path, kit_error *err)
 {
-    memory_file file = { 0 };
+    exr_source source = { 0 };
     exr_context_t context = NULL;
-    if (kit_file_read(&file.data, &file.size, path, err)) return -1;
-    exr_context_initializer_t start = exr_initializer(&file);
-    start.read_fn = exr_memory_read;
-    start.size_fn = exr_memory_size;
+    FILE *file = kit_file_open(&source.size, path, err);
+    if (!file) return -1;
+    source.file = fileno(file);
+    exr_context_initializer_t start = exr_initializer(&source);
+    start.read_fn = exr_source_read;
+    start.size_fn = exr_source_size;
     start.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;   /* a damaged file is an error, not a guess */
     exr_result_t result = exr_start_read(&context, path, &start);
-    int failed = result == EXR_ERR_SUCCESS ? exr_read_part(image, path, context, &file, err)
-                                           : exr_fail(err, path, &file, result);
+    int failed = result == EXR_ERR_SUCCESS ? exr_read_part(image, path, context, source.size, err)
+                                           : exr_fail_result(err, path, result);
     if (context) exr_finish(&context);
-    free(file.data);
+    fclose(file);
     return failed;
+}
+
+typedef struct exr_packer { exr_result_t (*compress)(exr_encode_pipeline_t *encode); } exr_packer;
+
+/* A chunk as large as its pixels is read as if it were they: it has to be. OpenEXR writes what zlib made of them, when
+   that has just their size. */
+static exr_result_t exr_compress(exr_encode_pipeline_t *encode)
+{
+    const exr_packer *packer = encode->encoding_user_data;
+    const exr_result_t result = packer->compress(encode);
+    if (result == EXR_ERR_SUCCESS && encode->compressed_bytes >= encode->packed_bytes) {
+        memcpy(encode->compressed_buffer, encode->packed_buffer, encode->packed_bytes);
+        encode->compressed_bytes = encode->packed_bytes;
+    }
+    return result;
 }
 
 static exr_result_t exr_write_pixels(exr_context_t context, const kit_image *image)
 {
     exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
+    exr_packer packer;
     exr_chunk_info_t chunk;
     int32_t lines = 1;
     exr_result_t result = exr_get_scanlines_per_chunk(context, 0, &lines);
@@ -306,7 +399,12 @@ static exr_result_t exr_write_pixels(exr_context_t context, const kit_image *ima
             channel->user_pixel_stride = 4;
             channel->user_line_stride = 4 * image->width;
         }
-        if (first && result == EXR_ERR_SUCCESS) result = exr_encoding_choose_default_routines(context, 0, &encode);
+        if (first && result == EXR_ERR_SUCCESS) {
+            result = exr_encoding_choose_default_routines(context, 0, &encode);
+            packer.compress = encode.compress_fn;
+            encode.encoding_user_data = &packer;
+            encode.compress_fn = exr_compress;
+        }
         if (result == EXR_ERR_SUCCESS) result = exr_encoding_run(context, 0, &encode);
     }
     exr_encoding_destroy(context, &encode);
@@ -318,14 +416,9 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
     memory_file file = { 0 };
     exr_context_t context = NULL;
     int part;
-    /* 3.1 hangs after it has refused a channel */
-    for (int c = 0; c < image->channels; ++c)
-        if (!image->name[c][0]
-            || kit_image_channel(image, image->name[c]) != image->data + (size_t)c * image_pixels(image))
-            return kit_fail(err, "%s: channel name \"%s\" is empty or comes twice", path, image->name[c]);
     exr_context_initializer_t start = exr_initializer(&file);
     start.write_fn = exr_memory_write;
-    start.zip_level = 4;                   /* a few per cent larger than the default 6, twice as fast */
+    start.zip_level = ZIP_LEVEL;
     exr_result_t result = exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, &start);
     if (result == EXR_ERR_SUCCESS) result = exr_add_part(context, NULL, EXR_STORAGE_SCANLINE, &part);
     if (result == EXR_ERR_SUCCESS)
@@ -334,57 +427,119 @@ int kit_exr_write(const kit_image *image, const char *path, kit_error *err)
         result = exr_add_channel(context, 0, image->name[c], EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
     if (result == EXR_ERR_SUCCESS) result = exr_write_header(context);
     if (result == EXR_ERR_SUCCESS) result = exr_write_pixels(context, image);
-    if (context) {
-        exr_result_t finished = exr_finish(&context);                          /* writes the chunk table */
-        if (result == EXR_ERR_SUCCESS) result = finished;
-    }
-    int failed = result == EXR_ERR_SUCCESS ? kit_file_write(path, file.data, file.size, err)
-                                           : exr_fail(err, path, &file, result);
+    int failed = result == EXR_ERR_SUCCESS ? 0 : exr_fail_result(err, path, result);
+    if (context && exr_finish(&context) != EXR_ERR_SUCCESS && !failed) failed = exr_fail_result(err, path, result);
+    if (!failed) failed = kit_file_write(path, file.data, file.size, err);
     free(file.data);
     return failed;
 }
 
 /* ---- HDR and PNG -------------------------------------------------------------------------------------------- */
 
-typedef struct hdr_source { const char *data; int size, at, starved; } hdr_source;
+/* Radiance's format: lines of text, an empty one, the size, then a row after the other of three mantissas and an
+   exponent a pixel, flat or each of the four in runs. Not through stb, which takes missing bytes for zeros, makes room
+   for whatever a header claims, and has the picture twice. */
+typedef struct hdr_source { FILE *file; int left; char line[64]; } hdr_source;
 
-/* stb takes missing bytes for zeros, or waits for ever for others (2.28: a run of none). It asks for 128 when its
-   buffer is empty and for exact small numbers otherwise: a reply of nothing, or of part of a small request, means that
-   the file is cut off. */
-static int hdr_read(void *user, char *data, int size)
+static const char hdr_short[] = "the file ends too early";
+
+/* The header's next line, as much of it as fits; NULL, or what is wrong. */
+static const char *hdr_line(hdr_source *s)
 {
-    hdr_source *s = user;
-    int n = s->size - s->at < size ? s->size - s->at : size;
-    memcpy(data, s->data + s->at, (size_t)n);
-    s->at += n;
-    if (n > 0 && (n == size || size >= 128)) return n;
-    s->starved = 1;
-    memset(data + n, '\n', (size_t)(size - n));  /* ends a header, and every loop over pixels */
-    return size;
+    size_t length = 0;
+    for (int c; (c = getc_unlocked(s->file)) != '\n';) {
+        if (c == EOF) return hdr_short;
+        if (!s->left--) return "its header does not end within a megabyte";
+        if (length + 1 < sizeof s->line) s->line[length++] = (char)c;
+    }
+    s->line[length] = 0;
+    return NULL;
 }
-static void hdr_skip(void *user, int n) { ((hdr_source *)user)->at += n; }
-static int  hdr_end(void *user) { return ((hdr_source *)user)->at >= ((hdr_source *)user)->size; }
+
+static const char *hdr_header(hdr_source *s, int *width, int *height)
+{
+    const char *wrong = hdr_line(s);
+    int known = 0, end = 0;
+    if (strcmp(s->line, "#?RADIANCE") && strcmp(s->line, "#?RGBE")) return "is not a Radiance HDR picture";
+    while (!wrong && !(wrong = hdr_line(s)) && s->line[0]) known |= !strcmp(s->line, "FORMAT=32-bit_rle_rgbe");
+    if (wrong) return wrong;
+    if (!known) return "its header must say FORMAT=32-bit_rle_rgbe";
+    if ((wrong = hdr_line(s)) != NULL) return wrong;
+    if (sscanf(s->line, "-Y %7d +X %7d%n", height, width, &end) != 2 || s->line[end])
+        return "its size must be -Y HEIGHT +X WIDTH";
+    return NULL;
+}
+
+/* Whether rows of such a width may be in runs. */
+static int hdr_coded(int width) { return width >= 8 && width < 32768; }
+
+/* The fewest bytes of a row: runs are of 127 at most, in two bytes. */
+static double hdr_fewest(int width)
+{
+    return hdr_coded(width) ? fmin(4.0 * width, 4 + 4 * 2 * ceil(width / 127.0)) : 4.0 * width;
+}
+
+static const char *hdr_row(FILE *file, unsigned char (*row)[4], int width)
+{
+    const size_t pixels = (size_t)width;
+    if (fread(row, 4, 1, file) != 1) return hdr_short;
+    if (!hdr_coded(width) || row[0][0] != 2 || row[0][1] != 2 || row[0][2] > 127) {
+        const size_t got = 1 + fread(row + 1, 4, pixels - 1, file);
+        for (size_t x = 0; x < got; ++x)
+            if (row[x][0] == 1 && row[x][1] == 1 && row[x][2] == 1) return "its old way of runs is not supported";
+        return got < pixels ? hdr_short : NULL;
+    }
+    if ((row[0][2] << 8 | row[0][3]) != width) return "a row has another width than the picture";
+    for (int c = 0; c < 4; ++c)
+        for (int x = 0; x < width;) {
+            int count = getc_unlocked(file), value = 0;
+            const int run = count > 128;
+            if (run) count -= 128;
+            if (count == EOF) return hdr_short;
+            if (!count || count > width - x) return "a run does not fit its row";
+            for (int k = 0; k < count; ++k) {
+                if (!run || !k) value = getc_unlocked(file);
+                if (value == EOF) return hdr_short;
+                row[x++][c] = (unsigned char)value;
+            }
+        }
+    return NULL;
+}
+
+static const char *hdr_pixels(FILE *file, kit_image *image)
+{
+    const size_t width = (size_t)image->width, n = image_pixels(image);
+    unsigned char (*row)[4] = malloc(4 * width);
+    const char *wrong = row ? NULL : "there is not enough memory for it";
+    for (size_t i = 0; i < n && !wrong; i += width) {
+        wrong = hdr_row(file, row, image->width);
+        for (size_t x = 0; x < width && !wrong; ++x) {
+            const float unit = row[x][3] ? ldexpf(1, row[x][3] - 128 - 8) : 0;
+            for (size_t c = 0; c < 3; ++c) image->data[c * n + i + x] = row[x][c] * unit;
+        }
+    }
+    free(row);
+    return wrong;
+}
 
 int kit_hdr_read(kit_image *image, const char *path, kit_error *err)
 {
-    const stbi_io_callbacks callbacks = { hdr_read, hdr_skip, hdr_end };
-    char *data;
+    hdr_source source = { .left = 1 << 20 };
+    kit_image new_ = { 0 };
     size_t size;
-    int width, height, channels, failed = 0;
-    if (kit_file_read(&data, &size, path, err)) return -1;
-    hdr_source source = { data, size > INT32_MAX ? INT32_MAX : (int)size, 0, 0 };
-    int is_hdr = stbi_is_hdr_from_memory((const stbi_uc *)data, source.size);
-    float *rgb = is_hdr ? stbi_loadf_from_callbacks(&callbacks, &source, &width, &height, &channels, 3) : NULL;
-    if (!is_hdr) failed = kit_fail(err, "%s: is not a Radiance HDR picture", path);
-    else if (source.starved) failed = kit_fail(err, "%s: the file ends too early", path);
-    else if (!rgb) failed = kit_fail(err, "%s: %s", path, stbi_failure_reason());
-    else failed = image_alloc(image, width, height, 3, path, err);
-    for (int c = 0; c < 3 && !failed; ++c) image->name[c][0] = "RGB"[c];
-    if (!failed)
-        for (size_t i = 0, n = image_pixels(image); i < n; ++i)
-            for (size_t c = 0; c < 3; ++c) image->data[c * n + i] = rgb[3 * i + c];
-    stbi_image_free(rgb);
-    free(data);
+    int width, height, failed = 0;
+    if (!(source.file = kit_file_open(&size, path, err))) return -1;
+    const char *wrong = hdr_header(&source, &width, &height);
+    if (!wrong && hdr_fewest(width) * height > (double)size)
+        failed = kit_fail(err, "%s: its header claims %d x %d pixels, which its %zu bytes cannot hold", path, width,
+                          height, size);
+    if (!wrong && !failed) failed = image_alloc(&new_, width, height, 3, path, err);
+    for (int c = 0; c < 3; ++c) new_.name[c][0] = "RGB"[c];
+    if (!wrong && !failed) wrong = hdr_pixels(source.file, &new_);
+    fclose(source.file);
+    if (wrong) failed = kit_fail(err, "%s: %s", path, wrong);
+    if (failed) kit_image_free(&new_);
+    else *image = new_;
     return failed;
 }
 

@@ -3,7 +3,7 @@
    It brings what an engine already has: a headless GL context, meshes, pictures, a G-buffer; and what
    only a laboratory needs: ray-traced truth and scores. One file a room:
 
-     util.c     errors, progress, threads, memory files
+     util.c     errors, progress, threads, whole files, JSON
      image.c    float pictures: EXR in and out, HDR in, PNG in and out, scores, difference colours
      places.c   where a picture's error sits: edges, border, interior
      mesh.c     triangles: OBJ and MTL reader
@@ -33,6 +33,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include "../../ssgi.h"
 #include "../../ssgi_gl.h"
 
@@ -44,10 +45,19 @@ typedef struct kit_error { char text[1024]; } kit_error;
 __attribute__((format(printf, 2, 3)))
 #endif
 int    kit_fail(kit_error *err, const char *format, ...);   /* writes the line (when err is not NULL), returns -1 */
-/* regular files; a 0 follows the last byte; free(data) */
+/* A regular file that is not empty, and its size, for who looks at its start before he trusts the rest; NULL: it cannot
+   be opened. fclose() */
+FILE  *kit_file_open(size_t *size, const char *path, kit_error *err);
+/* such a file whole; a 0 follows the last byte; free(data) */
 int    kit_file_read(char **data, size_t *size, const char *path, kit_error *err);
-/* whole or not at all: beside it, then renamed */
+/* Whole or not at all: beside it, then renamed, which no signal but SIGKILL comes between (one that ends the program
+   ends it afterwards; other threads must have them blocked). A file that is there keeps its mode; where the system
+   allows it, its owner. */
 int    kit_file_write(const char *path, const void *data, size_t size, kit_error *err);
+/* A string with its quotes; bytes that are not UTF-8 become U+FFFD. A number with so many decimals, below 0: so many
+   digits in all; null if it is not finite. */
+void   kit_json_string(FILE *out, const char *text);
+void   kit_json_number(FILE *out, double v, int decimals);
 /* For a program's start and end. open: a standard stream that is closed gets nothing else in its place; files beyond
    the limit of their size are errors.
    close: -1 when something that was printed is lost. */
@@ -84,11 +94,13 @@ float *kit_image_channel(const kit_image *image, const char *name);      /* NULL
 
 /* EXR through OpenEXR's C core; every channel is read as float (half, float, uint; any order; scanline or tiled; deep
    and subsampled files are refused); look channels up by name. What the C core cannot decompress (DWAA, DWAB in 3.1)
-   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. Files are written as 32-bit
-   float, ZIP, to a temporary name beside the target and renamed: never half-written. */
+   goes through OpenEXR's older C interface when it is R, G, B, A, else it is a clear error. A header that claims more
+   than the file's bytes can hold is refused before there is room for it. Files are written as 32-bit float, ZIP, to a
+   temporary name beside the target and renamed: never half-written. */
 int    kit_exr_read(kit_image *image, const char *path, kit_error *err);
 int    kit_exr_write(const kit_image *image, const char *path, kit_error *err);
-int    kit_hdr_read(kit_image *image, const char *path, kit_error *err); /* Radiance .hdr through stb: channels R,G,B */
+/* Radiance .hdr, rows flat or in runs (not the old way, a pixel repeated): channels R, G, B; the same of its header. */
+int    kit_hdr_read(kit_image *image, const char *path, kit_error *err);
 
 /* 8-bit PNG through stb, 1 channel (grey) or 3 (rgb), taken in the given order from names ("Y" or "R,G,B"); values
    [0,1] are clamped, NaN is written as 0. srgb: 1 encodes linear values as sRGB, 0 writes them as they are (ambient

@@ -1,4 +1,4 @@
-/* util.c - errors, progress, threads, whole files. */
+/* util.c - errors, progress, threads, whole files, JSON. */
 #include "kit.h"
 
 #include <errno.h>
@@ -137,17 +137,26 @@ void kit_parallel(const char *what, int count, void (*job)(void *context, int i)
     if (what) kit_progress(what, 1);
 }
 
-/* The whole of a regular file, with a zero after its last byte; the caller frees it. */
-int kit_file_read(char **data, size_t *size, const char *path, kit_error *err)
+FILE *kit_file_open(size_t *size, const char *path, kit_error *err)
 {
     struct stat status;
-    if (stat(path, &status)) return kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
-    if (S_ISDIR(status.st_mode)) return kit_fail(err, "%s: is a directory, not a file", path);
-    if (!S_ISREG(status.st_mode)) return kit_fail(err, "%s: is not a regular file", path);
-    if (status.st_size == 0) return kit_fail(err, "%s: is empty", path);
-    FILE *file = fopen(path, "rb");
-    if (!file) return kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
-    size_t bytes = (size_t)status.st_size;
+    FILE *stream = NULL;
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);            /* waits for no pipe's other end */
+    if (file < 0 || fstat(file, &status)) kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
+    else if (S_ISDIR(status.st_mode)) kit_fail(err, "%s: is a directory, not a file", path);
+    else if (!S_ISREG(status.st_mode)) kit_fail(err, "%s: is not a regular file", path);
+    else if (status.st_size == 0) kit_fail(err, "%s: is empty", path);
+    else if (!(stream = fdopen(file, "rb"))) kit_fail(err, "%s: cannot be read: %s", path, strerror(errno));
+    if (stream) *size = (size_t)status.st_size;
+    else if (file >= 0) close(file);
+    return stream;
+}
+
+int kit_file_read(char **data, size_t *size, const char *path, kit_error *err)
+{
+    size_t bytes;
+    FILE *file = kit_file_open(&bytes, path, err);
+    if (!file) return -1;
     char *text = malloc(bytes + 1);
     size_t got = text ? fread(text, 1, bytes, file) : 0;
     fclose(file);
@@ -187,32 +196,123 @@ static char *led_to(const char *path)
     return NULL;
 }
 
+/* Makes a file beside the one that is to be written: its name is as short as any file system wants it, however long the
+   other's is, and no other writer's. */
+enum { PART_NAME = 160 };
+static int part_open(char *part, int folder, const char *base, mode_t mode)
+{
+    static atomic_uint parts;
+    int kept = (int)strnlen(base, 100), file;
+    while (kept && ((unsigned char)base[kept] & 0xc0) == 0x80) --kept;         /* whole characters */
+    do {
+        snprintf(part, PART_NAME, "%.*s.%ld-%u.part", kept, base, (long)getpid(), atomic_fetch_add(&parts, 1));
+        file = openat(folder, part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    } while (file < 0 && errno == EEXIST);     /* a killed program's */
+    return file;
+}
+
+/* 0, or what errno says. */
+static int write_all(int file, const char *data, size_t size)
+{
+    for (size_t done = 0; done < size;) {
+        const ssize_t wrote = write(file, data + done, size - done);
+        if (wrote >= 0) done += (size_t)wrote;
+        else if (errno != EINTR) return errno;
+    }
+    return 0;
+}
+
+/* The file and then its name; 0, or what errno says. was: what it replaces, or NULL. */
+static int replace(int folder, const char *base, const struct stat *was, const void *data, size_t size)
+{
+    char part[PART_NAME];
+    const int file = part_open(part, folder, base, was ? was->st_mode & 0777 : 0666);
+    if (file < 0) return errno;
+    int failed = write_all(file, data, size);
+    if (was) {
+        /* where the system allows it; else the mode is within what the old one allowed */
+        (void)!fchown(file, was->st_uid, was->st_gid);
+        (void)!fchmod(file, was->st_mode & 0777);
+    }
+    if (close(file) && !failed) failed = errno;
+    if (!failed && renameat(folder, part, folder, base)) failed = errno;
+    if (failed) unlinkat(folder, part, 0);
+    return failed;
+}
+
 /* Writes beside the target and renames, so that the target is the old file or the whole new one at every moment. */
 int kit_file_write(const char *path, const void *data, size_t size, kit_error *err)
 {
-    struct stat status;
-    if (!stat(path, &status) && !S_ISREG(status.st_mode))
+    struct stat was;
+    const int exists = !stat(path, &was);
+    if (exists && !S_ISREG(was.st_mode))
         return kit_fail(err, "%s: cannot be written: %s", path,
-                        S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
+                        S_ISDIR(was.st_mode) ? "is a directory" : "is not a regular file");
     char *name = led_to(path);             /* a link stays a link: what it points to is replaced */
-    size_t length = name ? strlen(name) + 32 : 0;
-    char *part = name ? malloc(length) : NULL;
-    void (*was)(int) = signal(SIGXFSZ, SIG_IGN);           /* too large: an error, not the end */
-    FILE *file = NULL;
-    int failed = !name ? errno : !part ? ENOMEM : 0;
-    if (part) {
-        snprintf(part, length, "%s.%ld.part", name, (long)getpid());
-        file = fopen(part, "wb");
-        if (!file) failed = errno;
+    if (!name) return kit_fail(err, "%s: cannot be written: %s", path, strerror(errno));
+    char *slash = strrchr(name, '/');
+    const char *base = slash ? slash + 1 : name;
+    const char *within = !slash ? "." : slash == name ? "/" : name;
+    if (slash && slash != name) *slash = 0;
+    const int folder = open(within, O_PATH | O_DIRECTORY | O_CLOEXEC);
+    int failed = folder < 0 ? errno : 0;
+    if (!failed) {
+        /* A signal that ends the program waits for the rename, else the part would stay for ever. Beyond the limit of
+           a file's size there is one for this thread: an error, not the end. */
+        static const struct timespec at_once = { 0, 0 };
+        sigset_t all, before, too_large;
+        sigfillset(&all);
+        sigemptyset(&too_large);
+        sigaddset(&too_large, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &all, &before);
+        failed = replace(folder, base, exists ? &was : NULL, data, size);
+        if (failed == EFBIG) sigtimedwait(&too_large, NULL, &at_once);
+        pthread_sigmask(SIG_SETMASK, &before, NULL);
+        close(folder);
     }
-    if (file) {
-        if (fwrite(data, 1, size, file) != size) failed = errno ? errno : EIO;
-        if (fclose(file) && !failed) failed = errno;
-        if (!failed && rename(part, name)) failed = errno;
-        if (failed) remove(part);
-    }
-    signal(SIGXFSZ, was);
-    free(part);
     free(name);
     return failed ? kit_fail(err, "%s: cannot be written: %s", path, strerror(failed)) : 0;
+}
+
+/* ---- JSON --------------------------------------------------------------------------------------------------- */
+
+/* Bytes of the character in UTF-8 at s, 0 if there is none: no longer forms of shorter ones, no halves of a pair of
+   UTF-16, nothing beyond U+10FFFF (the Unicode standard's table 3-7). */
+static int utf8_length(const unsigned char *s)
+{
+    static const struct { unsigned char first, last, low, high; int length; } forms[] = {
+        { 0x01, 0x7f, 0x00, 0x00, 1 }, { 0xc2, 0xdf, 0x80, 0xbf, 2 }, { 0xe0, 0xe0, 0xa0, 0xbf, 3 },
+        { 0xe1, 0xec, 0x80, 0xbf, 3 }, { 0xed, 0xed, 0x80, 0x9f, 3 }, { 0xee, 0xef, 0x80, 0xbf, 3 },
+        { 0xf0, 0xf0, 0x90, 0xbf, 4 }, { 0xf1, 0xf3, 0x80, 0xbf, 4 }, { 0xf4, 0xf4, 0x80, 0x8f, 4 }
+    };
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; ++i) {
+        if (*s < forms[i].first || *s > forms[i].last) continue;
+        if (forms[i].length > 1 && (s[1] < forms[i].low || s[1] > forms[i].high)) return 0;
+        for (int k = 2; k < forms[i].length; ++k) if ((s[k] & 0xc0) != 0x80) return 0;
+        return forms[i].length;
+    }
+    return 0;
+}
+
+void kit_json_string(FILE *out, const char *text)
+{
+    putc('"', out);
+    for (const unsigned char *s = (const unsigned char *)text; *s;) {
+        const int length = utf8_length(s);
+        if (!length) fputs("\\ufffd", out);
+        else if (*s < ' ') fprintf(out, "\\u%04x", (unsigned)*s);
+        else {
+            if (*s == '"' || *s == '\\') putc('\\', out);
+            fwrite(s, 1, (size_t)length, out);
+        }
+        s += length ? length : 1;
+    }
+    putc('"', out);
+}
+
+void kit_json_number(FILE *out, double v, int decimals)
+{
+    if (!isfinite(v)) fputs("null", out);
+    else if (decimals < 0) fprintf(out, "%.*g", -decimals, v);
+    else fprintf(out, "%.*f", decimals, v);
 }

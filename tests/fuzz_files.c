@@ -1,0 +1,263 @@
+/* fuzz_files.c - damaged pictures, under the sanitizers: EXR files as the kit writes them and as others do (every
+   compression, rows and tiles), and Radiance's, with bytes changed, taken out, doubled, exchanged with other files'.
+
+     build/fuzz-files 600 [seed]           for so many seconds
+     build/fuzz-files 5000x [seed]         so many of them
+     build/fuzz-files noise 30000 [seed]   small noisy pictures, written and read back, by OpenEXR's C++ too
+
+   Each is read, or refused in a sentence that names it, with the picture untouched, in seconds. If not: status 1, and
+   the picture stays in its folder. */
+#include "../examples/kit/kit.h"
+#include "others.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { SAMPLES = 64, ROOM = 1 << 16, SECONDS = 30 };
+
+static struct { unsigned char *data; size_t size; int hdr; } sample[SAMPLES];
+static int samples;
+static char path[2][512];                       /* .exr, .hdr */
+static uint64_t state;
+
+static uint32_t random_below(uint32_t n)
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (uint32_t)((state >> 32) * n >> 32);
+}
+
+_Noreturn static void stop(const char *what, const char *why)
+{
+    printf("fuzz-files: %s: %s\n", what, why);
+    exit(1);
+}
+
+/* ---- samples ------------------------------------------------------------------------------------------------- */
+
+static void keep(int hdr)
+{
+    kit_error err;
+    char *data;
+    if (samples == SAMPLES || kit_file_read(&data, &sample[samples].size, path[hdr], &err))
+        stop(path[hdr], "no sample");
+    sample[samples].data = (unsigned char *)data;
+    sample[samples++].hdr = hdr;
+}
+
+/* Smooth to the left, noise to the right: chunks that are packed, and some that are not. */
+static float texel(int i, int width)
+{
+    return i % width < width / 2 ? (float)(i / width) / 8 : (float)random_below(1u << 24) / 65536;
+}
+
+static void by_the_kit(int width, int height, const char *names)
+{
+    kit_image image;
+    kit_error err = { "" };
+    if (kit_image_new(&image, width, height, names, &err)) stop("sample", err.text);
+    for (int i = 0; i < width * height * image.channels; ++i) image.data[i] = texel(i, width);
+    if (kit_exr_write(&image, path[0], &err)) stop("sample", err.text);
+    kit_image_free(&image);
+    keep(0);
+}
+
+static void by_others(int width, int height, int compression, int tile)
+{
+    ImfRgba *pixels = malloc(sizeof *pixels * (size_t)(width * height));
+    for (int i = 0; pixels && i < width * height; ++i)
+        pixels[i] = others_pixel(texel(i, width), texel(i + 7, width), 0.25f, 1);
+    if (!pixels || others_write(path[0], width, height, compression, tile, pixels)) stop("sample", ImfErrorMessage());
+    free(pixels);
+    keep(0);
+}
+
+/* Rows in runs of 5 and 3 literals by turns, then flat ones. */
+static void radiance(int width, int height, int coded)
+{
+    static unsigned char bytes[ROOM];
+    size_t n = (size_t)snprintf((char *)bytes, sizeof bytes, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=1\n\n-Y %d "
+                                "+X %d\n", height, width);
+    for (int y = 0; y < height; ++y) {
+        if (coded) {
+            const unsigned char head[4] = { 2, 2, (unsigned char)(width >> 8), (unsigned char)width };
+            memcpy(bytes + n, head, sizeof head);
+            n += sizeof head;
+        }
+        for (int c = 0; c < 4; ++c)
+            for (int x = 0, run = 1; x < width; run = !run) {
+                const int wide = run ? 5 : 3, count = !coded ? 1 : width - x < wide ? width - x : wide;
+                if (coded) bytes[n++] = (unsigned char)(run ? 128 + count : count);
+                for (int k = 0; k < (coded && run ? 1 : count); ++k)
+                    bytes[n++] = (unsigned char)(128 + random_below(100));
+                x += count;
+            }
+    }
+    kit_error err;
+    if (kit_file_write(path[1], bytes, n, &err)) stop("sample", err.text);
+    keep(1);
+}
+
+static void make_samples(void)
+{
+    by_the_kit(1, 1, "Y");
+    by_the_kit(8, 37, "Y");
+    by_the_kit(33, 20, "R,G,B,irradiance.R,irradiance.G,irradiance.B,bounce.R,bounce.G,bounce.B");
+    by_the_kit(17, 33, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B");
+    for (int c = IMF_NO_COMPRESSION; c <= IMF_DWAB_COMPRESSION; ++c) {
+        by_others(29, 35, c, 0);
+        by_others(29, 35, c, 16);
+    }
+    radiance(5, 7, 0);
+    radiance(9, 6, 1);
+    radiance(300, 4, 1);
+}
+
+/* ---- damage -------------------------------------------------------------------------------------------------- */
+
+/* A place in a file: half of them in its first bytes, where the header is. */
+static size_t place(size_t size)
+{
+    const size_t head = size < 400 ? size : 400;
+    return random_below(2) ? random_below((uint32_t)head) : random_below((uint32_t)size);
+}
+
+static size_t damage(unsigned char *data, size_t size)
+{
+    static const uint32_t numbers[] = { 0, 1, 2, 127, 128, 255, 256, 32767, 65535, 65536, 0x7fffffff, 0x80000000,
+                                        0xffffffff, 0x3fffffff, 0x7f800000 };
+    const size_t at = place(size), n = 1 + random_below(random_below(4) ? 4 : 64);
+    const size_t here = n < size - at ? n : size - at;
+    switch (random_below(8)) {
+    case 0: data[at] ^= (unsigned char)(1u << random_below(8)); return size;
+    case 1: data[at] = (unsigned char)random_below(256); return size;
+    case 2: data[at] = (unsigned char)(data[at] + random_below(9) - 4); return size;
+    case 3:
+        if (size - at >= 4) memcpy(data + at, &numbers[random_below(sizeof numbers / sizeof *numbers)], 4);
+        return size;
+    case 4: return random_below(4) || at < 8 ? size : at;                       /* cut off */
+    case 5:                                                                    /* taken out */
+        memmove(data + at, data + at + here, size - at - here);
+        return size - here ? size - here : size;
+    case 6:                                                                    /* doubled */
+        if (size + here > ROOM) return size;
+        memmove(data + at + here, data + at, size - at);
+        return size + here;
+    default: {                                                                 /* another file's */
+        const int other = (int)random_below((uint32_t)samples);
+        const size_t from = place(sample[other].size), left = sample[other].size - from;
+        memcpy(data + at, sample[other].data + from, here < left ? here : left);
+        return size;
+    }
+    }
+}
+
+static void too_long(int number)
+{
+    static const char text[] = "fuzz-files: a picture takes too long\n";
+    (void)number;
+    if (write(1, text, sizeof text - 1) > 0) _exit(1);
+    _exit(1);
+}
+
+/* 1 when it was read. */
+static int read_one(int hdr)
+{
+    kit_image image = { .width = -7 };
+    kit_error err = { "" };
+    const char *now = path[hdr];
+    alarm(SECONDS);
+    const int failed = hdr ? kit_hdr_read(&image, now, &err) : kit_exr_read(&image, now, &err);
+    alarm(0);
+    if (failed) {
+        if (image.width != -7 || image.data) stop(now, "the picture was touched");
+        if (strncmp(err.text, now, strlen(now)) || strlen(err.text) < strlen(now) + 5) stop(now, err.text);
+        return 0;
+    }
+    double sum = 0;
+    for (size_t i = 0, n = (size_t)image.width * (size_t)image.height * (size_t)image.channels; i < n; ++i)
+        sum += (double)image.data[i];
+    if (image.width < 1 || image.height < 1 || image.channels < 1 || (hdr && !(sum >= 0))) stop(now, "nonsense");
+    kit_image_free(&image);
+    return 1;
+}
+
+static void fuzz(double seconds, long most)
+{
+    static unsigned char data[ROOM];
+    const double began = kit_seconds();
+    long tried = 0, read = 0;
+    signal(SIGALRM, too_long);
+    make_samples();
+    for (; tried < most && kit_seconds() - began < seconds; ++tried) {
+        const int which = (int)random_below((uint32_t)samples), hdr = sample[which].hdr;
+        size_t size = sample[which].size;
+        memcpy(data, sample[which].data, size);
+        for (uint32_t k = random_below(4) + 1; k--;) size = damage(data, size);
+        FILE *file = fopen(path[hdr], "wb");
+        if (!file || fwrite(data, 1, size, file) != size || fclose(file)) stop(path[hdr], "cannot be written");
+        read += read_one(hdr);
+    }
+    for (int i = 0; i < samples; ++i) free(sample[i].data);
+    printf("%ld damaged pictures of %d: %ld read, %ld refused\n", tried, samples, read, tried - read);
+}
+
+/* ---- noise --------------------------------------------------------------------------------------------------- */
+
+static void noise(long pictures)
+{
+    static const uint32_t bits[] = { 0xff, 0xffff, 0xffffff, 0x3fffffff };
+    ImfRgba pixels[16 * 40];
+    kit_error err = { "" };
+    for (long k = 0; k < pictures; ++k) {
+        kit_image image, again;
+        const int width = 1 + (int)random_below(16), height = 1 + (int)random_below(40), rgb = (int)random_below(2);
+        if (kit_image_new(&image, width, height, rgb ? "B,G,R" : "Y", &err)) stop("noise", err.text);
+        const int n = width * height * image.channels, kept = (int)random_below((uint32_t)n + 1);
+        const uint32_t mask = bits[random_below(4)];
+        for (int i = 0; i < n; ++i) {
+            const uint32_t value = 0x3f000000 | (i < kept ? random_below(1u << 30) & mask : 0);   /* below 2 */
+            memcpy(&image.data[i], &value, 4);
+        }
+        if (kit_exr_write(&image, path[0], &err) || kit_exr_read(&again, path[0], &err)) stop("noise", err.text);
+        if (again.width != width || again.height != height || again.channels != image.channels
+            || memcmp(again.data, image.data, (size_t)n * sizeof *image.data))
+            stop(path[0], "what was read is not what was written");
+        if (rgb && others_read(path[0], width, height, pixels)) stop(path[0], ImfErrorMessage());
+        for (int i = 0; rgb && i < width * height; ++i) {
+            const float *v = image.data + i;
+            const ImfRgba is = others_pixel(v[2 * width * height], v[width * height], v[0], 1);
+            if (memcmp(&is, &pixels[i], sizeof is)) stop(path[0], "OpenEXR's C++ reads something else");
+        }
+        kit_image_free(&image);
+        kit_image_free(&again);
+    }
+    printf("%ld noisy pictures are what was written\n", pictures);
+}
+
+int main(int argc, char **argv)
+{
+    const int noisy = argc > 2 && !strcmp(argv[1], "noise");
+    const char *count = noisy ? argv[2] : argc > 1 ? argv[1] : "";
+    char *end;
+    const double n = strtod(count, &end);
+    const char *const temporary = getenv("TMPDIR");
+    char folder[256];
+    if (end == count || !(n > 0)) {
+        fputs("usage: fuzz-files SECONDS | Nx | noise N   [seed]\n", stderr);
+        return 2;
+    }
+    state = argc > 2 + noisy ? strtoull(argv[2 + noisy], NULL, 0) : 1;
+    snprintf(folder, sizeof folder, "%s/fuzz-files-XXXXXX", temporary && *temporary ? temporary : "/tmp");
+    if (!mkdtemp(folder)) stop(folder, "no folder can be made");
+    snprintf(path[0], sizeof path[0], "%s/a.exr", folder);
+    snprintf(path[1], sizeof path[1], "%s/a.hdr", folder);
+    if (noisy) noise((long)n);
+    else fuzz(*end == 'x' ? 1e9 : n, *end == 'x' ? (long)n : 2000000000);
+    unlink(path[0]);
+    unlink(path[1]);
+    rmdir(folder);
+    return 0;
+}
