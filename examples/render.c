@@ -457,6 +457,7 @@ typedef struct job {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     kit_run      run;
+    kit_frames   frames;
     kit_lighting lighting;
     kit_world    world;
     ssgi_plan    plan;
@@ -480,23 +481,23 @@ static int open_settings(job *j, kit_error *err)
     if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights)
         return kit_fail(err, "--method %s: needs light: --env sky, --env FILE or --light sun:..", j->method.name);
     j->r.lit = j->method.lit;
+    j->radius = o->radius;
     return kit_gl_open(o->context, err);
 }
 
-static int open_frame(job *j, kit_error *err)
+static int open_frame(kit_gbuffer *g, const options *o, kit_error *err)
 {
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
     kit_image frame;
     kit_error why;
     int failed;
-    j->radius = j->o.radius;
-    camera_of(&camera, &j->o);
-    if (camera_check(&camera, err) || kit_exr_read(&frame, j->o.gbuffer, err)) return -1;
+    camera_of(&camera, o);
+    if (camera_check(&camera, err) || kit_exr_read(&frame, o->gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
-    failed = kit_gbuffer_from_frame(&j->gbuffer, &frame, &camera, &why);
+    failed = kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
-    return failed ? kit_fail(err, "--gbuffer %s: %s", j->o.gbuffer, why.text) : 0;
+    return failed ? kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text) : 0;
 }
 
 static int open_scene(job *j, kit_error *err)
@@ -506,7 +507,7 @@ static int open_scene(job *j, kit_error *err)
     camera = j->scene.camera;
     camera_of(&camera, &j->o);
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
-    j->radius = j->o.radius > 0 ? j->o.radius : (double)j->scene.radius;
+    if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
     j->world.scene = &j->scene;
     return 0;
 }
@@ -594,28 +595,117 @@ static int draw(job *j, kit_error *err)
     return kit_run_read(&j->r.picture, run, err);
 }
 
-/* The next line of a sequence as the frame and camera of the options; 0: there is none, -1: it is wrong. */
-static int next_line(options *o, char **at, int line, kit_error *err)
+/* As its ending says, EXR or PNG. */
+static int write_picture(const kit_image *picture, int lit, const char *path, kit_error *err)
 {
-    char *text = *at + strspn(*at, " \r\n\t"), *end = text + strcspn(text, "\r\n"), *camera;
-    if (!*text) return 0;
-    *at = *end ? end + 1 : end;
-    *end = 0;
-    camera = text + strcspn(text, " \t");
-    if (*camera) *camera++ = 0;
-    while (*camera == ' ' || *camera == '\t') ++camera;
-    int commas = 0;
+    return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
+                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+}
+
+/* ---- >>frames: --sequence, --frames ------------------------------------------------------------------------------- */
+
+/* A line of a sequence: a frame, and where it was taken. */
+typedef struct line { const char *frame; float camera[6], up[3]; int has_up, number; } line;
+typedef struct sequence { char *text; line *line; int lines; } sequence;
+
+static void sequence_free(sequence *s)
+{
+    free(s->text);
+    free(s->line);
+    memset(s, 0, sizeof *s);
+}
+
+/* What a line's text says; 0: it is blank, -1: it is wrong. */
+static int parse_line(line *l, char *text)
+{
     float v[9] = { 0 };
+    int commas = 0;
+    text += strspn(text, " \t");
+    if (!*text) return 0;
+    char *camera = text + strcspn(text, " \t");
+    if (*camera) *camera++ = 0;
+    camera += strspn(camera, " \t");
     for (const char *c = camera; *c; ++c) commas += *c == ',';
-    if (numbers("camera", camera, v, commas == 8 ? 9 : 6, err))
-        return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", o->sequence,
-                        line);
-    o->gbuffer = text;
-    memcpy(o->camera, v, sizeof o->camera);
-    if (commas == 8) memcpy(o->up, v + 6, sizeof o->up);
-    o->has_camera = 1;
-    o->has_up = commas == 8;
+    if (numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
+    l->frame = text;
+    memcpy(l->camera, v, sizeof l->camera);
+    memcpy(l->up, v + 6, sizeof l->up);
+    l->has_up = commas == 8;
     return 1;
+}
+
+/* Lines end in CR, LF or both, and count from 1 as an editor counts them, blank ones too. */
+static int sequence_read(sequence *s, const char *path, kit_error *err)
+{
+    size_t size;
+    int number = 0, room = 1;
+    if (kit_file_read(&s->text, &size, path, err)) return -1;
+    for (size_t i = 0; i < size; ++i) room += s->text[i] == '\n' || s->text[i] == '\r';
+    s->line = calloc((size_t)room, sizeof *s->line);
+    if (!s->line) return kit_fail(err, "--sequence %s: out of memory", path);
+    for (char *at = s->text, *end = at + size, *next; at < end; at = next) {
+        line *l = &s->line[s->lines];
+        const size_t length = strcspn(at, "\r\n");
+        l->number = ++number;
+        if (at + length < end && !at[length])
+            return kit_fail(err, "--sequence %s: line %d: holds a zero byte", path, number);
+        next = at + length + (at[length] == '\r' && at[length + 1] == '\n') + 1;
+        at[length] = 0;
+        const int found = parse_line(l, at);
+        if (found < 0)
+            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", path, number);
+        s->lines += found;
+    }
+    return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
+}
+
+/* The G-buffer of a line. */
+static int open_line(kit_gbuffer *g, const options *o, const line *l, kit_error *err)
+{
+    options of = *o;
+    kit_error why;
+    of.gbuffer = l->frame;
+    of.has_camera = 1;
+    memcpy(of.camera, l->camera, sizeof of.camera);
+    if (l->has_up) memcpy(of.up, l->up, sizeof of.up);
+    of.has_up |= l->has_up;
+    return open_frame(g, &of, &why) ? kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text) : 0;
+}
+
+/* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing, as
+   a first frame has none. */
+static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
+{
+    return g->width != first->width || g->height != first->height ? "size"
+           : g->layers != first->layers                           ? "depth layers"
+           : !g->albedo != !first->albedo                         ? "albedo.R .."
+           : !g->direct != !first->direct                         ? "direct.R .."
+           : !g->back != !first->back                             ? "back.Z"
+           : !g->slabs != !first->slabs                           ? "front2.Z"
+                                                                  : NULL;
+}
+
+/* Every frame is read, and the method made ready on the first one, before anything is written. */
+static int sequence_check(job *j, const sequence *s, kit_error *err)
+{
+    kit_gbuffer first = { 0 }, g;
+    int failed = open_line(&first, &j->o, &s->line[0], err)
+              || kit_frames_next(&j->frames, &first, &j->method, (float)j->radius, &j->world, NULL, err);
+    kit_frames_close(&j->frames);
+    for (int k = 1; k < s->lines && !failed; ++k) {
+        const line *l = &s->line[k];
+        failed = open_line(&g, &j->o, l, err);
+        if (failed) break;
+        const char *what = unlike(&g, &first);
+        if (what)
+            failed = kit_fail(err, "--sequence %s: line %d: %s: must be like the first frame in %s", j->o.sequence,
+                              l->number, l->frame, what);
+        kit_gbuffer_free(&g);
+        kit_progress("frames read", (double)k / s->lines);
+    }
+    kit_progress("frames read", 1);
+    kit_gbuffer_free(&first);
+    return failed;
 }
 
 /* The first object that casts, moved on by a frame; the first frame has it as it was. */
@@ -632,68 +722,60 @@ static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
     return kit_scene_place(scene, k, to, err);
 }
 
-/* As its ending says, EXR or PNG. */
-static int write_picture(const kit_image *picture, int lit, const char *path, kit_error *err)
+/* The G-buffer of frame k. */
+static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera *from, int k, kit_error *err)
 {
-    return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
-                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+    kit_camera camera = *from;
+    if (j->o.sequence) return open_line(g, &j->o, &s->line[k], err);
+    kit_camera_orbit(&camera, from, j->o.orbit * k);
+    return slide(&j->scene, j->o.slide, k, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 
-/* A picture a frame; each run takes over the last one's history. */
+/* Frame k, drawn and written. */
+static int play_frame(job *j, kit_gbuffer *g, int k, kit_error *err)
+{
+    char path[4096];
+    kit_image picture;
+    if (!numbered(path, sizeof path, j->o.out, k)) return kit_fail(err, "--out %s: is too long", j->o.out);
+    if (kit_frames_next(&j->frames, g, &j->method, (float)j->radius, &j->world, NULL, err)) return -1;
+    kit_run_draw(j->frames.now, 0);
+    if (kit_run_read(&picture, j->frames.now, err)) return -1;
+    const int failed = write_picture(&picture, j->r.lit, path, err);
+    kit_image_free(&picture);
+    return failed;
+}
+
+/* A picture a frame, written as it is drawn; each run takes over the last one's history. */
 static int play(job *j, kit_error *err)
 {
-    options *o = &j->o;
-    char *list = NULL, *at = NULL, path[4096];
-    size_t size;
+    const options *o = &j->o;
     kit_gbuffer shown[2] = { { 0 } };
-    static kit_run runs[2];
-    int k = 0, more = 1, failed = open_settings(j, err)
-        || (o->sequence ? kit_file_read(&list, &size, o->sequence, err) : open_scene(j, err));
+    sequence s = { 0 };
+    if (open_settings(j, err)) return -1;
+    int failed = o->sequence ? sequence_read(&s, o->sequence, err) || sequence_check(j, &s, err) : open_scene(j, err);
     const kit_camera from = j->gbuffer.camera;
-    for (at = list; !failed; ++k) {
-        kit_run *run = &runs[k & 1], *last = &runs[!(k & 1)];
-        kit_image picture;
-        if (!o->sequence && k == o->frames) break;
-        if (o->sequence && (more = next_line(o, &at, k + 1, err)) < 1) { failed = more; break; }
-        if (o->sequence) {
-            failed = open_frame(j, err);
-            shown[k & 1] = j->gbuffer;
-        } else {
-            kit_camera camera = from;
-            kit_camera_orbit(&camera, &from, o->orbit * k);
-            failed = slide(&j->scene, o->slide, k, err)
-                  || kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
-        }
-        if (failed) break;
-        failed = kit_run_open(run, &shown[k & 1], &j->method, (float)j->radius, &j->world, err)
-              || (k && kit_method_value(&j->method, "history") > 0 && kit_run_follow(run, last, (unsigned)k, err));
-        if (k) { kit_run_close(last); kit_gbuffer_free(&shown[!(k & 1)]); }
-        if (failed) break;
-        kit_run_draw(run, 0);
-        failed = kit_run_read(&picture, run, err);
-        if (failed) break;
-        if (!numbered(path, sizeof path, o->out, k)) failed = kit_fail(err, "--out %s: is too long", o->out);
-        failed = failed || write_picture(&picture, j->r.lit, path, err);
-        kit_image_free(&picture);
-        kit_progress("frames", o->frames ? (k + 1.0) / o->frames : 0.5);
+    const int count = o->sequence ? s.lines : o->frames;
+    for (int k = 0; k < count && !failed; ++k) {
+        kit_gbuffer *g = &shown[k & 1];
+        failed = open_next(g, j, &s, &from, k, err) || play_frame(j, g, k, err);
+        kit_gbuffer_free(&shown[!(k & 1)]);
+        kit_progress("frames", (k + 1.0) / count);
     }
-    if (!failed && !k) failed = kit_fail(err, "--sequence %s: names no frame", o->sequence);
     kit_progress("frames", 1);
-    kit_run_close(&runs[0]);
-    kit_run_close(&runs[1]);
-    kit_gbuffer_free(&shown[0]);
-    kit_gbuffer_free(&shown[1]);
-    if (o->sequence) memset(&j->gbuffer, 0, sizeof j->gbuffer);
-    free(list);
+    kit_frames_close(&j->frames);
+    for (int k = 0; k < 2; ++k) kit_gbuffer_free(&shown[k]);
+    sequence_free(&s);
     return failed ? -1 : 0;
 }
+
+/* ---- >>end -------------------------------------------------------------------------------------------------------- */
 
 static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
     result *r = &j->r;
     if (o->sequence || o->frames) return play(j, err);
-    if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err))
+    if (open_settings(j, err) || (o->gbuffer ? open_frame(&j->gbuffer, o, err) : open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
     if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->planned && plan_it(j, err)) return -1;
