@@ -347,25 +347,173 @@ static int score_of(result *r, const char *path, const kit_camera *camera, doubl
 /* What drawing back faces took for a run. */
 static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + run->gbuffer->slab_ms[1]; }
 
-static void print_string(const char *s)
+/* ---- >>report ---------------------------------------------------------------------------------------------------- */
+
+/* Bytes of the character of UTF-8 at s; 0: it is none. */
+static int utf8_length(const unsigned char *s)
 {
-    putchar('"');
-    for (; *s; ++s) {
-        if (*s == '"' || *s == '\\') putchar('\\');
-        if ((unsigned char)*s < 32) printf("\\u%04x", (unsigned)(unsigned char)*s); else putchar(*s);
-    }
-    putchar('"');
+    const int length = *s < 0x80 ? 1 : *s >= 0xc2 && *s < 0xe0 ? 2 : *s >= 0xe0 && *s < 0xf0 ? 3
+                     : *s >= 0xf0 && *s < 0xf5 ? 4 : 0;
+    for (int i = 1; i < length; ++i) if ((s[i] & 0xc0) != 0x80) return 0;
+    /* longer than need be, a surrogate, past the last one */
+    if ((*s == 0xe0 && s[1] < 0xa0) || (*s == 0xed && s[1] > 0x9f) || (*s == 0xf0 && s[1] < 0x90)
+        || (*s == 0xf4 && s[1] > 0x8f)) return 0;
+    return length;
 }
 
-/* Edges, border and interior apart: behind the score, in JSON as its last members. */
-static void report_places(const kit_score_place *place, int json)
+/* A string of JSON. What is no UTF-8, as names of files may be, becomes U+FFFD. */
+static void json_string(FILE *f, const char *s)
 {
-    for (int k = 0; k < KIT_PLACES; ++k) {
-        const kit_score *s = &place[k].score;
-        printf(json ? ", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"error_share\": %.6f, \"pixel_share\": %.6f}"
-            : "  %-8s RMSE %.5f, bias %+.5f, %.3f of the squared error on %.3f of the pixels\n", place_names[k],
-            s->rmse, s->bias, place[k].error, place[k].area);
+    fputc('"', f);
+    while (*s) {
+        const int length = utf8_length((const unsigned char *)s);
+        if (!length) fputs("\\ufffd", f);
+        else if ((unsigned char)*s < 32 || *s == 127) fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s);
+        else fprintf(f, "%s%.*s", *s == '"' || *s == '\\' ? "\\" : "", length, s);
+        s += length ? length : 1;
     }
+    fputc('"', f);
+}
+
+/* A number of JSON, which has no infinity: null. decimals: so many behind the point; below 0: so many digits in all. */
+static void json_number(FILE *f, double v, int decimals)
+{
+    if (!isfinite(v)) fputs("null", f);
+    else if (decimals < 0) fprintf(f, "%.*g", -decimals, v);
+    else fprintf(f, "%.*f", decimals, v);
+}
+
+/* Members of an object: the first has before = "". */
+static void json_text(const char *before, const char *key, const char *value)
+{
+    printf("%s\"%s\": ", before, key);
+    json_string(stdout, value);
+}
+
+static void json_value(const char *before, const char *key, double value, int decimals)
+{
+    printf("%s\"%s\": ", before, key);
+    json_number(stdout, value, decimals);
+}
+
+static void json_plan(const ssgi_plan *plan)
+{
+    printf(", \"plan\": {");
+    json_value("", "error", (double)plan->error, -6);
+    json_value(", ", "cost", (double)plan->cost, -6);
+    json_value(", ", "meets", plan->meets, 0);
+    json_text(", ", "why", plan->why);
+    printf("}");
+}
+
+static void json_settings(const kit_method *m, const kit_run *run)
+{
+    printf(", \"settings\": {");
+    for (int i = 0; i < m->count; ++i) json_value(i ? ", " : "", m->setting[i].key, m->setting[i].value, -9);
+    printf("}");
+    json_value(", ", "margin_pixels", run->margin, 0);
+    json_value(", ", "fetches", run->fetches, -6);
+    json_text(", ", "context", kit_gl_name());
+    if (!m->between) return;
+    json_value(", ", "occluders", run->occluders, 0);
+    json_value(", ", "field_bytes", (double)run->field_bytes, 0);
+}
+
+static void json_times(const result *r)
+{
+    json_value(", ", "frames", r->frames, 0);
+    printf(", \"passes\": [");
+    for (int i = 0; i < r->run->passes; ++i) {
+        const ssgi_gl_desc *d = &r->run->pass[i].desc;
+        json_text(i ? ", {" : "{", "pass", ssgi_gl_pass_name(d->pass));
+        json_value(", ", "ms", r->ms[i], 4);
+        json_value(", ", "fetches", kit_fetches(d), 0);
+        printf("}");
+    }
+    printf("]");
+    if (slabs_ms(r->run) > 0) json_value(", ", "slabs_ms", slabs_ms(r->run), 4);
+}
+
+/* A group's error over that of no AO; lit: the mean that it is a share of. */
+static double share_of(const result *r, int g)
+{
+    return r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0;
+}
+
+/* The score of a group, then its edges, border and interior apart. */
+static void json_score(const result *r, int g)
+{
+    const kit_score *s = &r->score[g];
+    printf(", \"%s\": {", !r->lit ? "score" : group_names[g]);
+    json_value("", "rmse", s->rmse, 6);
+    json_value(", ", "bias", s->bias, 6);
+    json_value(", ", "p95", s->p95, 6);
+    json_value(", ", "ssim", s->ssim, 6);
+    json_value(", ", r->lit ? "mean" : "share", r->lit ? r->nothing[g] : share_of(r, g), 6);
+    json_value(", ", "pixels", (double)s->pixels, 0);
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const kit_score_place *place = &r->place[g][k];
+        printf(", \"%s\": {", place_names[k]);
+        json_value("", "rmse", place->score.rmse, 6);
+        json_value(", ", "bias", place->score.bias, 6);
+        json_value(", ", "error_share", place->error, 6);
+        json_value(", ", "pixel_share", place->area, 6);
+        printf("}");
+    }
+    printf("}");
+}
+
+/* what: the method, or what was asked for in its place */
+static void report_json(const options *o, const kit_method *m, const char *what, const result *r, double radius)
+{
+    json_text("{", "source", o->gbuffer ? o->gbuffer : o->scene);
+    json_text(", ", "method", what);
+    json_value(", ", "radius", radius, -9);
+    json_value(", ", "width", r->picture.width, 0);
+    json_value(", ", "height", r->picture.height, 0);
+    if (r->plan) json_plan(r->plan);
+    if (r->run) json_settings(m, r->run);
+    if (o->time && r->run) json_times(r);
+    for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) json_score(r, g);
+    printf("}\n");
+}
+
+static void text_times(const result *r)
+{
+    double sum = 0;
+    for (int i = 0; i < r->run->passes; ++i) {
+        printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
+               kit_fetches(&r->run->pass[i].desc));
+        sum += r->ms[i];
+    }
+    if (slabs_ms(r->run) > 0)
+        printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
+    if (r->run->margin)
+        printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
+               r->run->wide.height);
+    printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
+           r->frames, r->picture.width, r->picture.height, kit_gl_name());
+}
+
+static void text_score(const options *o, const char *what, const result *r, int g)
+{
+    const kit_score *s = &r->score[g];
+    printf("%s against %s", what, o->score);
+    if (r->lit)
+        printf(", %s: RMSE %.5f (%.3f of its mean %.5f)", group_names[g], s->rmse, share_of(r, g), r->nothing[g]);
+    else printf(": RMSE %.5f (%.3f of no AO's)", s->rmse, share_of(r, g));
+    printf(", bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", s->bias, s->p95, s->ssim, s->pixels);
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const kit_score_place *place = &r->place[g][k];
+        printf("  %-8s RMSE %.5f, bias %+.5f, %.3f of the squared error on %.3f of the pixels\n", place_names[k],
+               place->score.rmse, place->score.bias, place->error, place->area);
+    }
+}
+
+static void report_text(const options *o, const char *what, const result *r)
+{
+    if (o->time && r->run) text_times(r);
+    for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) text_score(o, what, r, g);
 }
 
 static void report(const options *o, const kit_method *m, const result *r, double radius)
@@ -374,79 +522,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                        : o->floor                                        ? "floor"
                        : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing"
                                                                          : m->name;
-    if (o->json) {
-        printf("{\"source\": ");
-        print_string(o->gbuffer ? o->gbuffer : o->scene);
-        printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width,
-               r->picture.height);
-        if (r->plan) {
-            printf(", \"plan\": {\"error\": %g, \"cost\": %g, \"meets\": %d, \"why\": ", (double)r->plan->error,
-                   (double)r->plan->cost, r->plan->meets);
-            print_string(r->plan->why);
-            printf("}");
-        }
-        if (r->run) {
-            printf(", \"settings\": {");
-            for (int i = 0; i < m->count; ++i)
-                printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
-            printf("}, \"margin_pixels\": %d, \"fetches\": %g, \"context\": ", r->run->margin, r->run->fetches);
-            print_string(kit_gl_name());
-            if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
-        }
-        if (o->time && r->run) {
-            printf(", \"frames\": %d, \"passes\": [", r->frames);
-            for (int i = 0; i < r->run->passes; ++i) {
-                const ssgi_gl_desc *d = &r->run->pass[i].desc;
-                printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(d->pass),
-                       r->ms[i], kit_fetches(d));
-            }
-            printf("]");
-            if (slabs_ms(r->run) > 0) printf(", \"slabs_ms\": %.4f", slabs_ms(r->run));
-        }
-        for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
-            const kit_score *s = &r->score[g];
-            printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, "
-                   "\"pixels\": %zu",
-                   !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim, r->lit ? "mean" : "share",
-                   r->lit              ? r->nothing[g]
-                   : r->nothing[g] > 0 ? s->rmse / r->nothing[g]
-                                       : 0.0,
-                   s->pixels);
-            report_places(r->place[g], 1);
-            printf("}");
-        }
-        printf("}\n");
-        return;
-    }
-    if (o->time && r->run) {
-        double sum = 0;
-        for (int i = 0; i < r->run->passes; ++i) {
-            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
-                kit_fetches(&r->run->pass[i].desc));
-            sum += r->ms[i];
-        }
-        if (slabs_ms(r->run) > 0)
-            printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
-        if (r->run->margin)
-            printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
-                   r->run->wide.height);
-        printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
-               r->frames, r->picture.width, r->picture.height, kit_gl_name());
-    }
-    if (o->score && !r->lit) {
-        printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what,
-               o->score, r->score[0].rmse, r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias,
-               r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
-        report_places(r->place[0], 0);
-    }
-    for (int g = 0; g < GROUPS && o->score && r->lit; ++g) {
-        printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu "
-               "pixels\n",
-               what, o->score, group_names[g], r->score[g].rmse,
-               r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias,
-               r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
-        report_places(r->place[g], 0);
-    }
+    if (o->json) report_json(o, m, what, r, radius); else report_text(o, what, r);
 }
 
 /* ---- >>job: what is asked for, and what it takes ----------------------------------------------------------------- */
