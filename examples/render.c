@@ -11,7 +11,8 @@
       build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
-   Bad input: one line on stderr that names it, status 2, nothing written. */
+   Bad input: one line on stderr that names it, status 2, nothing written; of --sequence and --frames each picture is
+   written as it is drawn, once the list and all of its frames have been read. */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <math.h>
@@ -38,16 +39,17 @@ static const char usage[] =
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
-    "                        pixels from where a point was in the frame before, +y down; --out has a %04d\n"
-    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target\n"
+    "                        pixels from where a point was in the frame before, +y down; --out has a %04d. All are\n"
+    "                        read, and must have one size and the same channels, before the first picture is written\n"
+    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as it\n"
+    "                        is drawn, and those before it stay where one cannot be\n"
     "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
     "how\n"
-    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
+    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
     "  --radius R            farthest occluder, scene units   [the scene's own]\n"
-    "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by "
-    "ERROR;\n"
-    "                        BUDGET in 16-sample ssaos\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest method\n"
+    "                        that is predicted to err by ERROR; BUDGET in 16-sample ssaos\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n"
@@ -74,15 +76,19 @@ static int fail(const char *text)
     return 2;
 }
 
+/* Numbers of the world; beyond that floats leave no room to compute with them. */
 static int numbers(const char *name, const char *text, float *out, int count, kit_error *err)
 {
+    const float most = 1e12f;
     float v[9];
     const char *at = text;
     for (int i = 0; i < count; ++i) {
         char *end;
         v[i] = strtof(at, &end);
-        if (end == at || !isfinite(v[i]) || *end != (i + 1 < count ? ',' : 0))
+        if (end == at || *end != (i + 1 < count ? ',' : 0))
             return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
+        if (!(fabsf(v[i]) <= most))
+            return kit_fail(err, "%s %s: its numbers must be in -%g..%g", name, text, (double)most, (double)most);
         at = end + 1;
     }
     memcpy(out, v, (size_t)count * sizeof *v);
@@ -110,9 +116,10 @@ static int whole(const char *name, const char *text, int least, int most, int *o
 
 static int plan_of(options *o, const char *text, kit_error *err)
 {
-    static const char *const wanted[] = { "visibility:", "light:", "bounce:" };
+    static const char *const wanted[] = { "visibility:", "light:", "bounce:", "objects:" };
+    enum { WANTED = (int)(sizeof wanted / sizeof *wanted) };
     char *end;
-    for (o->planned = 0; o->planned < 3; ++o->planned) {
+    for (o->planned = 0; o->planned < WANTED; ++o->planned) {
         const size_t n = strlen(wanted[o->planned]);
         if (strncmp(text, wanted[o->planned], n)) continue;
         o->plan[0] = strtod(text + n, &end);
@@ -123,20 +130,52 @@ static int plan_of(options *o, const char *text, kit_error *err)
         ++o->planned;
         return 0;
     }
-    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR or bounce:ERROR, perhaps :BUDGET behind",
-                    text);
+    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, perhaps "
+                         ":BUDGET behind", text);
+}
+
+/* Of light, which the planned method may bring by ambient visibility. */
+static int plans_light(const options *o)
+{
+    return o->planned - 1 == SSGI_PLAN_LIGHT || o->planned - 1 == SSGI_PLAN_BOUNCE;
+}
+
+/* The number that a text begins with, of digits alone; 0: there is none, or it is above most. */
+static int digits(const char **at, int most)
+{
+    int v = 0;
+    for (; **at >= '0' && **at <= '9'; ++*at) v = v > most ? v : 10 * v + (**at - '0');
+    return v > most ? 0 : v;
+}
+
+/* "WxH" */
+static int size_of(options *o, const char *text, kit_error *err)
+{
+    const char *at = text;
+    const int width = digits(&at, 16384), cross = *at == 'x', height = cross ? (++at, digits(&at, 16384)) : 0;
+    if (!width || !height || *at) return kit_fail(err, "--size %s: must be WxH, each 1..16384", text);
+    o->width = width;
+    o->height = height;
+    return 0;
 }
 
 /* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
 static int numbered(char *out, size_t size, const char *path, int k)
 {
-    const char *at = strchr(path, '%');
-    int wide = 0, used = 1;
-    if (!at || strchr(at + 1, '%')) return 0;
-    if (at[1] != 'd' && (sscanf(at + 1, "%d%n", &wide, &used) != 1 || at[1 + used++] != 'd' || wide < 0 || wide > 9))
-        return 0;
-    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, at + 1 + used);
+    const char *at = strchr(path, '%'), *end = at ? at + 1 : "";
+    const int wide = digits(&end, 9);
+    if (*end != 'd' || (end > at + 1 && !wide) || strchr(end, '%')) return 0;
+    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, end + 1);
     return !out || (n > 0 && (size_t)n < size);
+}
+
+/* Whether the usage has an option of that name. */
+static int is_option(const char *name)
+{
+    const size_t n = strlen(name);
+    for (const char *at = usage; (at = strstr(at, name)) != NULL; ++at)
+        if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
+    return 0;
 }
 
 static int parse(options *o, int argc, char **argv, kit_error *err)
@@ -145,7 +184,7 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     o->method = "hsao";
     for (int i = 1; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        int bad = 0, char_used = 0;
+        int bad = 0;
         if (strncmp(a, "--", 2)) {
             if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
             o->scene = a;
@@ -161,7 +200,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
         if (!v)
             return kit_fail(err, "%s: %s", a,
-                            strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
+                            is_option(a) ? "needs a value" : "there is no such option (--help names all)");
+        if (!*v && strcmp(a, "--set")) return kit_fail(err, "%s: its value is empty", a);
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
         else if (!strcmp(a, "--sequence")) o->sequence = v;
@@ -195,11 +235,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--truth")) bad = whole(a, v, 1, 65536, &o->truth, err);
         else if (!strcmp(a, "--floor")) bad = whole(a, v, 1, 65536, &o->floor, err);
         else if (!strcmp(a, "--time")) bad = whole(a, v, 1, 100000, &o->time, err);
-        else if (!strcmp(a, "--size")) {
-            if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1
-                || o->height < 1 || o->width > 16384 || o->height > 16384)
-                return kit_fail(err, "--size %s: must be WxH, each 1..16384", v);
-        } else return kit_fail(err, "%s: there is no such option (--help names all)", a);
+        else if (!strcmp(a, "--size")) bad = size_of(o, v, err);
+        else return kit_fail(err, "%s: there is no such option (--help names all)", a);
         if (bad) return -1;
     }
     if (o->list || o->help) return 0;
@@ -209,6 +246,9 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
     if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->frames)
         return kit_fail(err, "--slide: moves an object from frame to frame: needs --frames");
+    for (int i = 0; i < 3; ++i)
+        if (fabs((double)o->slide[i]) * o->frames > 1e14)
+            return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
     if ((o->sequence || o->frames) && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
         return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
     if ((o->sequence || o->frames) && !numbered(NULL, 0, o->out ? o->out : "", 0))
@@ -218,13 +258,16 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->planned && (o->sets || o->floor || o->truth))
         return kit_fail(err,
                         "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
-    if (o->planned > 1 && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (plans_light(o) && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
+        return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
         return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    const char *from = o->sequence ? "--sequence" : "--gbuffer";
     if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0))
-        return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
-    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "--gbuffer %s: needs --radius", o->gbuffer);
+        return kit_fail(err, "%s %s: needs --fovy or --ortho-height", from, o->gbuffer);
+    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "%s %s: needs --radius", from, o->gbuffer);
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))
@@ -237,7 +280,25 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!dot || (strcmp(dot, ".exr") && strcmp(dot, ".png")))
             return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
     }
+    if (o->save) {
+        const char *dot = strrchr(o->save, '.');
+        if (!dot || strcmp(dot, ".exr")) return kit_fail(err, "--save-gbuffer %s: must end in .exr", o->save);
+        if (o->out && !strcmp(o->out, o->save)) return kit_fail(err, "--save-gbuffer %s: is --out's file", o->save);
+    }
     return 0;
+}
+
+/* The words that a setting takes, the default one in brackets. */
+static void list_words(char *out, size_t size, const kit_setting *s)
+{
+    const char *word = s->choices;
+    size_t used = 0;
+    for (int k = 0; *word && used < size; ++k) {
+        const int n = (int)strcspn(word, " "), ours = k == (int)s->value;
+        used += (size_t)snprintf(out + used, size - used, "%s%s%.*s%s", k ? " " : "", ours ? "[" : "", n, word,
+                                 ours ? "]" : "");
+        word += n + (word[n] == ' ');
+    }
 }
 
 /* All methods and scenes, a line each; or the settings of one method. */
@@ -252,10 +313,10 @@ static int list(const char *name, kit_error *err)
         printf("%-12s %s\n", m.name, m.about);
         for (int k = 0; name && k < m.count; ++k) {
             const kit_setting *s = &m.setting[k];
-            char values[64];
-            if (s->choices) snprintf(values, sizeof values, "%s", s->choices);
+            char values[160];
+            if (s->choices) list_words(values, sizeof values, s);
             else snprintf(values, sizeof values, "%g in %g..%g", s->value, s->least, s->most);
-            printf("  %-15s %-26s %s\n", s->key, values, s->about);
+            printf("  %-16s %-28s %s\n", s->key, values, s->about);
         }
     }
     if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
@@ -278,15 +339,15 @@ static void camera_of(kit_camera *c, const options *o)
 
 static int camera_check(const kit_camera *c, kit_error *err)
 {
-    float f[3], n = 0, u = 0, d = 0;
+    double n = 0, u = 0, d = 0;
     for (int i = 0; i < 3; ++i) {
-        f[i] = c->target[i] - c->eye[i];
-        n += f[i] * f[i];
-        u += c->up[i] * c->up[i];
-        d += f[i] * c->up[i];
+        const double f = (double)c->target[i] - (double)c->eye[i], up = (double)c->up[i];
+        n += f * f;
+        u += up * up;
+        d += f * up;
     }
     if (!(n > 0)) return kit_fail(err, "--camera: eye and target must differ");
-    if (!(u > 0) || d * d > n * u * 0.999999f)
+    if (!(u > 0) || d * d > n * u * 0.999999)
         return kit_fail(err, "--up: must not be zero or along the view direction");
     return 0;
 }
@@ -561,7 +622,7 @@ static int open_settings(job *j, kit_error *err)
     return kit_gl_open(o->context, err);
 }
 
-static int open_frame(kit_gbuffer *g, const options *o, kit_error *err)
+static int open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err)
 {
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
     kit_image frame;
@@ -573,7 +634,11 @@ static int open_frame(kit_gbuffer *g, const options *o, kit_error *err)
     camera.height = frame.height;
     failed = kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
-    return failed ? kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text) : 0;
+    if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
+    if (!lit || g->direct || o->planned || o->env || o->lights) return 0;
+    kit_gbuffer_free(g);
+    return kit_fail(err, "--gbuffer %s: needs light for --method %s: direct.R .., --env sky, --env FILE or --light sun:..",
+                    o->gbuffer, o->method);
 }
 
 static int open_scene(job *j, kit_error *err)
@@ -605,7 +670,7 @@ static int plan_it(job *j, kit_error *err)
         if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
         for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;
     } else if (kit_plan_method(&j->method, &j->plan, o->planned - 1, err)) return -1;
-    j->r.lit = j->method.lit || o->planned > 1;
+    j->r.lit = j->method.lit || plans_light(o);
     return 0;
 }
 
@@ -736,8 +801,9 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
 }
 
 /* The G-buffer of a line. */
-static int open_line(kit_gbuffer *g, const options *o, const line *l, kit_error *err)
+static int open_line(kit_gbuffer *g, const job *j, const line *l, kit_error *err)
 {
+    const options *o = &j->o;
     options of = *o;
     kit_error why;
     of.gbuffer = l->frame;
@@ -745,7 +811,7 @@ static int open_line(kit_gbuffer *g, const options *o, const line *l, kit_error 
     memcpy(of.camera, l->camera, sizeof of.camera);
     if (l->has_up) memcpy(of.up, l->up, sizeof of.up);
     of.has_up |= l->has_up;
-    return open_frame(g, &of, &why) ? kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text) : 0;
+    return open_frame(g, &of, j->method.lit, &why) ? kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text) : 0;
 }
 
 /* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing, as
@@ -765,12 +831,12 @@ static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
 static int sequence_check(job *j, const sequence *s, kit_error *err)
 {
     kit_gbuffer first = { 0 }, g;
-    int failed = open_line(&first, &j->o, &s->line[0], err)
+    int failed = open_line(&first, j, &s->line[0], err)
               || kit_frames_next(&j->frames, &first, &j->method, (float)j->radius, &j->world, NULL, err);
     kit_frames_close(&j->frames);
     for (int k = 1; k < s->lines && !failed; ++k) {
         const line *l = &s->line[k];
-        failed = open_line(&g, &j->o, l, err);
+        failed = open_line(&g, j, l, err);
         if (failed) break;
         const char *what = unlike(&g, &first);
         if (what)
@@ -802,7 +868,7 @@ static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
 static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera *from, int k, kit_error *err)
 {
     kit_camera camera = *from;
-    if (j->o.sequence) return open_line(g, &j->o, &s->line[k], err);
+    if (j->o.sequence) return open_line(g, j, &s->line[k], err);
     kit_camera_orbit(&camera, from, j->o.orbit * k);
     return slide(&j->scene, j->o.slide, k, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
@@ -851,9 +917,8 @@ static int do_job(job *j, kit_error *err)
     const options *o = &j->o;
     result *r = &j->r;
     if (o->sequence || o->frames) return play(j, err);
-    if (open_settings(j, err) || (o->gbuffer ? open_frame(&j->gbuffer, o, err) : open_scene(j, err))
+    if (open_settings(j, err) || (o->gbuffer ? open_frame(&j->gbuffer, o, j->method.lit, err) : open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
-    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->planned && plan_it(j, err)) return -1;
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
@@ -861,6 +926,7 @@ static int do_job(job *j, kit_error *err)
     const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && score_of(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
+    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->out && write_picture(&r->picture, r->lit, o->out, err)) return -1;
     report(o, &j->method, r, j->radius);
     return 0;

@@ -216,7 +216,7 @@ typedef struct kit_setting {
     int         whole;                     /* takes whole numbers only */
 } kit_setting;
 
-#define KIT_MAX_SETTINGS 40
+#define KIT_MAX_SETTINGS 48
 typedef struct kit_method {
     const char *name, *about;
     int         lit;                       /* 0: writes ambient visibility Y */
