@@ -41,15 +41,15 @@ static const char usage[] =
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
     "                        pixels from where a point was in the frame before, +y down; --out has a %04d. All are\n"
     "                        read, and must have one size and the same channels, before the first picture is written\n"
-    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as it\n"
-    "                        is drawn, and those before it stay where one cannot be\n"
+    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
+    "                        it is drawn, and those before it stay where one cannot be\n"
     "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
     "how\n"
     "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
     "  --radius R            farthest occluder, scene units   [the scene's own]\n"
-    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest method\n"
-    "                        that is predicted to err by ERROR; BUDGET in 16-sample ssaos\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
+    "                        method that is predicted to err by ERROR; BUDGET in 16-sample ssaos\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n"
@@ -637,7 +637,7 @@ static int open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err)
     if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
     if (!lit || g->direct || o->planned || o->env || o->lights) return 0;
     kit_gbuffer_free(g);
-    return kit_fail(err, "--gbuffer %s: needs light for --method %s: direct.R .., --env sky, --env FILE or --light sun:..",
+    return kit_fail(err, "--gbuffer %s: --method %s needs light: direct.R .., --env sky, --env FILE or --light sun:..",
                     o->gbuffer, o->method);
 }
 
@@ -743,7 +743,7 @@ static int write_picture(const kit_image *picture, int lit, const char *path, ki
                                               : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
 }
 
-/* ---- >>frames: --sequence, --frames ------------------------------------------------------------------------------- */
+/* ---- >>frames: --sequence, --frames ------------------------------------------------------------------------------ */
 
 /* A line of a sequence: a frame, and where it was taken. */
 typedef struct line { const char *frame; float camera[6], up[3]; int has_up, number; } line;
@@ -794,7 +794,8 @@ static int sequence_read(sequence *s, const char *path, kit_error *err)
         at[length] = 0;
         const int found = parse_line(l, at);
         if (found < 0)
-            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", path, number);
+            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", path,
+                            number);
         s->lines += found;
     }
     return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
@@ -811,10 +812,11 @@ static int open_line(kit_gbuffer *g, const job *j, const line *l, kit_error *err
     memcpy(of.camera, l->camera, sizeof of.camera);
     if (l->has_up) memcpy(of.up, l->up, sizeof of.up);
     of.has_up |= l->has_up;
-    return open_frame(g, &of, j->method.lit, &why) ? kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text) : 0;
+    if (!open_frame(g, &of, j->method.lit, &why)) return 0;
+    return kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text);
 }
 
-/* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing, as
+/* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing:
    a first frame has none. */
 static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
 {
@@ -910,7 +912,7 @@ static int play(job *j, kit_error *err)
     return failed ? -1 : 0;
 }
 
-/* ---- >>end -------------------------------------------------------------------------------------------------------- */
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int do_job(job *j, kit_error *err)
 {

@@ -328,9 +328,9 @@ typedef struct kit_frames {
     unsigned number;                       /* of the next frame, which its noise goes by; the first may be any */
 } kit_frames;
 
-/* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had. The last
-   one is closed, and until then its G-buffer must live. alone: the frame's picture by the same noise, but without
-   history; NULL: not asked. On failure all is closed. */
+/* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had. The
+   last one is closed then, and its G-buffer must live until then. alone: the frame's picture by the same noise, but
+   without history; NULL: not asked. On failure all is closed. */
 int  kit_frames_next(kit_frames *frames, kit_gbuffer *gbuffer, const kit_method *method, float radius,
                      const kit_world *world, kit_image *alone, kit_error *err);
 void kit_frames_close(kit_frames *frames); /* fine to call again */

@@ -44,8 +44,9 @@ ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, GA
 ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
 ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
     "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
-ROW(vector_restore_row, "restore", "as of ssdo, but light with a bounce always by its difference", "none ratio difference", 1, 0,
-    2, 1, GATHER, DESC(restore))
+ROW(vector_restore_row, "restore",
+    "the filter smooths light, its ratio to unoccluded light, or its difference from it (joint: always this)",
+    "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -110,8 +111,8 @@ ROW(filtered_row, "filtered", "what is filtered", "vectors light", 1, 0, 1, 1, P
 ROW(residual_row, "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
     NULL, 1, 0, 1, 1, GATHER, DESC(residual))
 ROW(window_row, "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1, PLAN, 0)
-ROW(lights_row, "lights", "--light as harmonics, or by maps and segments, without a bounce", "harmonics shadowed", 0, 0, 1,
-    1, PLAN, 0)
+ROW(lights_row, "lights", "--light as harmonics, or by maps and segments, without a bounce", "harmonics shadowed",
+    0, 0, 1, 1, PLAN, 0)
 ROW(shadowed_row, "lights", "--light as harmonics of two bands, which are wider than a lamp, or by maps and segments",
     "harmonics shadowed", 1, 0, 1, 1, PLAN, 0)
 ROW(cone_row, "cone", "environment over the cone of unoccluded directions, or irradiance along their mean",
@@ -174,7 +175,10 @@ typedef struct plan {
 /* Rows, and how many: more than a method has room for do not compile. */
 #define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
 #define COUNTED(n) \
-    ((int)(n) + 0 * (int)sizeof(struct { _Static_assert((n) <= KIT_MAX_SETTINGS, "more than KIT_MAX_SETTINGS"); int i; }))
+    ((int)(n) + 0 * (int)sizeof(struct { \
+        _Static_assert((n) <= KIT_MAX_SETTINGS, "a method has more than KIT_MAX_SETTINGS"); \
+        int i; \
+    }))
 #define SLICES \
     SETTINGS(&slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
              &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row)
@@ -196,8 +200,8 @@ typedef struct plan {
     SETTINGS(&bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(&packed_row, &lights_row, __VA_ARGS__))
 #define SSBN(...) SETTINGS(&cone_row, VECTORS(&store_row, &shadowed_row, __VA_ARGS__))
 #define SURFELS(every, epsilon, levels, ...) \
-    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
-        &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
+    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
+             &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
@@ -425,8 +429,8 @@ int kit_settings_apply(kit_making *m, float radius)
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
     if (kit_method_value(m->method, "indirect") == 1 && kit_method_value(m->method, "store") != 1)
-        return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs indirect=none "
-                                "or apart", kit_method_value(m->method, "store") > 1 ? "float" : "half");
+        return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
+                                "indirect=none or apart", kit_method_value(m->method, "store") > 1 ? "float" : "half");
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
