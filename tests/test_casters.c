@@ -392,7 +392,7 @@ static void refusals(void)
     for (int k = 0; k < 14; ++k) {
         static const char *const names[] = { "occluder",     "field",         "mesh_to_view", "slice",
                                              "slice",        "object",        "limits.reach", "limits.reach",
-                                             "limits.reach", "limits.inside", "limits.power", "mesh_to_view",
+                                             "limits",       "limits.inside", "limits.power", "mesh_to_view",
                                              "mesh_to_view", "mesh_to_view" };
         ssgi_field_limits l = fine;
         ssgi_field none = *f;
