@@ -18,7 +18,7 @@ EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/inclu
 KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
 KIT       = util image places mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run \
-            lights deep plan
+            frames lights deep plan
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
 

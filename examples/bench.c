@@ -57,14 +57,6 @@ static int rows_new(row *rows, const char *asked, int software, kit_error *err)
     return count ? count : kit_fail(err, "--method %s: there is none whose name begins so", asked);
 }
 
-/* The next frame: where history is kept, of what the one before left. */
-static int frame(kit_run *run, int number, int timed, kit_error *err)
-{
-    if (kit_run_keeps(run) && number && kit_run_follow(run, run, (unsigned)number, err)) return -1;
-    kit_run_draw(run, timed);
-    return 0;
-}
-
 static void note_parts(row *r, const kit_run *run, double pass_ms[][DRAWS])
 {
     r->parts = r->draws = 0;
@@ -86,12 +78,13 @@ static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world 
     static double pass_ms[KIT_MAX_PASSES][DRAWS];
     static kit_run run;
     double all[DRAWS], began;
-    int failed, n = 0;
+    unsigned n = 0;
+    int failed;
     if (kit_run_open(&run, g, &r->method, radius, world, err)) return -1;
     began = kit_seconds();
-    do failed = frame(&run, n++, 1, err); while (!failed && n < 200 && kit_seconds() < began + 0.1);
+    do failed = kit_frames_still(&run, 0, n++, 1, err); while (!failed && n < 200 && kit_seconds() < began + 0.1);
     for (int k = 0; k < DRAWS && !failed; ++k) {
-        failed = frame(&run, n++, 1, err);
+        failed = kit_frames_still(&run, 0, n++, 1, err);
         all[k] = 0;
         for (int i = 0; i < run.passes; ++i) {
             pass_ms[i][k] = run.pass[i].ms;

@@ -11,7 +11,8 @@
       build/render room --set history=1 --frames 16 --orbit 0.2 --out frames/%04d.exr
       build/render --help | --list | --list hsao
 
-   Bad input: one line on stderr that names it, status 2, nothing written. */
+   Bad input: one line on stderr that names it, status 2, nothing written; of --sequence and --frames each picture is
+   written as it is drawn, once the list and all of its frames have been read. */
 #include "kit/kit_gl.h"
 #include <errno.h>
 #include <math.h>
@@ -38,16 +39,17 @@ static const char usage[] =
     "  --light point:x,y,z,r,g,b | sun:x,y,z,r,g,b   radiant intensity; way to the sun, irradiance facing it; up to "
     "16\n"
     "  --sequence FRAMES.txt  a line a frame: FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]; perhaps with motion.X motion.Y,\n"
-    "                        pixels from where a point was in the frame before, +y down; --out has a %04d\n"
-    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target\n"
+    "                        pixels from where a point was in the frame before, +y down; --out has a %04d. All are\n"
+    "                        read, and must have one size and the same channels, before the first picture is written\n"
+    "  --frames N --orbit DEGREES   of a scene: so many pictures, so far apart about the target; each is written as\n"
+    "                        it is drawn, and those before it stay where one cannot be\n"
     "  --slide X,Y,Z         --frames: the first object that casts moves so far a frame, world units\n"
     "how\n"
-    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one\n"
+    "  --method NAME         [hsao]; --list names all, --list NAME the settings of one with their defaults\n"
     "  --set key=value,..    settings of the method\n"
     "  --radius R            farthest occluder, scene units   [the scene's own]\n"
-    "  --plan WHAT:ERROR[:BUDGET]   visibility, light or bounce: the cheapest method that is predicted to err by "
-    "ERROR;\n"
-    "                        BUDGET in 16-sample ssaos\n"
+    "  --plan WHAT:ERROR[:BUDGET]   visibility, light, bounce or objects (occlusion between them): the cheapest\n"
+    "                        method that is predicted to err by ERROR; BUDGET in 16-sample ssaos\n"
     "  --truth RAYS          the ray-traced reference of --method's quantity (dss-scatter: thousands of samples)\n"
     "  --floor RAYS          the exact answer from the depth buffer instead of a method\n"
     "  --context osmesa | egl | egl-es   [osmesa]\n"
@@ -74,15 +76,19 @@ static int fail(const char *text)
     return 2;
 }
 
+/* Numbers of the world; beyond that floats leave no room to compute with them. */
 static int numbers(const char *name, const char *text, float *out, int count, kit_error *err)
 {
+    const float most = 1e12f;
     float v[9];
     const char *at = text;
     for (int i = 0; i < count; ++i) {
         char *end;
         v[i] = strtof(at, &end);
-        if (end == at || !isfinite(v[i]) || *end != (i + 1 < count ? ',' : 0))
+        if (end == at || *end != (i + 1 < count ? ',' : 0))
             return kit_fail(err, "%s %s: must be %d numbers with commas between", name, text, count);
+        if (!(fabsf(v[i]) <= most))
+            return kit_fail(err, "%s %s: its numbers must be in -%g..%g", name, text, (double)most, (double)most);
         at = end + 1;
     }
     memcpy(out, v, (size_t)count * sizeof *v);
@@ -110,9 +116,10 @@ static int whole(const char *name, const char *text, int least, int most, int *o
 
 static int plan_of(options *o, const char *text, kit_error *err)
 {
-    static const char *const wanted[] = { "visibility:", "light:", "bounce:" };
+    static const char *const wanted[] = { "visibility:", "light:", "bounce:", "objects:" };
+    enum { WANTED = (int)(sizeof wanted / sizeof *wanted) };
     char *end;
-    for (o->planned = 0; o->planned < 3; ++o->planned) {
+    for (o->planned = 0; o->planned < WANTED; ++o->planned) {
         const size_t n = strlen(wanted[o->planned]);
         if (strncmp(text, wanted[o->planned], n)) continue;
         o->plan[0] = strtod(text + n, &end);
@@ -123,20 +130,52 @@ static int plan_of(options *o, const char *text, kit_error *err)
         ++o->planned;
         return 0;
     }
-    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR or bounce:ERROR, perhaps :BUDGET behind",
-                    text);
+    return kit_fail(err, "--plan %s: must be visibility:ERROR, light:ERROR, bounce:ERROR or objects:ERROR, perhaps "
+                         ":BUDGET behind", text);
+}
+
+/* Of light, which the planned method may bring by ambient visibility. */
+static int plans_light(const options *o)
+{
+    return o->planned - 1 == SSGI_PLAN_LIGHT || o->planned - 1 == SSGI_PLAN_BOUNCE;
+}
+
+/* The number that a text begins with, of digits alone; 0: there is none, or it is above most. */
+static int digits(const char **at, int most)
+{
+    int v = 0;
+    for (; **at >= '0' && **at <= '9'; ++*at) v = v > most ? v : 10 * v + (**at - '0');
+    return v > most ? 0 : v;
+}
+
+/* "WxH" */
+static int size_of(options *o, const char *text, kit_error *err)
+{
+    const char *at = text;
+    const int width = digits(&at, 16384), cross = *at == 'x', height = cross ? (++at, digits(&at, 16384)) : 0;
+    if (!width || !height || *at) return kit_fail(err, "--size %s: must be WxH, each 1..16384", text);
+    o->width = width;
+    o->height = height;
+    return 0;
 }
 
 /* A path whose one %d, or %04d, is replaced by a number; 0 if it has none, or does not fit. */
 static int numbered(char *out, size_t size, const char *path, int k)
 {
-    const char *at = strchr(path, '%');
-    int wide = 0, used = 1;
-    if (!at || strchr(at + 1, '%')) return 0;
-    if (at[1] != 'd' && (sscanf(at + 1, "%d%n", &wide, &used) != 1 || at[1 + used++] != 'd' || wide < 0 || wide > 9))
-        return 0;
-    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, at + 1 + used);
+    const char *at = strchr(path, '%'), *end = at ? at + 1 : "";
+    const int wide = digits(&end, 9);
+    if (*end != 'd' || (end > at + 1 && !wide) || strchr(end, '%')) return 0;
+    const int n = snprintf(out, size, "%.*s%0*d%s", (int)(at - path), path, wide, k, end + 1);
     return !out || (n > 0 && (size_t)n < size);
+}
+
+/* Whether the usage has an option of that name. */
+static int is_option(const char *name)
+{
+    const size_t n = strlen(name);
+    for (const char *at = usage; (at = strstr(at, name)) != NULL; ++at)
+        if (at[-1] == ' ' && strchr(" \n", at[n])) return 1;
+    return 0;
 }
 
 static int parse(options *o, int argc, char **argv, kit_error *err)
@@ -145,7 +184,7 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     o->method = "hsao";
     for (int i = 1; i < argc; ++i) {
         const char *a = argv[i], *v = i + 1 < argc ? argv[i + 1] : NULL;
-        int bad = 0, char_used = 0;
+        int bad = 0;
         if (strncmp(a, "--", 2)) {
             if (o->scene) return kit_fail(err, "%s: only one scene can be given (%s is one already)", a, o->scene);
             o->scene = a;
@@ -161,7 +200,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!strcmp(a, "--ground")) { o->ground = 1; continue; }
         if (!v)
             return kit_fail(err, "%s: %s", a,
-                            strstr(usage, a) ? "needs a value" : "there is no such option (--help names all)");
+                            is_option(a) ? "needs a value" : "there is no such option (--help names all)");
+        if (!*v && strcmp(a, "--set")) return kit_fail(err, "%s: its value is empty", a);
         ++i;
         if (!strcmp(a, "--gbuffer")) o->gbuffer = v;
         else if (!strcmp(a, "--sequence")) o->sequence = v;
@@ -195,11 +235,8 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         else if (!strcmp(a, "--truth")) bad = whole(a, v, 1, 65536, &o->truth, err);
         else if (!strcmp(a, "--floor")) bad = whole(a, v, 1, 65536, &o->floor, err);
         else if (!strcmp(a, "--time")) bad = whole(a, v, 1, 100000, &o->time, err);
-        else if (!strcmp(a, "--size")) {
-            if (sscanf(v, "%dx%d%n", &o->width, &o->height, &char_used) != 2 || v[char_used] || o->width < 1
-                || o->height < 1 || o->width > 16384 || o->height > 16384)
-                return kit_fail(err, "--size %s: must be WxH, each 1..16384", v);
-        } else return kit_fail(err, "%s: there is no such option (--help names all)", a);
+        else if (!strcmp(a, "--size")) bad = size_of(o, v, err);
+        else return kit_fail(err, "%s: there is no such option (--help names all)", a);
         if (bad) return -1;
     }
     if (o->list || o->help) return 0;
@@ -209,6 +246,9 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->frames && !o->scene) return kit_fail(err, "--frames: is of a scene; frames that are files are a --sequence");
     if ((o->slide[0] != 0 || o->slide[1] != 0 || o->slide[2] != 0) && !o->frames)
         return kit_fail(err, "--slide: moves an object from frame to frame: needs --frames");
+    for (int i = 0; i < 3; ++i)
+        if (fabs((double)o->slide[i]) * o->frames > 1e14)
+            return kit_fail(err, "--slide: in %d frames the object would be beyond 1e14", o->frames);
     if ((o->sequence || o->frames) && (o->truth || o->floor || o->score || o->time || o->save || o->planned))
         return kit_fail(err, "%s: writes a method's pictures alone", o->frames ? "--frames" : "--sequence");
     if ((o->sequence || o->frames) && !numbered(NULL, 0, o->out ? o->out : "", 0))
@@ -218,13 +258,16 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
     if (o->planned && (o->sets || o->floor || o->truth))
         return kit_fail(err,
                         "--plan: chooses the method and its settings: --set, --truth and --floor cannot go with it");
-    if (o->planned > 1 && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (plans_light(o) && !o->env) return kit_fail(err, "--plan: light and bounce need --env");
+    if (o->planned - 1 == SSGI_PLAN_OBJECTS && o->gbuffer)
+        return kit_fail(err, "--plan objects: needs a scene; a frame has no objects to bake");
     if (o->truth && o->floor) return kit_fail(err, "--floor: cannot go with --truth");
     if (o->gbuffer && o->truth)
         return kit_fail(err, "--truth: needs a scene; a frame has no geometry to trace (--floor traces what it holds)");
+    const char *from = o->sequence ? "--sequence" : "--gbuffer";
     if (o->gbuffer && !(o->fovy > 0) && !(o->ortho_height > 0))
-        return kit_fail(err, "--gbuffer %s: needs --fovy or --ortho-height", o->gbuffer);
-    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "--gbuffer %s: needs --radius", o->gbuffer);
+        return kit_fail(err, "%s %s: needs --fovy or --ortho-height", from, o->gbuffer);
+    if (o->gbuffer && !(o->radius > 0)) return kit_fail(err, "%s %s: needs --radius", from, o->gbuffer);
     if (o->gbuffer && o->width) return kit_fail(err, "--size: a frame has its own");
     if (o->fovy > 0 && o->ortho_height > 0) return kit_fail(err, "--ortho-height: cannot go with --fovy");
     if (o->znear > 0 && o->zfar > 0 && !(o->znear < o->zfar))
@@ -237,7 +280,25 @@ static int parse(options *o, int argc, char **argv, kit_error *err)
         if (!dot || (strcmp(dot, ".exr") && strcmp(dot, ".png")))
             return kit_fail(err, "--out %s: must end in .exr or .png", o->out);
     }
+    if (o->save) {
+        const char *dot = strrchr(o->save, '.');
+        if (!dot || strcmp(dot, ".exr")) return kit_fail(err, "--save-gbuffer %s: must end in .exr", o->save);
+        if (o->out && !strcmp(o->out, o->save)) return kit_fail(err, "--save-gbuffer %s: is --out's file", o->save);
+    }
     return 0;
+}
+
+/* The words that a setting takes, the default one in brackets. */
+static void list_words(char *out, size_t size, const kit_setting *s)
+{
+    const char *word = s->choices;
+    size_t used = 0;
+    for (int k = 0; *word && used < size; ++k) {
+        const int n = (int)strcspn(word, " "), ours = k == (int)s->value;
+        used += (size_t)snprintf(out + used, size - used, "%s%s%.*s%s", k ? " " : "", ours ? "[" : "", n, word,
+                                 ours ? "]" : "");
+        word += n + (word[n] == ' ');
+    }
 }
 
 /* All methods and scenes, a line each; or the settings of one method. */
@@ -252,10 +313,10 @@ static int list(const char *name, kit_error *err)
         printf("%-12s %s\n", m.name, m.about);
         for (int k = 0; name && k < m.count; ++k) {
             const kit_setting *s = &m.setting[k];
-            char values[64];
-            if (s->choices) snprintf(values, sizeof values, "%s", s->choices);
+            char values[160];
+            if (s->choices) list_words(values, sizeof values, s);
             else snprintf(values, sizeof values, "%g in %g..%g", s->value, s->least, s->most);
-            printf("  %-15s %-26s %s\n", s->key, values, s->about);
+            printf("  %-16s %-28s %s\n", s->key, values, s->about);
         }
     }
     if (!found) return kit_fail(err, "--list %s: there is no method of that name (--list names all)", name);
@@ -278,15 +339,15 @@ static void camera_of(kit_camera *c, const options *o)
 
 static int camera_check(const kit_camera *c, kit_error *err)
 {
-    float f[3], n = 0, u = 0, d = 0;
+    double n = 0, u = 0, d = 0;
     for (int i = 0; i < 3; ++i) {
-        f[i] = c->target[i] - c->eye[i];
-        n += f[i] * f[i];
-        u += c->up[i] * c->up[i];
-        d += f[i] * c->up[i];
+        const double f = (double)c->target[i] - (double)c->eye[i], up = (double)c->up[i];
+        n += f * f;
+        u += up * up;
+        d += f * up;
     }
     if (!(n > 0)) return kit_fail(err, "--camera: eye and target must differ");
-    if (!(u > 0) || d * d > n * u * 0.999999f)
+    if (!(u > 0) || d * d > n * u * 0.999999)
         return kit_fail(err, "--up: must not be zero or along the view direction");
     return 0;
 }
@@ -347,25 +408,173 @@ static int score_of(result *r, const char *path, const kit_camera *camera, doubl
 /* What drawing back faces took for a run. */
 static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + run->gbuffer->slab_ms[1]; }
 
-static void print_string(const char *s)
+/* ---- >>report ---------------------------------------------------------------------------------------------------- */
+
+/* Bytes of the character of UTF-8 at s; 0: it is none. */
+static int utf8_length(const unsigned char *s)
 {
-    putchar('"');
-    for (; *s; ++s) {
-        if (*s == '"' || *s == '\\') putchar('\\');
-        if ((unsigned char)*s < 32) printf("\\u%04x", (unsigned)(unsigned char)*s); else putchar(*s);
-    }
-    putchar('"');
+    const int length = *s < 0x80 ? 1 : *s >= 0xc2 && *s < 0xe0 ? 2 : *s >= 0xe0 && *s < 0xf0 ? 3
+                     : *s >= 0xf0 && *s < 0xf5 ? 4 : 0;
+    for (int i = 1; i < length; ++i) if ((s[i] & 0xc0) != 0x80) return 0;
+    /* longer than need be, a surrogate, past the last one */
+    if ((*s == 0xe0 && s[1] < 0xa0) || (*s == 0xed && s[1] > 0x9f) || (*s == 0xf0 && s[1] < 0x90)
+        || (*s == 0xf4 && s[1] > 0x8f)) return 0;
+    return length;
 }
 
-/* Edges, border and interior apart: behind the score, in JSON as its last members. */
-static void report_places(const kit_score_place *place, int json)
+/* A string of JSON. What is no UTF-8, as names of files may be, becomes U+FFFD. */
+static void json_string(FILE *f, const char *s)
 {
-    for (int k = 0; k < KIT_PLACES; ++k) {
-        const kit_score *s = &place[k].score;
-        printf(json ? ", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"error_share\": %.6f, \"pixel_share\": %.6f}"
-            : "  %-8s RMSE %.5f, bias %+.5f, %.3f of the squared error on %.3f of the pixels\n", place_names[k],
-            s->rmse, s->bias, place[k].error, place[k].area);
+    fputc('"', f);
+    while (*s) {
+        const int length = utf8_length((const unsigned char *)s);
+        if (!length) fputs("\\ufffd", f);
+        else if ((unsigned char)*s < 32 || *s == 127) fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s);
+        else fprintf(f, "%s%.*s", *s == '"' || *s == '\\' ? "\\" : "", length, s);
+        s += length ? length : 1;
     }
+    fputc('"', f);
+}
+
+/* A number of JSON, which has no infinity: null. decimals: so many behind the point; below 0: so many digits in all. */
+static void json_number(FILE *f, double v, int decimals)
+{
+    if (!isfinite(v)) fputs("null", f);
+    else if (decimals < 0) fprintf(f, "%.*g", -decimals, v);
+    else fprintf(f, "%.*f", decimals, v);
+}
+
+/* Members of an object: the first has before = "". */
+static void json_text(const char *before, const char *key, const char *value)
+{
+    printf("%s\"%s\": ", before, key);
+    json_string(stdout, value);
+}
+
+static void json_value(const char *before, const char *key, double value, int decimals)
+{
+    printf("%s\"%s\": ", before, key);
+    json_number(stdout, value, decimals);
+}
+
+static void json_plan(const ssgi_plan *plan)
+{
+    printf(", \"plan\": {");
+    json_value("", "error", (double)plan->error, -6);
+    json_value(", ", "cost", (double)plan->cost, -6);
+    json_value(", ", "meets", plan->meets, 0);
+    json_text(", ", "why", plan->why);
+    printf("}");
+}
+
+static void json_settings(const kit_method *m, const kit_run *run)
+{
+    printf(", \"settings\": {");
+    for (int i = 0; i < m->count; ++i) json_value(i ? ", " : "", m->setting[i].key, m->setting[i].value, -9);
+    printf("}");
+    json_value(", ", "margin_pixels", run->margin, 0);
+    json_value(", ", "fetches", run->fetches, -6);
+    json_text(", ", "context", kit_gl_name());
+    if (!m->between) return;
+    json_value(", ", "occluders", run->occluders, 0);
+    json_value(", ", "field_bytes", (double)run->field_bytes, 0);
+}
+
+static void json_times(const result *r)
+{
+    json_value(", ", "frames", r->frames, 0);
+    printf(", \"passes\": [");
+    for (int i = 0; i < r->run->passes; ++i) {
+        const ssgi_gl_desc *d = &r->run->pass[i].desc;
+        json_text(i ? ", {" : "{", "pass", ssgi_gl_pass_name(d->pass));
+        json_value(", ", "ms", r->ms[i], 4);
+        json_value(", ", "fetches", kit_fetches(d), 0);
+        printf("}");
+    }
+    printf("]");
+    if (slabs_ms(r->run) > 0) json_value(", ", "slabs_ms", slabs_ms(r->run), 4);
+}
+
+/* A group's error over that of no AO; lit: the mean that it is a share of. */
+static double share_of(const result *r, int g)
+{
+    return r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0;
+}
+
+/* The score of a group, then its edges, border and interior apart. */
+static void json_score(const result *r, int g)
+{
+    const kit_score *s = &r->score[g];
+    printf(", \"%s\": {", !r->lit ? "score" : group_names[g]);
+    json_value("", "rmse", s->rmse, 6);
+    json_value(", ", "bias", s->bias, 6);
+    json_value(", ", "p95", s->p95, 6);
+    json_value(", ", "ssim", s->ssim, 6);
+    json_value(", ", r->lit ? "mean" : "share", r->lit ? r->nothing[g] : share_of(r, g), 6);
+    json_value(", ", "pixels", (double)s->pixels, 0);
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const kit_score_place *place = &r->place[g][k];
+        printf(", \"%s\": {", place_names[k]);
+        json_value("", "rmse", place->score.rmse, 6);
+        json_value(", ", "bias", place->score.bias, 6);
+        json_value(", ", "error_share", place->error, 6);
+        json_value(", ", "pixel_share", place->area, 6);
+        printf("}");
+    }
+    printf("}");
+}
+
+/* what: the method, or what was asked for in its place */
+static void report_json(const options *o, const kit_method *m, const char *what, const result *r, double radius)
+{
+    json_text("{", "source", o->gbuffer ? o->gbuffer : o->scene);
+    json_text(", ", "method", what);
+    json_value(", ", "radius", radius, -9);
+    json_value(", ", "width", r->picture.width, 0);
+    json_value(", ", "height", r->picture.height, 0);
+    if (r->plan) json_plan(r->plan);
+    if (r->run) json_settings(m, r->run);
+    if (o->time && r->run) json_times(r);
+    for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) json_score(r, g);
+    printf("}\n");
+}
+
+static void text_times(const result *r)
+{
+    double sum = 0;
+    for (int i = 0; i < r->run->passes; ++i) {
+        printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
+               kit_fetches(&r->run->pass[i].desc));
+        sum += r->ms[i];
+    }
+    if (slabs_ms(r->run) > 0)
+        printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
+    if (r->run->margin)
+        printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
+               r->run->wide.height);
+    printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
+           r->frames, r->picture.width, r->picture.height, kit_gl_name());
+}
+
+static void text_score(const options *o, const char *what, const result *r, int g)
+{
+    const kit_score *s = &r->score[g];
+    printf("%s against %s", what, o->score);
+    if (r->lit)
+        printf(", %s: RMSE %.5f (%.3f of its mean %.5f)", group_names[g], s->rmse, share_of(r, g), r->nothing[g]);
+    else printf(": RMSE %.5f (%.3f of no AO's)", s->rmse, share_of(r, g));
+    printf(", bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", s->bias, s->p95, s->ssim, s->pixels);
+    for (int k = 0; k < KIT_PLACES; ++k) {
+        const kit_score_place *place = &r->place[g][k];
+        printf("  %-8s RMSE %.5f, bias %+.5f, %.3f of the squared error on %.3f of the pixels\n", place_names[k],
+               place->score.rmse, place->score.bias, place->error, place->area);
+    }
+}
+
+static void report_text(const options *o, const char *what, const result *r)
+{
+    if (o->time && r->run) text_times(r);
+    for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) text_score(o, what, r, g);
 }
 
 static void report(const options *o, const kit_method *m, const result *r, double radius)
@@ -374,79 +583,7 @@ static void report(const options *o, const kit_method *m, const result *r, doubl
                        : o->floor                                        ? "floor"
                        : r->plan && r->plan->method == SSGI_PLAN_NOTHING ? "nothing"
                                                                          : m->name;
-    if (o->json) {
-        printf("{\"source\": ");
-        print_string(o->gbuffer ? o->gbuffer : o->scene);
-        printf(", \"method\": \"%s\", \"radius\": %.9g, \"width\": %d, \"height\": %d", what, radius, r->picture.width,
-               r->picture.height);
-        if (r->plan) {
-            printf(", \"plan\": {\"error\": %g, \"cost\": %g, \"meets\": %d, \"why\": ", (double)r->plan->error,
-                   (double)r->plan->cost, r->plan->meets);
-            print_string(r->plan->why);
-            printf("}");
-        }
-        if (r->run) {
-            printf(", \"settings\": {");
-            for (int i = 0; i < m->count; ++i)
-                printf("%s\"%s\": %g", i ? ", " : "", m->setting[i].key, m->setting[i].value);
-            printf("}, \"margin_pixels\": %d, \"fetches\": %g, \"context\": ", r->run->margin, r->run->fetches);
-            print_string(kit_gl_name());
-            if (m->between) printf(", \"occluders\": %d, \"field_bytes\": %zu", r->run->occluders, r->run->field_bytes);
-        }
-        if (o->time && r->run) {
-            printf(", \"frames\": %d, \"passes\": [", r->frames);
-            for (int i = 0; i < r->run->passes; ++i) {
-                const ssgi_gl_desc *d = &r->run->pass[i].desc;
-                printf("%s{\"pass\": \"%s\", \"ms\": %.4f, \"fetches\": %d}", i ? ", " : "", ssgi_gl_pass_name(d->pass),
-                       r->ms[i], kit_fetches(d));
-            }
-            printf("]");
-            if (slabs_ms(r->run) > 0) printf(", \"slabs_ms\": %.4f", slabs_ms(r->run));
-        }
-        for (int g = 0; g < (r->lit ? GROUPS : 1) && o->score; ++g) {
-            const kit_score *s = &r->score[g];
-            printf(", \"%s\": {\"rmse\": %.6f, \"bias\": %.6f, \"p95\": %.6f, \"ssim\": %.6f, \"%s\": %.6f, "
-                   "\"pixels\": %zu",
-                   !r->lit ? "score" : group_names[g], s->rmse, s->bias, s->p95, s->ssim, r->lit ? "mean" : "share",
-                   r->lit              ? r->nothing[g]
-                   : r->nothing[g] > 0 ? s->rmse / r->nothing[g]
-                                       : 0.0,
-                   s->pixels);
-            report_places(r->place[g], 1);
-            printf("}");
-        }
-        printf("}\n");
-        return;
-    }
-    if (o->time && r->run) {
-        double sum = 0;
-        for (int i = 0; i < r->run->passes; ++i) {
-            printf("%-8s %9.3f ms, %d fetches a pixel\n", ssgi_gl_pass_name(r->run->pass[i].desc.pass), r->ms[i],
-                kit_fetches(&r->run->pass[i].desc));
-            sum += r->ms[i];
-        }
-        if (slabs_ms(r->run) > 0)
-            printf("%-8s %9.3f ms: the scene's back faces, not in the sum\n", "slabs", slabs_ms(r->run));
-        if (r->run->margin)
-            printf("margin   %d pixels on each side: a G-buffer of %dx%d\n", r->run->margin, r->run->wide.width,
-                   r->run->wide.height);
-        printf("%-8s %9.3f ms, %.1f fetches a pixel; medians of %d frames, %dx%d, %s\n", "all", sum, r->run->fetches,
-               r->frames, r->picture.width, r->picture.height, kit_gl_name());
-    }
-    if (o->score && !r->lit) {
-        printf("%s against %s: RMSE %.5f (%.3f of no AO's), bias %+.5f, p95 %.5f, SSIM %.4f over %zu pixels\n", what,
-               o->score, r->score[0].rmse, r->nothing[0] > 0 ? r->score[0].rmse / r->nothing[0] : 0.0, r->score[0].bias,
-               r->score[0].p95, r->score[0].ssim, r->score[0].pixels);
-        report_places(r->place[0], 0);
-    }
-    for (int g = 0; g < GROUPS && o->score && r->lit; ++g) {
-        printf("%s against %s, %s: RMSE %.5f (%.3f of its mean %.5f), bias %+.5f, p95 %.5f, SSIM %.4f over %zu "
-               "pixels\n",
-               what, o->score, group_names[g], r->score[g].rmse,
-               r->nothing[g] > 0 ? r->score[g].rmse / r->nothing[g] : 0.0, r->nothing[g], r->score[g].bias,
-               r->score[g].p95, r->score[g].ssim, r->score[g].pixels);
-        report_places(r->place[g], 0);
-    }
+    if (o->json) report_json(o, m, what, r, radius); else report_text(o, what, r);
 }
 
 /* ---- >>job: what is asked for, and what it takes ----------------------------------------------------------------- */
@@ -457,6 +594,7 @@ typedef struct job {
     kit_scene    scene;
     kit_gbuffer  gbuffer;
     kit_run      run;
+    kit_frames   frames;
     kit_lighting lighting;
     kit_world    world;
     ssgi_plan    plan;
@@ -480,23 +618,27 @@ static int open_settings(job *j, kit_error *err)
     if (j->method.lit && !o->planned && !o->gbuffer && !o->env && !o->lights)
         return kit_fail(err, "--method %s: needs light: --env sky, --env FILE or --light sun:..", j->method.name);
     j->r.lit = j->method.lit;
+    j->radius = o->radius;
     return kit_gl_open(o->context, err);
 }
 
-static int open_frame(job *j, kit_error *err)
+static int open_frame(kit_gbuffer *g, const options *o, int lit, kit_error *err)
 {
     kit_camera camera = { .target = { 0, 0, -1 }, .up = { 0, 1, 0 } };
     kit_image frame;
     kit_error why;
     int failed;
-    j->radius = j->o.radius;
-    camera_of(&camera, &j->o);
-    if (camera_check(&camera, err) || kit_exr_read(&frame, j->o.gbuffer, err)) return -1;
+    camera_of(&camera, o);
+    if (camera_check(&camera, err) || kit_exr_read(&frame, o->gbuffer, err)) return -1;
     camera.width = frame.width;
     camera.height = frame.height;
-    failed = kit_gbuffer_from_frame(&j->gbuffer, &frame, &camera, &why);
+    failed = kit_gbuffer_from_frame(g, &frame, &camera, &why);
     kit_image_free(&frame);
-    return failed ? kit_fail(err, "--gbuffer %s: %s", j->o.gbuffer, why.text) : 0;
+    if (failed) return kit_fail(err, "--gbuffer %s: %s", o->gbuffer, why.text);
+    if (!lit || g->direct || o->planned || o->env || o->lights) return 0;
+    kit_gbuffer_free(g);
+    return kit_fail(err, "--gbuffer %s: --method %s needs light: direct.R .., --env sky, --env FILE or --light sun:..",
+                    o->gbuffer, o->method);
 }
 
 static int open_scene(job *j, kit_error *err)
@@ -506,7 +648,7 @@ static int open_scene(job *j, kit_error *err)
     camera = j->scene.camera;
     camera_of(&camera, &j->o);
     if (camera_check(&camera, err) || kit_gbuffer_from_scene(&j->gbuffer, &j->scene, &camera, NULL, err)) return -1;
-    j->radius = j->o.radius > 0 ? j->o.radius : (double)j->scene.radius;
+    if (!(j->radius > 0)) j->radius = (double)j->scene.radius;
     j->world.scene = &j->scene;
     return 0;
 }
@@ -528,7 +670,7 @@ static int plan_it(job *j, kit_error *err)
         if (kit_image_new(picture, j->gbuffer.viewport[2], j->gbuffer.viewport[3], "Y", err)) return -1;
         for (int i = 0; i < picture->width * picture->height; ++i) picture->data[i] = 1;
     } else if (kit_plan_method(&j->method, &j->plan, o->planned - 1, err)) return -1;
-    j->r.lit = j->method.lit || o->planned > 1;
+    j->r.lit = j->method.lit || plans_light(o);
     return 0;
 }
 
@@ -594,28 +736,120 @@ static int draw(job *j, kit_error *err)
     return kit_run_read(&j->r.picture, run, err);
 }
 
-/* The next line of a sequence as the frame and camera of the options; 0: there is none, -1: it is wrong. */
-static int next_line(options *o, char **at, int line, kit_error *err)
+/* As its ending says, EXR or PNG. */
+static int write_picture(const kit_image *picture, int lit, const char *path, kit_error *err)
 {
-    char *text = *at + strspn(*at, " \r\n\t"), *end = text + strcspn(text, "\r\n"), *camera;
-    if (!*text) return 0;
-    *at = *end ? end + 1 : end;
-    *end = 0;
-    camera = text + strcspn(text, " \t");
-    if (*camera) *camera++ = 0;
-    while (*camera == ' ' || *camera == '\t') ++camera;
-    int commas = 0;
+    return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
+                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+}
+
+/* ---- >>frames: --sequence, --frames ------------------------------------------------------------------------------ */
+
+/* A line of a sequence: a frame, and where it was taken. */
+typedef struct line { const char *frame; float camera[6], up[3]; int has_up, number; } line;
+typedef struct sequence { char *text; line *line; int lines; } sequence;
+
+static void sequence_free(sequence *s)
+{
+    free(s->text);
+    free(s->line);
+    memset(s, 0, sizeof *s);
+}
+
+/* What a line's text says; 0: it is blank, -1: it is wrong. */
+static int parse_line(line *l, char *text)
+{
     float v[9] = { 0 };
+    int commas = 0;
+    text += strspn(text, " \t");
+    if (!*text) return 0;
+    char *camera = text + strcspn(text, " \t");
+    if (*camera) *camera++ = 0;
+    camera += strspn(camera, " \t");
     for (const char *c = camera; *c; ++c) commas += *c == ',';
-    if (numbers("camera", camera, v, commas == 8 ? 9 : 6, err))
-        return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", o->sequence,
-                        line);
-    o->gbuffer = text;
-    memcpy(o->camera, v, sizeof o->camera);
-    if (commas == 8) memcpy(o->up, v + 6, sizeof o->up);
-    o->has_camera = 1;
-    o->has_up = commas == 8;
+    if (numbers("camera", camera, v, commas == 8 ? 9 : 6, NULL)) return -1;
+    l->frame = text;
+    memcpy(l->camera, v, sizeof l->camera);
+    memcpy(l->up, v + 6, sizeof l->up);
+    l->has_up = commas == 8;
     return 1;
+}
+
+/* Lines end in CR, LF or both, and count from 1 as an editor counts them, blank ones too. */
+static int sequence_read(sequence *s, const char *path, kit_error *err)
+{
+    size_t size;
+    int number = 0, room = 1;
+    if (kit_file_read(&s->text, &size, path, err)) return -1;
+    for (size_t i = 0; i < size; ++i) room += s->text[i] == '\n' || s->text[i] == '\r';
+    s->line = calloc((size_t)room, sizeof *s->line);
+    if (!s->line) return kit_fail(err, "--sequence %s: out of memory", path);
+    for (char *at = s->text, *end = at + size, *next; at < end; at = next) {
+        line *l = &s->line[s->lines];
+        const size_t length = strcspn(at, "\r\n");
+        l->number = ++number;
+        if (at + length < end && !at[length])
+            return kit_fail(err, "--sequence %s: line %d: holds a zero byte", path, number);
+        next = at + length + (at[length] == '\r' && at[length + 1] == '\n') + 1;
+        at[length] = 0;
+        const int found = parse_line(l, at);
+        if (found < 0)
+            return kit_fail(err, "--sequence %s: line %d: must be FRAME.exr ex,ey,ez,tx,ty,tz[,ux,uy,uz]", path,
+                            number);
+        s->lines += found;
+    }
+    return s->lines ? 0 : kit_fail(err, "--sequence %s: names no frame", path);
+}
+
+/* The G-buffer of a line. */
+static int open_line(kit_gbuffer *g, const job *j, const line *l, kit_error *err)
+{
+    const options *o = &j->o;
+    options of = *o;
+    kit_error why;
+    of.gbuffer = l->frame;
+    of.has_camera = 1;
+    memcpy(of.camera, l->camera, sizeof of.camera);
+    if (l->has_up) memcpy(of.up, l->up, sizeof of.up);
+    of.has_up |= l->has_up;
+    if (!open_frame(g, &of, j->method.lit, &why)) return 0;
+    return kit_fail(err, "--sequence %s: line %d: %s", o->sequence, l->number, why.text);
+}
+
+/* In what a frame differs from the first one, where a method may ask for it; NULL: in nothing. Motion may be missing:
+   a first frame has none. */
+static const char *unlike(const kit_gbuffer *g, const kit_gbuffer *first)
+{
+    return g->width != first->width || g->height != first->height ? "size"
+           : g->layers != first->layers                           ? "depth layers"
+           : !g->albedo != !first->albedo                         ? "albedo.R .."
+           : !g->direct != !first->direct                         ? "direct.R .."
+           : !g->back != !first->back                             ? "back.Z"
+           : !g->slabs != !first->slabs                           ? "front2.Z"
+                                                                  : NULL;
+}
+
+/* Every frame is read, and the method made ready on the first one, before anything is written. */
+static int sequence_check(job *j, const sequence *s, kit_error *err)
+{
+    kit_gbuffer first = { 0 }, g;
+    int failed = open_line(&first, j, &s->line[0], err)
+              || kit_frames_next(&j->frames, &first, &j->method, (float)j->radius, &j->world, NULL, err);
+    kit_frames_close(&j->frames);
+    for (int k = 1; k < s->lines && !failed; ++k) {
+        const line *l = &s->line[k];
+        failed = open_line(&g, j, l, err);
+        if (failed) break;
+        const char *what = unlike(&g, &first);
+        if (what)
+            failed = kit_fail(err, "--sequence %s: line %d: %s: must be like the first frame in %s", j->o.sequence,
+                              l->number, l->frame, what);
+        kit_gbuffer_free(&g);
+        kit_progress("frames read", (double)k / s->lines);
+    }
+    kit_progress("frames read", 1);
+    kit_gbuffer_free(&first);
+    return failed;
 }
 
 /* The first object that casts, moved on by a frame; the first frame has it as it was. */
@@ -632,70 +866,61 @@ static int slide(kit_scene *scene, const float by[3], int frame, kit_error *err)
     return kit_scene_place(scene, k, to, err);
 }
 
-/* As its ending says, EXR or PNG. */
-static int write_picture(const kit_image *picture, int lit, const char *path, kit_error *err)
+/* The G-buffer of frame k. */
+static int open_next(kit_gbuffer *g, job *j, const sequence *s, const kit_camera *from, int k, kit_error *err)
 {
-    return strcmp(strrchr(path, '.'), ".png") ? kit_exr_write(picture, path, err)
-                                              : kit_png_write(picture, lit ? "R,G,B" : "Y", lit, path, err);
+    kit_camera camera = *from;
+    if (j->o.sequence) return open_line(g, j, &s->line[k], err);
+    kit_camera_orbit(&camera, from, j->o.orbit * k);
+    return slide(&j->scene, j->o.slide, k, err) || kit_gbuffer_from_scene(g, &j->scene, &camera, NULL, err);
 }
 
-/* A picture a frame; each run takes over the last one's history. */
+/* Frame k, drawn and written. */
+static int play_frame(job *j, kit_gbuffer *g, int k, kit_error *err)
+{
+    char path[4096];
+    kit_image picture;
+    if (!numbered(path, sizeof path, j->o.out, k)) return kit_fail(err, "--out %s: is too long", j->o.out);
+    if (kit_frames_next(&j->frames, g, &j->method, (float)j->radius, &j->world, NULL, err)) return -1;
+    kit_run_draw(j->frames.now, 0);
+    if (kit_run_read(&picture, j->frames.now, err)) return -1;
+    const int failed = write_picture(&picture, j->r.lit, path, err);
+    kit_image_free(&picture);
+    return failed;
+}
+
+/* A picture a frame, written as it is drawn; each run takes over the last one's history. */
 static int play(job *j, kit_error *err)
 {
-    options *o = &j->o;
-    char *list = NULL, *at = NULL, path[4096];
-    size_t size;
+    const options *o = &j->o;
     kit_gbuffer shown[2] = { { 0 } };
-    static kit_run runs[2];
-    int k = 0, more = 1, failed = open_settings(j, err)
-        || (o->sequence ? kit_file_read(&list, &size, o->sequence, err) : open_scene(j, err));
+    sequence s = { 0 };
+    if (open_settings(j, err)) return -1;
+    int failed = o->sequence ? sequence_read(&s, o->sequence, err) || sequence_check(j, &s, err) : open_scene(j, err);
     const kit_camera from = j->gbuffer.camera;
-    for (at = list; !failed; ++k) {
-        kit_run *run = &runs[k & 1], *last = &runs[!(k & 1)];
-        kit_image picture;
-        if (!o->sequence && k == o->frames) break;
-        if (o->sequence && (more = next_line(o, &at, k + 1, err)) < 1) { failed = more; break; }
-        if (o->sequence) {
-            failed = open_frame(j, err);
-            shown[k & 1] = j->gbuffer;
-        } else {
-            kit_camera camera = from;
-            kit_camera_orbit(&camera, &from, o->orbit * k);
-            failed = slide(&j->scene, o->slide, k, err)
-                  || kit_gbuffer_from_scene(&shown[k & 1], &j->scene, &camera, NULL, err);
-        }
-        if (failed) break;
-        failed = kit_run_open(run, &shown[k & 1], &j->method, (float)j->radius, &j->world, err)
-              || (k && kit_method_value(&j->method, "history") > 0 && kit_run_follow(run, last, (unsigned)k, err));
-        if (k) { kit_run_close(last); kit_gbuffer_free(&shown[!(k & 1)]); }
-        if (failed) break;
-        kit_run_draw(run, 0);
-        failed = kit_run_read(&picture, run, err);
-        if (failed) break;
-        if (!numbered(path, sizeof path, o->out, k)) failed = kit_fail(err, "--out %s: is too long", o->out);
-        failed = failed || write_picture(&picture, j->r.lit, path, err);
-        kit_image_free(&picture);
-        kit_progress("frames", o->frames ? (k + 1.0) / o->frames : 0.5);
+    const int count = o->sequence ? s.lines : o->frames;
+    for (int k = 0; k < count && !failed; ++k) {
+        kit_gbuffer *g = &shown[k & 1];
+        failed = open_next(g, j, &s, &from, k, err) || play_frame(j, g, k, err);
+        kit_gbuffer_free(&shown[!(k & 1)]);
+        kit_progress("frames", (k + 1.0) / count);
     }
-    if (!failed && !k) failed = kit_fail(err, "--sequence %s: names no frame", o->sequence);
     kit_progress("frames", 1);
-    kit_run_close(&runs[0]);
-    kit_run_close(&runs[1]);
-    kit_gbuffer_free(&shown[0]);
-    kit_gbuffer_free(&shown[1]);
-    if (o->sequence) memset(&j->gbuffer, 0, sizeof j->gbuffer);
-    free(list);
+    kit_frames_close(&j->frames);
+    for (int k = 0; k < 2; ++k) kit_gbuffer_free(&shown[k]);
+    sequence_free(&s);
     return failed ? -1 : 0;
 }
+
+/* ---- >>main ------------------------------------------------------------------------------------------------------ */
 
 static int do_job(job *j, kit_error *err)
 {
     const options *o = &j->o;
     result *r = &j->r;
     if (o->sequence || o->frames) return play(j, err);
-    if (open_settings(j, err) || (o->gbuffer ? open_frame(j, err) : open_scene(j, err))
+    if (open_settings(j, err) || (o->gbuffer ? open_frame(&j->gbuffer, o, j->method.lit, err) : open_scene(j, err))
         || kit_gbuffer_read(&r->frame, &j->gbuffer, err)) return -1;
-    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->planned && plan_it(j, err)) return -1;
     if (o->truth || o->floor) {
         if (trace(j, err)) return -1;
@@ -703,6 +928,7 @@ static int do_job(job *j, kit_error *err)
     const int dims = r->lit && r->picture.channels == 1;       /* a plan may light by ambient visibility */
     if (dims && kit_light_by(&r->picture, &j->gbuffer, &j->world, (float)j->radius, err)) return -1;
     if (o->score && score_of(r, o->score, &j->gbuffer.camera, j->radius, err)) return -1;
+    if (o->save && kit_exr_write(&r->frame, o->save, err)) return -1;
     if (o->out && write_picture(&r->picture, r->lit, o->out, err)) return -1;
     report(o, &j->method, r, j->radius);
     return 0;

@@ -107,7 +107,7 @@ typedef struct strip { kit_image picture[2][STRIP_DRAWN]; double rmse[2], share[
 
 static int strip_draw(strip *t, stage *s, kit_error *err)
 {
-    static kit_run runs[2];
+    static kit_frames frames;
     kit_gbuffer seen[SETTLED];
     kit_method m;
     const kit_world world = { &s->scene, NULL };
@@ -118,24 +118,15 @@ static int strip_draw(strip *t, stage *s, kit_error *err)
         if (kit_gbuffer_from_scene(&seen[k], &s->scene, &camera, NULL, err)) return -1;
     }
     for (int i = 0; i < STRIP_DRAWN; ++i) {
+        frames.number = (unsigned)(SETTLED * i);
         for (int k = 0; k < SETTLED; ++k) {
-            kit_run *run = &runs[k & 1], *last = &runs[!(k & 1)];
-            const unsigned number = (unsigned)(SETTLED * i + k);
+            kit_image *alone = k + 1 == SETTLED ? &t->picture[0][i] : NULL;
             kit_progress("a strip of frames", (i * SETTLED + k + 1.0) / (STRIP_DRAWN * SETTLED));
-            if (kit_run_open(run, &seen[k], &m, s->radius, &world, err)) return -1;
-            run->frame.phase = ssgi_gl_phase(number);
-            kit_run_update(run);
-            if (k + 1 == SETTLED) {                         /* alone first */
-                kit_run_draw(run, 0);
-                if (kit_run_read(&t->picture[0][i], run, err)) return -1;
-                run->frame.phase = 0;
-            }
-            if (k && kit_run_follow(run, last, number, err)) return -1;
-            if (k) kit_run_close(last);
-            kit_run_draw(run, 0);
+            if (kit_frames_next(&frames, &seen[k], &m, s->radius, &world, alone, err)) return -1;
+            kit_run_draw(frames.now, 0);
         }
-        if (kit_run_read(&t->picture[1][i], &runs[(SETTLED - 1) & 1], err)) return -1;
-        kit_run_close(&runs[(SETTLED - 1) & 1]);
+        if (kit_run_read(&t->picture[1][i], frames.now, err)) return -1;
+        kit_frames_close(&frames);
     }
     for (int k = 0; k < SETTLED; ++k) kit_gbuffer_free(&seen[k]);
     return 0;

@@ -102,23 +102,16 @@ static int drawn(kit_image *out, shot *s, const char *name, const char *set_to, 
     return failed;
 }
 
-/* The same with what the run before kept, and without, noise alike; runs: this and the last, which is closed. */
-static int kept(shot *s, int m, kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+/* The same with what the frame before kept, and without, noise alike. */
+static int kept(shot *s, int m, kit_frames *frames, kit_error *err)
 {
     const kit_world world = { &s->scene, &s->lighting };
     kit_method made;
     if (kit_method_find(&made, methods[m].method, err) || kit_method_set(&made, methods[m].settings, err)
-        || kit_run_open(run, &s->gbuffer, &made, s->radius, &world, err))
+        || kit_frames_next(frames, &s->gbuffer, &made, s->radius, &world, &s->single[m], err))
         return -1;
-    const float phase = run->frame.phase;
-    if (frame) run->frame.phase = ssgi_gl_phase(frame);    /* as kit_run_follow will have it */
-    kit_run_update(run);
-    kit_run_draw(run, 0);
-    run->frame.phase = phase;
-    if (kit_run_read(&s->single[m], run, err) || (frame && kit_run_follow(run, last, frame, err))) return -1;
-    if (frame) kit_run_draw(run, 0);
-    if (frame) kit_run_close(last);
-    return kit_run_read(&s->picture[m], run, err);
+    kit_run_draw(frames->now, 0);
+    return kit_run_read(&s->picture[m], frames->now, err);
 }
 
 /* The camera that a look asks for; returns how wide one of its pixels is at the target. */
@@ -463,7 +456,7 @@ static look look_of(const cause *c, double value, int frame)
 static int sweep(result *r, const cause *c, const options *o, const char *what, kit_error *err)
 {
     static const char *const beside[] = { "no AO", NULL, "truth", "truth", "open", NULL, NULL, NULL, NULL };
-    static kit_run runs[METHODS][2];
+    static kit_frames kept_frames[METHODS];
     int frames = c->kind == ERROR ? 1 : c->kind == PRECISION ? 2 : c->kind == FOLLOWS || c->kind == NEWLY ? FRAMES : 4;
     if (c->kind == DEVIATION && c->of == KEPT) frames = FRAMES;
     int truths[2] = { 0, 0 }, values = 1;
@@ -493,7 +486,7 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
             for (int i = 0; i < r->curves; ++i) {
                 const int m = r->curve[i].method;
                 if (methods[m < 0 ? 0 : m].of & (KEPT | KEPT_LIGHT)) {
-                    if (kept(&shots[k], m, &runs[m][k & 1], &runs[m][!(k & 1)], (unsigned)k, err)) return -1;
+                    if (kept(&shots[k], m, &kept_frames[m], err)) return -1;
                 } else if (m >= 0 && l.width <= methods[m].widest
                     && drawn(&shots[k].picture[m], &shots[k], methods[m].method, methods[m].settings, shots[k].radius,
                              err))
@@ -501,7 +494,7 @@ static int sweep(result *r, const cause *c, const options *o, const char *what, 
                 kit_progress(what, (v * frames + k + (i + 0.99) / r->curves) / (values * frames));
             }
         }
-        for (int m = 0; m < METHODS; ++m) kit_run_close(&runs[m][(frames - 1) & 1]);
+        for (int m = 0; m < METHODS; ++m) kit_frames_close(&kept_frames[m]);
         const int first = c->kind == DEVIATION && c->of == KEPT ? CHANGED : 0;     /* before, there is no history yet */
         if (point_of(r, r->points++, shots + first, frames - first, &l, err)) return -1;
         for (int k = 0; k < frames; ++k) shot_close(&shots[k]);

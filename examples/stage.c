@@ -371,16 +371,8 @@ double draw(kit_run *run)
 int draw_settled(kit_run *run, unsigned first, int timed, kit_error *err)
 {
     const int kept = kit_run_keeps(run);
-    if (kept) {
-        run->frame.history = 0;
-        run->frame.phase = ssgi_gl_phase(first);
-        kit_run_update(run);
-    }
-    kit_run_draw(run, timed);
-    for (unsigned k = 1; k < SETTLED && kept; ++k) {
-        if (kit_run_follow(run, run, first + k, err)) return -1;
-        kit_run_draw(run, timed);
-    }
+    for (unsigned k = 0; k < (kept ? (unsigned)SETTLED : 1); ++k)
+        if (kit_frames_still(run, first, k, timed, err)) return -1;
     return kept;
 }
 

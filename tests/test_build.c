@@ -1,6 +1,7 @@
 /* test_build.c - what a compiler, a newcomer and a shell see: warnings, linking, the documentation's code, sanitizers,
    bad command lines. */
 #include "t.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -645,8 +646,54 @@ static void command_line(void)
                   { "--gbuffer f.exr --fovy 57 --radius 0.5 --set margin=0.5 --out a.exr", "margin=0.5" },
                   { "room --plan visibility:0.1: --out a.exr", "visibility:0.1:" },
                   { "room --plan light:0.1 --out a.exr", "--env" },
-                  { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" } };
-    char text[4000];
+                  { "room --plan visibility:0.1 --set steps=3 --out a.exr", "--plan" },
+                  /* of frames nothing is open yet that would have to be closed */
+                  { "room --frames 2 --method bogus --out q%d.exr", "--method bogus" },
+                  { "room --frames 2 --set steps=0 --out q%d.exr", "steps=0" },
+                  { "room --frames 2 --context bogus --out q%d.exr", "bogus" },
+                  { "room --frames 2 --method ssdo --out q%d.exr", "needs light" },
+                  { "room --frames 2 --method ssdo --light lamp --out q%d.exr", "lamp" },
+                  { "nowhere.obj --frames 2 --out q%d.exr", "nowhere.obj" },
+                  { "--sequence good.txt --method bogus $F", "--method bogus" },
+                  { "--sequence good.txt --set behind=slabs $F", "channel back.Z" },
+                  { "--sequence good.txt --method ssdo $F", "line 1: --gbuffer f.exr: --method ssdo needs light" },
+                  { "--sequence nowhere.txt $F", "nowhere.txt" },
+                  { "--sequence zero.txt $F", "zero.txt: line 3: holds a zero byte" },
+                  { "--sequence blank.txt $F", "blank.txt: names no frame" },
+                  { "--sequence number.txt $F", "number.txt: line 4: must be FRAME.exr" },
+                  { "--sequence gone.txt $F", "gone.txt: line 2: gone.exr: cannot be read" },
+                  { "--sequence cut.txt $F", "cut.txt: line 2: cut.exr" },
+                  { "--sequence other.txt $F", "other.txt: line 2: small.exr: must be like the first frame in size" },
+                  { "--sequence lit.txt $F", "lit.txt: line 2: lit.exr: must be like the first frame in direct.R" },
+                  { "--sequence along.txt $F", "along.txt: line 2: --up" },
+                  { "--sequence good.txt --fovy 57 --out q%d.exr", "--sequence good.txt: needs --radius" },
+                  { "room --size 4294967304x8 --out a.exr", "--size 4294967304x8" },
+                  { "room --size +8x8 --out a.exr", "--size +8x8" },
+                  { "room --frames inf --out q%d.exr", "--frames inf" },
+                  { "room --frames 2 --orbit nan --out q%d.exr", "--orbit nan" },
+                  { "room --frames 2 --out q%+4d.exr", "--out q%+4d.exr" },
+                  { "room --camera 1e30,0,0,0,0,0 --out a.exr", "1e30" },
+                  { "casters --frames 99 --slide 0,1e12,0 --out q%d.exr --size 8x8 --slide 1e13,0,0", "--slide" },
+                  { "casters --frames 200 --slide 1e12,0,0 --out q%d.exr", "--slide: in 200 frames" },
+                  { "room --size 8x8 --score ''", "--score: its value is empty" },
+                  { "room --o", "--o: there is no such option" },
+                  { "room --size 8x8 --save-gbuffer g.png", "--save-gbuffer g.png: must end in .exr" },
+                  { "room --size 8x8 --save-gbuffer g.exr --out g.exr", "--save-gbuffer g.exr: is --out's" },
+                  { "room --size 8x8 --save-gbuffer g.exr --score y.exr", "y.exr" },
+                  { "--gbuffer f.exr --method ssdo $F", "needs light" },
+                  { "--gbuffer f.exr --plan objects:0.1 $F", "--plan objects: needs a scene" },
+                  { "room --plan objects: --out a.exr", "--plan objects:" },
+                  { "room --size 8x8 --method s3ho --env sky --set store=float --out a.exr", "store=float" } };
+    static const struct { const char *name, *text; } lists[] = {
+        { "good.txt", "f.exr 1,1,3,0,0.5,0\r\n\r\nf.exr\t1,1,4,0,0.5,0,0,1,0" },
+        { "blank.txt", "\n \t\n" },
+        { "number.txt", "f.exr 1,1,3,0,0.5,0\n\n\r\nf.exr 1,1,3,0,nan,0\n" },
+        { "gone.txt", "f.exr 1,1,3,0,0.5,0\ngone.exr 1,1,3,0,0.5,0\n" },
+        { "cut.txt", "f.exr 1,1,3,0,0.5,0\rcut.exr 1,1,3,0,0.5,0\r" },
+        { "other.txt", "f.exr 1,1,3,0,0.5,0\nsmall.exr 1,1,3,0,0.5,0\n" },
+        { "lit.txt", "f.exr 1,1,3,0,0.5,0\nlit.exr 1,1,3,0,0.5,0\n" },
+        { "along.txt", "f.exr 1,1,3,0,0.5,0\nf.exr 1,1,3,1,2,3,0,1,0\n" } };
+    char text[4000], zero[] = "f.exr 1,1,3,0,0.5,0\n\nf.exr 1,1,3,0,0.5,0 \nf.exr 1,1,3,0,0.5,0\n";
     kit_image y;
     char path[256];
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1");
@@ -658,9 +705,22 @@ static void command_line(void)
     shell(text, sizeof text, "head -c 300 %s > cut.exr%s", "y.exr", "");
     CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 16x9 --save-gbuffer f.exr%s", getenv("PWD"), ""),
           "a frame of one layer: %s", text);
+    for (size_t i = 0; i < sizeof lists / sizeof lists[0]; ++i) write_text(lists[i].name, lists[i].text);
+    zero[40] = 0;
+    snprintf(path, sizeof path, "%s/zero.txt", folder);
+    kit_file_write(path, zero, sizeof zero - 1, NULL);
+    kit_image lit;
+    snprintf(path, sizeof path, "%s/lit.exr", folder);
+    if (!kit_image_new(&lit, 16, 9, "Z,N.X,N.Y,N.Z,albedo.R,albedo.G,albedo.B,direct.R,direct.G,direct.B", NULL)) {
+        kit_exr_write(&lit, path, NULL);
+        kit_image_free(&lit);
+    }
+    CHECK(!shell(text, sizeof text, "'%s/build/render' room --size 8x8 --save-gbuffer small.exr%s", getenv("PWD"), ""),
+          "a smaller frame: %s", text);
     shell(text, sizeof text, "ls > before%s%s", "", "");
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        int status = shell(text, sizeof text, "'%s/build/render' %s", getenv("PWD"), cases[i].arguments);
+        int status = shell(text, sizeof text, "F='--fovy 57 --radius 0.5 --out q%%d.exr'; '%s/build/render' %s",
+                           getenv("PWD"), cases[i].arguments);
         char *line = strchr(text, '\n');
         CHECK(status == 2 && line && !line[1] && strstr(text, cases[i].word), "render %s: status %d, %s",
               cases[i].arguments, status, text);
@@ -679,6 +739,44 @@ static void command_line(void)
                  getenv("PWD"), "")
               && strstr(text, "\"plan\": {\"error\""),
           "a plan of a frame: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' plane --size 4x4 --plan objects:0.1 --score y.exr%s",
+                 getenv("PWD"), "")
+              && strstr(text, "nothing: errs by 0.0000"),
+          "a plan of what is between no objects: %s", text);
+    CHECK(!shell(text, sizeof text, "'%s/build/render' --sequence good.txt --fovy 57 --radius 0.5 --set history=1 "
+                 "--out s%%d.exr && test -s s0.exr && test -s s1.exr && ! test -e s2.exr%s", getenv("PWD"), ""),
+          "a sequence: %s", text);
+}
+
+/* JSON is JSON whatever a file's name and a reference hold; words that are a default are shown. */
+static void what_is_printed(void)
+{
+    char text[8000], path[256];
+    kit_image endless;
+    snprintf(path, sizeof path, "%s/endless.exr", folder);
+    if (!kit_image_new(&endless, 16, 9, "Y", NULL)) {
+        for (int i = 0; i < 16 * 9; ++i) endless.data[i] = INFINITY;
+        kit_exr_write(&endless, path, NULL);
+        kit_image_free(&endless);
+    }
+    CHECK(!shell(text, sizeof text,
+                 "n=$(printf 'a\\377\\303\\251\\355\\240\\200\\\\\"\\tb.exr') && cp f.exr \"$n\" && "
+                 "'%s/build/render' --gbuffer \"$n\" --fovy 57 --radius 0.5 --score endless.exr --time 1 "
+                 "--json && rm \"$n\"%s",
+                 getenv("PWD"), ""), "%s", text);
+    CHECK(strstr(text, "{\"source\": \"a\\ufffd\303\251\\ufffd\\ufffd\\ufffd\\\\\\\"\\u0009b.exr\", \"method\": "
+                       "\"hsao\""),
+          "a name that is no UTF-8: %s", text);
+    CHECK(strstr(text, "\"rmse\": null, \"bias\": null") && !strstr(text, "nan") && !strstr(text, "inf"),
+          "a score against infinity: %s", text);
+    if (has("python3")) {
+        write_text("json.txt", text);
+        CHECK(!shell(text, sizeof text, "python3 -c 'import json; json.load(open(\"json.txt\"), parse_constant=exit)'"
+                     "%s%s", "", ""), "%s", text);
+    }
+    CHECK(!shell(text, sizeof text, "'%s/build/render' --list s3ho%s", getenv("PWD"), "")
+              && strstr(text, "none [joint] apart") && strstr(text, "[linear] square") && strstr(text, "4 in 1..4"),
+          "the settings of s3ho: %s", text);
 }
 
 void test_build(void)
@@ -698,6 +796,7 @@ void test_build(void)
     RUN("no function takes NaN or infinity for a number, by whatever rules of arithmetic", not_numbers);
     RUN("24,000 random inputs and chains neither crash nor trip a sanitizer", fuzz);
     RUN("render answers bad input with one line, status 2 and no file", command_line);
+    RUN("what render prints is JSON, and names defaults", what_is_printed);
     RUN("what cannot be written is said, with status 2; links are written through, lines may end in CR", streams);
     RUN("every method draws under sanitizers", sanitized);
     shell(text, sizeof text, "cd / && rm -rf '%s'%s", folder, "");

@@ -392,7 +392,7 @@ static void refusals(void)
     for (int k = 0; k < 14; ++k) {
         static const char *const names[] = { "occluder",     "field",         "mesh_to_view", "slice",
                                              "slice",        "object",        "limits.reach", "limits.reach",
-                                             "limits.reach", "limits.inside", "limits.power", "mesh_to_view",
+                                             "limits",       "limits.inside", "limits.power", "mesh_to_view",
                                              "mesh_to_view", "mesh_to_view" };
         ssgi_field_limits l = fine;
         ssgi_field none = *f;
@@ -429,8 +429,135 @@ static void refusals(void)
     kit_scene_free(&scene);
 }
 
+/* ---- frames ------------------------------------------------------------------------------------------------------ */
+
+/* Closing what was never opened, before there is any context: no function of GL may be called. */
+static void closing_nothing(void)
+{
+    static kit_frames frames;
+    static kit_run run;
+    static const kit_frames closed;
+    kit_run_close(&run);
+    kit_frames_close(&frames);
+    kit_frames_close(&frames);
+    CHECK(!memcmp(&frames, &closed, sizeof closed), "what was closed is not all zero");
+}
+
+static int same_pictures(const kit_image *a, const kit_image *b)
+{
+    return a->width == b->width && a->height == b->height && a->channels == b->channels
+           && !memcmp(a->data, b->data, sizeof *a->data * (size_t)(a->width * a->height * a->channels));
+}
+
+/* A frame of "casters" from so many degrees around, further away from frame to frame. */
+static int frame_seen(kit_gbuffer *g, const kit_scene *scene, int k)
+{
+    kit_camera camera = scene->camera;
+    camera.width = 160;
+    camera.height = 90;
+    for (int i = 0; i < 3; ++i) camera.eye[i] += 0.3f * (float)k * (camera.eye[i] - camera.target[i]);
+    kit_camera_orbit(&camera, &camera, 3 * k);
+    return TRY(kit_gbuffer_from_scene(g, scene, &camera, NULL, &err));
+}
+
+static int frame_drawn(kit_image *out, kit_run *run)
+{
+    kit_run_draw(run, 0);
+    return TRY(kit_run_read(out, run, &err));
+}
+
+/* Frames are what is opened, followed and closed by hand; alone they are what is opened by hand and follows none; a
+   margin stays as wide as the first one's; after a failure all is closed. */
+static void frames_follow(void)
+{
+    enum { FRAMES = 3 };
+    static kit_frames frames;
+    static kit_run run[FRAMES];
+    static const kit_frames closed;
+    kit_scene scene;
+    kit_gbuffer g[FRAMES];
+    kit_method m;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !TRY(kit_method_find(&m, "hsao-history", &err))) return;
+    const kit_world world = { &scene, NULL }, frame = { NULL, NULL };
+    for (int k = 0; k < FRAMES; ++k) if (!frame_seen(&g[k], &scene, k)) return;
+    frames.number = 5;
+    for (int k = 0; k < FRAMES; ++k) {
+        kit_image by_hand, alone, out, single;
+        float phase;
+        if (!TRY(kit_run_open(&run[k], &g[k], &m, scene.radius, &world, &err))) return;
+        phase = run[k].frame.phase;
+        run[k].frame.phase = ssgi_gl_phase(5 + (unsigned)k);
+        kit_run_update(&run[k]);
+        if (!frame_drawn(&by_hand, &run[k])) return;
+        run[k].frame.phase = k ? phase : run[k].frame.phase;
+        if (k && !TRY(kit_run_follow(&run[k], &run[k - 1], 5 + (unsigned)k, &err))) return;
+        if (!frame_drawn(&out, &run[k])) return;
+        if (!TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, &alone, &err))
+            || !frame_drawn(&single, frames.now))
+            return;
+        CHECK(same_pictures(&alone, &by_hand) && same_pictures(&single, &out), "frame %d is not that by hand", k);
+        CHECK(!frames.run[frames.now == &frames.run[0]].textures, "frame %d: the one before is open", k);
+        CHECK(same_pictures(&alone, &single) == !k, "frame %d %s history", k, k ? "has no" : "has a");
+        kit_image_free(&by_hand); kit_image_free(&alone); kit_image_free(&out); kit_image_free(&single);
+    }
+    for (int k = 0; k < FRAMES; ++k) kit_run_close(&run[k]);
+    CHECK(!kit_method_set(&m, "margin=1", &err), "%s", err.text);
+    for (int turn = 0; turn < 2; ++turn) {          /* with frames that are open, and from all zero */
+        err.text[0] = 0;
+        CHECK(kit_frames_next(&frames, &g[1], &m, scene.radius, &frame, NULL, &err) == -1 && strstr(err.text, "margin"),
+              "a margin of a frame: \"%s\"", err.text);
+        CHECK(!memcmp(&frames, &closed, sizeof closed), "what failed is not closed");
+    }
+    int margin = 0;
+    for (int k = 0; k < FRAMES; ++k) {
+        if (!TRY(kit_run_open(&run[0], &g[k], &m, scene.radius, &world, &err))
+            || !TRY(kit_frames_next(&frames, &g[k], &m, scene.radius, &world, NULL, &err)))
+            return;
+        kit_run_draw(frames.now, 0);
+        if (!k) margin = run[0].margin;
+        CHECK(frames.now->margin == margin && (k < FRAMES - 1 || run[0].margin < margin),
+              "frame %d: a margin of %d pixels, alone %d, the first %d", k, frames.now->margin, run[0].margin, margin);
+        kit_run_close(&run[0]);
+    }
+    kit_frames_close(&frames);
+    for (int k = 0; k < FRAMES; ++k) kit_gbuffer_free(&g[k]);
+    kit_scene_free(&scene);
+}
+
+/* A picture that stays is followed by itself; it begins anew at 0. */
+static void frames_stay(void)
+{
+    static kit_run run[2];
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_method m;
+    if (!TRY(kit_scene_load(&scene, "casters", 0, &err)) || !frame_seen(&g, &scene, 0)
+        || !TRY(kit_method_find(&m, "hsao-history", &err)))
+        return;
+    const kit_world world = { &scene, NULL };
+    for (int r = 0; r < 2; ++r) if (!TRY(kit_run_open(&run[r], &g, &m, scene.radius, &world, &err))) return;
+    for (unsigned k = 0; k < 7; ++k) {
+        kit_image out[2];
+        const unsigned frame = k % 4;
+        if (!frame) {
+            run[0].frame.history = 0;
+            run[0].frame.phase = ssgi_gl_phase(9);
+            kit_run_update(&run[0]);
+        } else if (!TRY(kit_run_follow(&run[0], &run[0], 9 + frame, &err))) return;
+        if (!frame_drawn(&out[0], &run[0]) || !TRY(kit_frames_still(&run[1], 9, frame, 0, &err))
+            || !TRY(kit_run_read(&out[1], &run[1], &err)))
+            return;
+        CHECK(same_pictures(&out[0], &out[1]), "frame %u is not that by hand", frame);
+        for (int r = 0; r < 2; ++r) kit_image_free(&out[r]);
+    }
+    for (int r = 0; r < 2; ++r) kit_run_close(&run[r]);
+    kit_gbuffer_free(&g);
+    kit_scene_free(&scene);
+}
+
 void test_casters(void)
 {
+    RUN("what was never opened can be closed, with no context", closing_nothing);
     if (!CHECK(!kit_gl_open("osmesa", &err), "%s", err.text)) return;
     RUN("the shader's caps are the CPU's", caps);
     RUN("the shader's fields are the CPU's: turned, scaled and moved", same_as_on_the_cpu);
@@ -439,6 +566,8 @@ void test_casters(void)
     RUN("occluders combine to between the most and the sum; one draw and a draw each agree", combination);
     RUN("two dozen occluders against rays", against_truth);
     RUN("an occluder that cannot be set is refused", refusals);
+    RUN("frames follow the one before, a failed one ends them", frames_follow);
+    RUN("frames of a picture that stays follow themselves", frames_stay);
     kit_fields_free();
     kit_gl_close();
 }

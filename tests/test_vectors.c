@@ -1042,6 +1042,130 @@ static void targets_have_room(void)
     kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
 }
 
+/* ---- lamps alone, storage that is refused, the bounce's filter --------------------------------------------------- */
+
+/* The picture of a method by its own settings, but for those set. */
+static int by_default(kit_image *out, kit_gbuffer *g, const char *method, const char *set, const kit_scene *scene,
+                      const kit_lighting *l, int *passes)
+{
+    static kit_run run;
+    const kit_world world = { scene, l };
+    kit_method m;
+    if (!TRY(kit_method_find(&m, method, &err)) || !TRY(kit_method_set(&m, set, &err))
+        || !TRY(kit_run_open(&run, g, &m, scene->radius, &world, &err)))
+        return 0;
+    const int ok = drawn(out, &run);
+    if (passes) *passes = run.passes;
+    kit_run_close(&run);
+    return ok;
+}
+
+static const char *const irradiance_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" },
+                  *const bounce_names[3] = { "bounce.R", "bounce.G", "bounce.B" };
+
+/* Bent normals have two bands, which no lamp fits in: by default its light is shadowed by maps, as ssdo's is; nothing
+   else is drawn where nothing else shines, and under an environment it is added. */
+static void lamps_alone(void)
+{
+    static const char *const scenes[2][2] = { { "cornell", "point:0,5,-2.8,20,20,20" },
+                                              { "columns", "sun:1,2,1,3,3,3" } };
+    for (int k = 0; k < 2; ++k) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_lighting lamp, both;
+        kit_image truth, out, sky, all;
+        kit_score score;
+        int passes;
+        if (!lighten(&lamp, NULL, scenes[k][1]) || !lighten(&both, "sky", scenes[k][1])
+            || !see(&scene, &g, scenes[k][0], NULL, 0, NULL, W, H)
+            || !TRY(kit_truth_lit(&truth, &scene, &scene.camera, &lamp, scene.radius, KIT_ATTENUATION_LINEAR, 0, 1, 1,
+                                  &err)))
+            return;
+        if (!by_default(&out, &g, "ssbn", "", &scene, &lamp, &passes)
+            || !TRY(kit_score_channels(&score, &out, &truth, irradiance_names, 3, NULL, &err)))
+            return;
+        const double share = score.rmse / mean(&truth, "irradiance.G");
+        CHECK(share < 0.06 && passes == 1, "%s: lamps alone err by %.3f of the mean, in %d passes", scenes[k][0], share,
+              passes);
+        t_note("%s: lamps alone err by %.4f of the mean", scenes[k][0], share);
+        const kit_lighting only = { .env = both.env };
+        if (!by_default(&sky, &g, "ssbn", "", &scene, &only, NULL)
+            || !by_default(&all, &g, "ssbn", "", &scene, &both, NULL))
+            return;
+        double off = 0;
+        for (int i = 3 * W * H; i < 6 * W * H; ++i)
+            off = fmax(off, fabs((double)all.data[i] - (double)sky.data[i] - (double)out.data[i]));
+        CHECK(off < 1e-4, "%s: under a sky lamps bring %.1e more or less", scenes[k][0], off);
+        kit_image_free(&truth); kit_image_free(&out); kit_image_free(&sky); kit_image_free(&all);
+        kit_image_free(&both.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
+    }
+}
+
+/* A gather with the bounce packs its coefficients, and says so when they are asked for otherwise; elsewhere they are
+   stored as they are asked to be. */
+static void storage_is_kept_or_refused(void)
+{
+    static const char *const stores[3] = { "half", "packed", "float" };
+    kit_scene scene;
+    kit_gbuffer g;
+    kit_lighting l;
+    if (!look(&g, &scene, &l, NULL)) return;
+    for (int indirect = 0; indirect < 2; ++indirect) {
+        kit_image out[3];
+        for (int s = 0; s < 3; ++s) {
+            char set[96];
+            snprintf(set, sizeof set, "filtered=vectors,indirect=%s,store=%s", indirect ? "apart" : "none", stores[s]);
+            if (!by_default(&out[s], &g, "s3ho", set, &scene, &l, NULL)) return;
+            for (int t = 0; t < s; ++t)
+                CHECK(apart(&out[s], "irradiance.R", &out[t], "irradiance.R") > 0, "indirect=%s: %s is as %s",
+                      indirect ? "apart" : "none", stores[s], stores[t]);
+        }
+        for (int s = 0; s < 3; ++s) kit_image_free(&out[s]);
+    }
+    for (int s = 0; s < 3; ++s) {
+        const kit_world world = { &scene, &l };
+        static kit_run run;
+        kit_method m;
+        char set[64];
+        snprintf(set, sizeof set, "indirect=joint,store=%s", stores[s]);
+        if (!TRY(kit_method_find(&m, "s3ho", &err)) || !TRY(kit_method_set(&m, set, &err))) return;
+        const int failed = kit_run_open(&run, &g, &m, scene.radius, &world, &err);
+        CHECK(s == 1 ? !failed
+                     : failed == -1 && strstr(err.text, stores[s]) && strstr(err.text, "indirect=none or apart"),
+              "%s: \"%s\"", set, failed ? err.text : "");
+        kit_run_close(&run);
+    }
+    kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
+}
+
+/* What is reflected is not compared with open light, which it has nothing to do with: the bounce is smoothed as it is,
+   whatever the filter restores of the rest. */
+static void bounce_restores_nothing(void)
+{
+    static const char *const scenes[2][3] = { { "columns", "sky", NULL },
+                                              { "cornell", NULL, "point:0,5,-2.8,20,20,20" } },
+                      *const restored[3] = { "none", "ratio", "difference" };
+    for (int k = 0; k < 2; ++k) {
+        kit_scene scene;
+        kit_gbuffer g;
+        kit_lighting l;
+        kit_image out[3];
+        if (!lighten(&l, scenes[k][1], scenes[k][2]) || !see(&scene, &g, scenes[k][0], NULL, 0, NULL, W, H)) return;
+        for (int r = 0; r < 3; ++r) {
+            char set[96];
+            snprintf(set, sizeof set, "indirect=apart,restore=%s", restored[r]);
+            if (!by_default(&out[r], &g, "s3ho", set, &scene, &l, NULL)) return;
+            kit_score score;
+            if (!TRY(kit_score_channels(&score, &out[r], &out[0], bounce_names, 3, NULL, &err))) return;
+            const double sent = mean(&out[0], "bounce.G");
+            CHECK(sent > 0.001 && score.rmse <= 1e-3 * sent, "%s: restore=%s moves the bounce by %.3f of its mean %.3f",
+                  scenes[k][0], restored[r], score.rmse / sent, sent);
+        }
+        for (int r = 0; r < 3; ++r) kit_image_free(&out[r]);
+        kit_image_free(&l.env); kit_gbuffer_free(&g); kit_scene_free(&scene);
+    }
+}
+
 /* ---- truth ------------------------------------------------------------------------------------------------------- */
 
 static void near_the_truth(void)
@@ -1099,6 +1223,9 @@ void test_vectors(void)
     RUN("bent normals point where it is free", bent_normals_bend);
     RUN("depth layout, shift and place in the textures change nothing", same_picture);
     RUN("pictures stand where they should in larger targets", targets_have_room);
+    RUN("lamps alone light bent normals as they light ssdo", lamps_alone);
+    RUN("coefficients are stored as asked, or it is refused", storage_is_kept_or_refused);
+    RUN("a bounce is smoothed as it is, whatever the filter restores", bounce_restores_nothing);
     RUN("a room under a sky is near its ray-traced truth", near_the_truth);
     kit_gl_close();
 }

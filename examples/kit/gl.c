@@ -226,8 +226,15 @@ static int load(kit_error *err)
     return 0;
 }
 
+/* A program that ends while Mesa's rasteriser draws may never end: its threads are then waited for, and wait. */
+static void finish_drawing(void)
+{
+    if (gl.vertex_array) glFinish();
+}
+
 int kit_gl_open(const char *context, kit_error *err)
 {
+    static int at_exit;
     int result;
     kit_gl_close();
     if (!context || !strcmp(context, "osmesa")) result = osmesa_open(err);
@@ -240,11 +247,13 @@ int kit_gl_open(const char *context, kit_error *err)
     glBindVertexArray(gl.vertex_array);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (!at_exit) at_exit = !atexit(finish_drawing);       /* before Mesa's own, which it registered just now */
     return 0;
 }
 
 void kit_gl_close(void)
 {
+    finish_drawing();
     if (gl.open == 1) {
         osmesa.current(NULL, NULL, 0, 0, 0);
         osmesa.destroy(gl.context);

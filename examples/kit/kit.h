@@ -17,8 +17,8 @@
      field.c    ambient occlusion fields of a scene's shapes, baked and as textures
      fetches.c  what a pass fetches, read off its text
      settings.c the table of methods and their settings
-     run.c      a method's passes, run and timed; lights.c: cameras, shadow maps, lit methods, fields; deep.c: deep
-     screen space
+     run.c      a method's passes, run and timed; frames.c: one frame after another; lights.c: cameras, shadow maps,
+     lit methods, fields; deep.c: deep screen space
      plan.c     what a scene needs
 
    CONVENTIONS

@@ -216,7 +216,7 @@ typedef struct kit_setting {
     int         whole;                     /* takes whole numbers only */
 } kit_setting;
 
-#define KIT_MAX_SETTINGS 40
+#define KIT_MAX_SETTINGS 48
 typedef struct kit_method {
     const char *name, *about;
     int         lit;                       /* 0: writes ambient visibility Y */
@@ -305,18 +305,38 @@ int kit_run_open(kit_run *run, kit_gbuffer *gbuffer, const kit_method *method, f
                  kit_error *err);
 void kit_run_update(kit_run *run);         /* uploads run->frame */
 void kit_run_draw(kit_run *run, int timed);
-/* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
-   must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
-int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
 /* The texture of the run that inputs of that name read; 0: none is read. instead, unless 0, replaces it for all. */
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead);
-int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
 double kit_run_operations(const kit_run *run);     /* as run->fetches: kit_operations of all passes */
 double kit_run_ms(const kit_run *run);     /* sum over the passes of the last timed draw */
 /* The picture: Y, or R G B (outgoing radiance; where there is no albedo, it is 0.8), irradiance.R .., bounce.R ..
    (irradiance over pi, before albedo). */
 int  kit_run_read(kit_image *out, const kit_run *run, kit_error *err);
-void kit_run_close(kit_run *run);
+void kit_run_close(kit_run *run);          /* leaves it all zero; fine of one that is, with no context, too */
+
+/* ---- >>frames ----------------------------------------------------------------------------------------------- */
+
+/* Before a draw: makes the run the frame after last's, a run of the same method on a picture of the same size, which
+   must not be drawn any more: its history is the run's now. Or the run itself, once drawn. frame: its number. */
+int  kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err);
+int  kit_run_keeps(const kit_run *run);    /* 1: a pass of it averages over frames */
+
+/* A method on one G-buffer after another, all of one size. All zero before the first; closed whatever became of it. */
+typedef struct kit_frames {
+    kit_run  run[2];
+    kit_run *now;                          /* the frame's, for the caller to draw and read; NULL: there is none */
+    unsigned number;                       /* of the next frame, which its noise goes by; the first may be any */
+} kit_frames;
+
+/* Opens the next frame. Where the method keeps history, it follows the last one, with the margin that this had. The
+   last one is closed then, and its G-buffer must live until then. alone: the frame's picture by the same noise, but
+   without history; NULL: not asked. On failure all is closed. */
+int  kit_frames_next(kit_frames *frames, kit_gbuffer *gbuffer, const kit_method *method, float radius,
+                     const kit_world *world, kit_image *alone, kit_error *err);
+void kit_frames_close(kit_frames *frames); /* fine to call again */
+/* Draws frame k of a picture that stays as it is, numbered from first on: where history is kept, the run follows itself
+   from k = 1 on; 0 begins anew. */
+int  kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_error *err);
 
 /* ---- >>plan: what a scene needs ----------------------------------------------------------------------------- */
 

@@ -1,4 +1,4 @@
-/* kit_run.h - what settings.c, run.c, lights.c and deep.c share: how a run is made ready. Private to them. */
+/* kit_run.h - what settings.c, run.c, frames.c, lights.c and deep.c share: how a run is made ready. Private to them. */
 #ifndef KIT_RUN_H
 #define KIT_RUN_H
 
@@ -24,6 +24,9 @@ int       kit_settings_apply(kit_making *m, float radius);
 
 /* ---- >>run */
 
+/* kit_run_open with a margin of so many pixels, which is the last frame's; -1: as the picture asks. */
+int       kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius,
+                            const kit_world *world, int margin, kit_error *err);
 GLuint    kit_keep(kit_run *run, GLuint texture);     /* becomes the run's own */
 /* The chain of what the method gathers: blur, history and sizes as the method has them. */
 ssgi_gl_chain kit_chain(const kit_making *m);

@@ -485,6 +485,12 @@ static int add_harmonic_light(kit_making *m, int indirect)
     if (chain.desc.restore) bounce.desc.restore = SSGI_GL_RESTORE_DIFFERENCE;
     if (joint) chain.desc.restore = bounce.desc.restore;
     if (m->rows[0] && kit_method_value(m->method, "lights") > 0) chain.lights = m->lights;
+    /* shadowed lamps alone: nothing is left for coefficients */
+    if (chain.lights.pass == SSGI_GL_LIGHTS && !m->world->lighting->env.data) {
+        chain.desc.pass = SSGI_GL_SSDO;
+        chain.desc.environment = chain.desc.bounce = 0;
+        return kit_add_steps(m, &chain, 0, &run->light, NULL);
+    }
     if ((indirect && kit_add_steps(m, &bounce, 0, &run->bounce, NULL))
         || kit_add_steps(m, &chain, joint, &run->light, NULL))
         return -1;

@@ -201,7 +201,7 @@ static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuf
     if (kit_method_find(&m, "aof", err)) return -1;
     const ssgi_field_desc desc = kit_method_field(&m);
     if (kit_fields_cover(&covered, frame, &g->camera, scene, &desc, err)) return -1;
-    s->coverage = (float)(covered / s->occluders);
+    s->coverage = s->occluders ? (float)(covered / s->occluders) : 0;
     if (kit_truth_objects(&truth, scene, &g->camera, PLACE_RAYS, stride, err)
         || kit_image_new(&none, frame->width, frame->height, "Y", err))
         return -1;
@@ -246,7 +246,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
         failed = calibrate_light(&s->calibration, &frame, picture, g, world, radius, wanted, err);
     for (int i = 0; world->scene && i < world->scene->objects; ++i)
         s->occluders += world->scene->object[i].casts > 0;
-    if (!failed && s->occluders && wanted == SSGI_PLAN_OBJECTS)
+    if (!failed && world->scene && wanted == SSGI_PLAN_OBJECTS)
         failed = objects_of(s, &frame, g, world->scene, err);
     for (int k = 0; k < count; ++k) kit_image_free(&picture[k]);
     kit_image_free(&frame);

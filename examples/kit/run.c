@@ -1,4 +1,5 @@
-/* run.c - a method on a G-buffer: programs, targets, drawing, timing, reading back. Declared in kit_gl.h. */
+/* run.c - a method on a G-buffer: programs, targets, drawing, timing, reading back; frames.c: one frame after another.
+   Declared in kit_gl.h. */
 #include "kit_run.h"
 #include <math.h>
 #include <stdio.h>
@@ -317,15 +318,16 @@ static int margin_of(int *pixels, const kit_gbuffer *g, double radius, double ma
     return 0;
 }
 
-/* The G-buffer that a method's margin asks for, in place of *g. */
-static int add_margin(kit_making *m, kit_gbuffer **g, float radius)
+/* The G-buffer that a method's margin asks for, in place of *g. pixels: its width, -1: to be measured. */
+static int add_margin(kit_making *m, kit_gbuffer **g, float radius, int pixels)
 {
     kit_run *run = m->run;
     const double margin = kit_method_value(m->method, "margin");
     if (!(margin > 0)) return 0;
     if (!m->world->scene)
         return kit_fail(m->err, "--set margin=%g: a frame holds nothing beyond its border; it needs a scene", margin);
-    if (margin_of(&run->margin, *g, (double)radius, margin, m->err)) return -1;
+    if (pixels >= 0) run->margin = pixels;
+    else if (margin_of(&run->margin, *g, (double)radius, margin, m->err)) return -1;
     if (!run->margin) return 0;
     if (kit_gbuffer_widen(&run->wide, *g, m->world->scene, run->margin, m->err)) return -1;
     *g = &run->wide;
@@ -452,16 +454,22 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     return failed ? -1 : 0;
 }
 
-int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
-    kit_error *err)
+int kit_run_open_wide(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
+                      int margin, kit_error *err)
 {
     static const kit_world nothing;
     kit_making m = { .run = run, .method = method, .world = world ? world : &nothing, .err = err };
     int failed;
     memset(run, 0, sizeof *run);           /* in place: passes point at its extra cameras */
-    failed = add_margin(&m, &g, radius) || open_on(&m, g, radius);
+    failed = add_margin(&m, &g, radius, margin) || open_on(&m, g, radius);
     if (failed) kit_run_close(run);
     return failed ? -1 : 0;
+}
+
+int kit_run_open(kit_run *run, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
+                 kit_error *err)
+{
+    return kit_run_open_wide(run, g, method, radius, world, -1, err);
 }
 
 static void upload(GLuint buffer, const void *data, size_t size)
@@ -527,52 +535,6 @@ void kit_run_draw(kit_run *run, int timed)
     glActiveTexture(GL_TEXTURE0);
 }
 
-/* Two textures change places, wherever their runs name them. */
-static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
-{
-    for (int r = 0; r < (a == b ? 1 : 2); ++r) {
-        kit_run *run = r ? b : a;
-        GLuint *places[] = { &run->light, &run->bounce, &run->joint };
-        for (int i = 0; i < 3; ++i) *places[i] = *places[i] == x ? y : *places[i] == y ? x : *places[i];
-        for (int i = 0; i < run->textures && a != b; ++i)
-            run->texture[i] = run->texture[i] == x ? y : run->texture[i] == y ? x : run->texture[i];
-        for (int i = 0; i < run->passes; ++i)
-            for (int k = 0; k < run->pass[i].step->inputs; ++k) {
-                GLuint *in = &run->pass[i].input[k];
-                *in = *in == x ? y : *in == y ? x : *in;
-            }
-    }
-}
-
-int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
-{
-    const kit_gbuffer *g = last->gbuffer;
-    const char *why = "";
-    ssgi_view view;
-    float now[16], then[16], projection[16];
-    const double phase = (double)run->frame.phase + (double)ssgi_gl_phase(frame);
-    if (run->passes != last->passes) return kit_fail(err, "the last frame had other passes");
-    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
-    kit_camera_matrices(&run->gbuffer->camera, now, projection);
-    kit_camera_matrices(&g->camera, then, projection);
-    if (ssgi_gl_frame_history(&run->frame, &view, now, then, &why) != SSGI_OK) return kit_fail(err, "%s", why);
-    if (run == last) run->frame.phase = ssgi_gl_phase(frame); else run->frame.phase = (float)(phase - floor(phase));
-    for (int i = 0; i < run->passes; ++i) {
-        kit_pass *p = &run->pass[i], *from = &last->pass[i];
-        for (unsigned k = 0; k < KIT_HISTORIES && p->last[k]; ++k) {
-            const GLuint written = from->target[k], other = p->last[k];
-            exchange(run, written, last, other);
-            p->last[k] = written;
-            from->target[k] = other;
-            if (run != last) continue;
-            glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + k, GL_TEXTURE_2D, other, 0);
-        }
-    }
-    kit_run_update(run);
-    return 0;
-}
-
 GLuint kit_run_input(kit_run *run, const char *name, GLuint instead)
 {
     GLuint was = 0;
@@ -584,13 +546,6 @@ GLuint kit_run_input(kit_run *run, const char *name, GLuint instead)
             if (instead) *in = instead;
         }
     return was;
-}
-
-int kit_run_keeps(const kit_run *run)
-{
-    int kept = 0;
-    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
-    return kept;
 }
 
 double kit_run_operations(const kit_run *run)
@@ -674,20 +629,21 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     return 0;
 }
 
+/* A run that was never opened holds nothing, and perhaps there is no context: GL is called for what is there alone. */
 void kit_run_close(kit_run *run)
 {
     for (int i = 0; i < run->passes; ++i) {
-        glDeleteFramebuffers(1, &run->pass[i].framebuffer);
+        if (run->pass[i].framebuffer) glDeleteFramebuffers(1, &run->pass[i].framebuffer);
         free(run->pass[i].io);
         free(run->pass[i].step);
     }
-    for (int v = 0; v < KIT_MAX_VIEWS; ++v) kit_gbuffer_free(&run->view[v]);
-    kit_gbuffer_free(&run->wide);
-    glDeleteTextures(run->textures, run->texture);
-    glDeleteVertexArrays(3, run->arrays);
-    glDeleteBuffers(3, run->buffers);
+    for (int v = 0; v < KIT_MAX_VIEWS; ++v) if (run->view[v].depth) kit_gbuffer_free(&run->view[v]);
+    if (run->wide.depth) kit_gbuffer_free(&run->wide);
+    if (run->textures) glDeleteTextures(run->textures, run->texture);
+    if (run->arrays[0]) glDeleteVertexArrays(3, run->arrays);
+    if (run->buffers[0]) glDeleteBuffers(3, run->buffers);
     if (run->query) glDeleteQueries(1, &run->query);
-    glDeleteBuffers(KIT_FRAMES, run->block);
+    if (run->block[0]) glDeleteBuffers(KIT_FRAMES, run->block);
     free(run->equirect);
     memset(run, 0, sizeof *run);
 }

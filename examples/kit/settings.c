@@ -44,6 +44,9 @@ ROW(filter_row, "filter", "kind of filter", "bilateral gaussian", 0, 0, 1, 1, GA
 ROW(compare_row, "filter_normals", "1: the filter compares normals too", NULL, 0, 0, 1, 1, GATHER, DESC(filter_normals))
 ROW(restore_row, "restore", "the filter smooths light, its ratio to unoccluded light, or its difference from it",
     "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
+ROW(vector_restore_row, "restore",
+    "the filter smooths light, its ratio to unoccluded light, or its difference from it (joint: always this)",
+    "none ratio difference", 1, 0, 2, 1, GATHER, DESC(restore))
 ROW(phase_row, "phase", "offset of the noise", NULL, 0, 0, 1, 0, FRAME, FRAMED(phase))
 ROW(layers_row, "layers", "peeled depth layers; closed solids only",
     NULL, 1, 1, KIT_MAX_LAYERS, 1, GATHER | LIGHTS, DESC(layers))
@@ -100,13 +103,18 @@ ROW(bands_row, "bands", "of spherical harmonics: 1, 4, 9 or 16 coefficients",
 ROW(few_bands_row, "bands", "environment=sh: of spherical harmonics", NULL, 3, 1, 4, 1, GATHER, DESC(bands))
 ROW(store_row, "store", "coefficients as halves, halves packed into integers, or floats",
     "half packed float", 0, 0, 2, 1, PLAN, 0)
+ROW(packed_row, "store", "coefficients that are filtered or meet lamps: halves, packed halves, floats; joint: packed",
+    "half packed float", 1, 0, 2, 1, PLAN, 0)
 ROW(indirect_row, "indirect", "one bounce: none, in the gather of the occlusion, in its own",
     "none joint apart", 1, 0, 2, 1, PLAN, 0)
 ROW(filtered_row, "filtered", "what is filtered", "vectors light", 1, 0, 1, 1, PLAN, 0)
 ROW(residual_row, "residual", "1: unoccluded irradiance is exact, harmonics give the occlusion alone",
     NULL, 1, 0, 1, 1, GATHER, DESC(residual))
 ROW(window_row, "window", "of lights as harmonics", "none hann positive", 1, 0, 2, 1, PLAN, 0)
-ROW(lights_row, "lights", "--light as harmonics, or by maps and segments", "harmonics shadowed", 0, 0, 1, 1, PLAN, 0)
+ROW(lights_row, "lights", "--light as harmonics, or by maps and segments, without a bounce", "harmonics shadowed",
+    0, 0, 1, 1, PLAN, 0)
+ROW(shadowed_row, "lights", "--light as harmonics of two bands, which are wider than a lamp, or by maps and segments",
+    "harmonics shadowed", 1, 0, 1, 1, PLAN, 0)
 ROW(cone_row, "cone", "environment over the cone of unoccluded directions, or irradiance along their mean",
     "normal cone", 1, 0, 1, 1, PLAN, 0)
 
@@ -157,32 +165,43 @@ ROW(material_row, "material", "published scattering constants",
         PLAN, 0)
 ROW(unit_row, "unit", "world units of a millimetre", NULL, 0.01, 1e-6, 1e6, 0, PLAN, 0)
 
-typedef struct plan { const char *name, *about; int pass, search, preset; const row *rows[KIT_MAX_SETTINGS]; } plan;
+/* A method; search: what it searches by, of surfels their effect. */
+typedef struct plan {
+    const char *name, *about;
+    int         pass, search, preset;
+    const row  *rows[KIT_MAX_SETTINGS];
+    int         count;
+} plan;
+/* Rows, and how many: more than a method has room for do not compile. */
+#define SETTINGS(...) { __VA_ARGS__ }, COUNTED(sizeof((const row *const[]){ __VA_ARGS__ }) / sizeof(const row *))
+#define COUNTED(n) \
+    ((int)(n) + 0 * (int)sizeof(struct { \
+        _Static_assert((n) <= KIT_MAX_SETTINGS, "a method has more than KIT_MAX_SETTINGS"); \
+        int i; \
+    }))
 #define SLICES \
-    { \
-        &slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
-            &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row \
-    }
+    SETTINGS(&slices_row, &steps_row, &half_row, &behind_row, &slice_thick_row, &hard_row, &normal_row, &noise_row, \
+             &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row)
 #define DEEP &layers_row, &views_row, &view_layers_row, &view_size_row
 #define POINTS \
     &samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row, &half_row, \
         &behind_row, &most_thick_row, &offset_row, DEEP
 #define WALK &slices_row, &steps_row, &falloff_row, &half_row, &behind_row, &lit_thick_row, &offset_row
 #define SSDO(...) \
-    { \
-        __VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, &distance_clamp_row, \
-            &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, &suns_row, &vpls_row, \
-            &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, &compare_row, \
-            &margin_row, &history_row \
-    }
-#define VECTORS(...) \
-    __VA_ARGS__, &store_row, &filtered_row, &window_row, &lights_row, &shadows_row, &points_row, &solid_row, \
-        &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
-        &compare_row, &margin_row, &history_row
-#define S3HO(...) { &bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(__VA_ARGS__) }
-#define SURFELS(every, epsilon, levels) \
-    &size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, &near_row, \
-        &both_row, &smooth_row, &likeness_row, &normal_row
+    SETTINGS(__VA_ARGS__, &few_bands_row, &environment_row, &bounce_row, &reuse_row, &two_sided_row, \
+             &distance_clamp_row, &gain_row, &shadows_row, &points_row, &solid_row, &max_slope_row, &shadow_row, \
+             &suns_row, &vpls_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &restore_row, \
+             &compare_row, &margin_row, &history_row)
+#define VECTORS(store, lights, ...) \
+    __VA_ARGS__, store, &filtered_row, &window_row, lights, &shadows_row, &points_row, &solid_row, \
+        &max_slope_row, &shadow_row, &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, \
+        &vector_restore_row, &compare_row, &margin_row, &history_row
+#define S3HO(...) \
+    SETTINGS(&bands_row, &indirect_row, &residual_row, &two_sided_row, VECTORS(&packed_row, &lights_row, __VA_ARGS__))
+#define SSBN(...) SETTINGS(&cone_row, VECTORS(&store_row, &shadowed_row, __VA_ARGS__))
+#define SURFELS(every, epsilon, levels, ...) \
+    SETTINGS(&size_row, epsilon, levels, &way_row, &splits_row, &offscreen_growth_row, every, &near_depth_row, \
+             &near_row, &both_row, &smooth_row, &likeness_row, &normal_row, __VA_ARGS__)
 #define LIT_SURFELS &shadows_d_row, &shadow_row, &max_slope_row
 static const plan plans[] = {
     { "ssao",
@@ -190,9 +209,9 @@ static const plan plans[] = {
       SSGI_GL_SSAO,
       0,
       SSGI_GL_BALANCED,
-      { &samples_row, &march_row, &sets_row,   &falloff_row,   &fade_row,    &fade_from_row, &lambda_row,
-        &range_row,   &half_row,  &behind_row, &thickness_row, &offset_row,  DEEP,           &normal_row,
-        &noise_row,   &phase_row, &blur_row,   &filter_row,    &compare_row, &margin_row, &history_row } },
+      SETTINGS(&samples_row, &march_row, &sets_row, &falloff_row, &fade_row, &fade_from_row, &lambda_row, &range_row,
+               &half_row, &behind_row, &thickness_row, &offset_row, DEEP, &normal_row, &noise_row, &phase_row,
+               &blur_row, &filter_row, &compare_row, &margin_row, &history_row) },
     { "hsao", "slices through the view direction, sectors occluded from near to far", SSGI_GL_HSAO, SSGI_GL_SLICES,
       SSGI_GL_BALANCED, SLICES },
     { "hsao-fast", "the same, fewer taps", SSGI_GL_HSAO, SSGI_GL_SLICES, SSGI_GL_FAST, SLICES },
@@ -204,8 +223,9 @@ static const plan plans[] = {
       SSGI_GL_HSAO,
       SSGI_GL_MARCH,
       SSGI_GL_BALANCED,
-      { &dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
-        &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row, &history_row } },
+      SETTINGS(&dirs_row, &steps_row, &rays_row, &half_row, &behind_row, &half_thick_row, &hard_row, &offset_row, DEEP,
+               &normal_row, &noise_row, &phase_row, &blur_row, &filter_row, &compare_row, &margin_row,
+               &history_row) },
     { "ssdo", "directional occlusion of --env, --light with shadows, one bounce", SSGI_GL_SSDO, SSGI_GL_SLICES,
       SSGI_GL_BALANCED, SSDO(WALK) },
     { "ssdo-fast", "the same, fewer taps", SSGI_GL_SSDO, SSGI_GL_SLICES, SSGI_GL_FAST, SSDO(WALK) },
@@ -226,44 +246,44 @@ static const plan plans[] = {
       SSGI_GL_S3HO,
       SSGI_GL_SLICES,
       SSGI_GL_BALANCED,
-      { &cone_row, VECTORS(WALK) } },
+      SSBN(WALK) },
     { "ssbn-points",
       "the same by points along directions",
       SSGI_GL_S3HO,
       SSGI_GL_POINTS,
       SSGI_GL_BALANCED,
-      { &cone_row, VECTORS(POINTS) } },
+      SSBN(POINTS) },
     { "dss",
       "deep screen space: surfels of all triangles, on screen or not, splatted: occlusion",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_OCCLUSION,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hard_row, &span_row } },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hard_row, &span_row) },
     { "dss-lit",
       "the same: directional occlusion of --env, --light with shadow maps, one bounce",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_LIGHT,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &hidden_sky_row, LIT_SURFELS, &span_row } },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &hidden_sky_row, LIT_SURFELS, &span_row) },
     { "dss-gloss",
       "the same: one specular bounce; irradiance: radiance of the lobe",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_SPECULAR,
       SSGI_GL_BALANCED,
-      { SURFELS(&keep_small_row, &epsilon_row, &levels_row), &sky_row, LIT_SURFELS, &exponent_row } },
+      SURFELS(&keep_small_row, &epsilon_row, &levels_row, &sky_row, LIT_SURFELS, &exponent_row) },
     { "dss-scatter",
       "the same: multiple scattering under surfaces; irradiance: radiance that leaves them",
       SSGI_GL_SPLAT,
       SSGI_GL_EFFECT_SCATTER,
       SSGI_GL_BALANCED,
-      { SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row), &sky_row, LIT_SURFELS, &material_row, &unit_row } },
+      SURFELS(&each_row, &deep_epsilon_row, &deep_levels_row, &sky_row, LIT_SURFELS, &material_row, &unit_row) },
     { "aof",
       "occlusion between a scene's objects, at any distance, from fields baked around each; has no --radius",
       SSGI_GL_FIELD,
       0,
       SSGI_GL_BALANCED,
-      { &resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &own_row,
-        &occluders_row, &normal_row } }
+      SETTINGS(&resolution_row, &radii_row, &rays_a_row, &reach_row, &ramp_row, &inside_row, &power_row, &own_row,
+               &occluders_row, &normal_row) }
 };
 enum { PLANS = (int)(sizeof plans / sizeof plans[0]) };
 /* Settings of methods that are not all the preset's. */
@@ -288,7 +308,7 @@ int kit_method_at(kit_method *method, int i)
     if (plans[i].pass == SSGI_GL_SPLAT) desc.effect = plans[i].search; else desc.search = plans[i].search;
     desc.environment = m.lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     ssgi_gl_preset(&desc, plans[i].preset, NULL);
-    for (; plans[i].rows[m.count]; ++m.count) {            /* what the preset sets, the setting starts from */
+    for (; m.count < plans[i].count; ++m.count) {          /* what the preset sets, the setting starts from */
         const row *w = plans[i].rows[m.count];
         int value = 0;
         m.setting[m.count] = w->setting;
@@ -408,6 +428,9 @@ int kit_settings_apply(kit_making *m, float radius)
     m->kept = kit_method_value(m->method, "history") > 0;
     if (m->kept && m->gather.pass == SSGI_GL_S3HO && !(kit_method_value(m->method, "filtered") > 0))
         return kit_fail(m->err, "--set history=1: averages light, not coefficients; it needs filtered=light");
+    if (kit_method_value(m->method, "indirect") == 1 && kit_method_value(m->method, "store") != 1)
+        return kit_fail(m->err, "--set store=%s: one gather with the bounce packs its coefficients: it needs "
+                                "indirect=none or apart", kit_method_value(m->method, "store") > 1 ? "float" : "half");
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
