@@ -1,4 +1,4 @@
-/* ssgi.h - v0.2 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
+/* ssgi.h - v0.3 - screen-space illumination: the CPU maths. C99, no dependencies. Public domain or MIT: end of file.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION
                                         #include "ssgi.h"
@@ -63,7 +63,7 @@
 #include <stdint.h>
 
 #define SSGI_VERSION_MAJOR 0
-#define SSGI_VERSION_MINOR 2
+#define SSGI_VERSION_MINOR 3
 #define SSGI_VERSION (10000 * SSGI_VERSION_MAJOR + 100 * SSGI_VERSION_MINOR)
 
 #ifdef SSGI_STATIC
@@ -534,7 +534,7 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
    Fitted on ray-traced truth, tested on other scenes: README. A survey improves predictions, a calibration most.
 
       ssgi_plan_scene s = { 0 };                                       what you leave 0 is not known
-      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.behind = SSGI_PLAN_SLABS;
+      s.wanted = SSGI_PLAN_VISIBILITY;   s.error = 0.03f;   s.screen_radius = 0.2f;   s.thickness = SSGI_PLAN_SLABS;
       ssgi_survey_of(&s.survey, hsao, best, solid, hsao_slabs, pixels, NULL);     pictures of hsao
       ssgi_plan_calibrate(&s.calibration, &trace, position, normal, hsao, hsao_slabs, 3000, 64, radius, NULL);
       ssgi_plan plan;
@@ -547,20 +547,20 @@ enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors:
        SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
 /* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.behind, desc.behind */
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.thickness, desc.thickness */
 enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
 /* RMS over the pixels with a surface: of 1 - visibility (slabs', where drawn), best - hsao (detail), solid - hsao,
    slabs - hsao. occlusion 0: no survey; slabs 0: not drawn. */
 typedef struct ssgi_survey { float occlusion, detail, solid, slabs; } ssgi_survey;
 
 /* From full-size pictures of pass HSAO by slices, filtered, count floats each, one radius: preset BALANCED; BEST;
-   BALANCED with desc.behind SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
+   BALANCED with desc.thickness SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
    where there is no surface, set NaN there. SSGI_BAD_ARGUMENT: NULL but for slabs. */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
 /* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices at
-   the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with behind SLABS, 0 = not
+   the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with thickness SLABS, 0 = not
    known. known: 0 = no calibration. */
 typedef struct ssgi_calibration { int known; float unoccluded, hsao, slabs; } ssgi_calibration;
 
@@ -588,7 +588,7 @@ typedef struct ssgi_plan_scene {
     float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
     int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
     float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   behind;           /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
+    int   thickness;           /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
     float depth_pass;       /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
     int   history;          /* 1: frames may be averaged: the camera's motion is known, a trail may show */
     double surfels;         /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
@@ -601,7 +601,7 @@ typedef struct ssgi_plan_scene {
 typedef struct ssgi_plan {
     int   method;           /* SSGI_PLAN_NOTHING .. */
     /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
-    int   behind, half, directions, steps, bands, history, levels, filter_radius, resolution;
+    int   thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
     float size;             /* ssgi_surfel_desc.size */
     float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
                                makes surfels and fields */
@@ -3338,13 +3338,13 @@ enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_SLABS_ERROR, SSG
 
 /* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
-    signed char wanted, method, behind, half, directions, steps, bands, history, resolution;
+    signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
-#define SSGI__ROW(wanted, method, behind, half, directions, steps, bands, history, resolution, size, cost, gpu, \
+#define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
                   unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##behind, half, directions, steps, bands, history, resolution, \
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, resolution, \
       size, { cost, gpu }, { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
@@ -3453,7 +3453,7 @@ SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s
 {
     const int m = row->method, given = m == SSGI_PLAN_SSDO ? s->map : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
                                      : m != SSGI_PLAN_FIELD || s->occluders > 0;
-    if (row->wanted != s->wanted || !given || row->behind > s->behind || row->history > s->history)
+    if (row->wanted != s->wanted || !given || row->thickness > s->thickness || row->history > s->history)
         return 0;
     /* skip directional methods when the energy above band 0 is negligible */
     return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
@@ -3466,7 +3466,7 @@ SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene 
     const int gpu = s->device == SSGI_PLAN_GPU;
     const float larger = row->size > 0.0f ? 0.015f / row->size : 1.0f;
     float cost = row->cost[gpu];
-    if (row->behind >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->behind == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
+    if (row->thickness >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
     if (row->method == SSGI_PLAN_FIELD)
         cost += (gpu ? 0.3f : 0.6f) * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
     if (row->method == SSGI_PLAN_SURFELS)
@@ -3478,7 +3478,7 @@ SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const ssgi_plan settings = { row->method, row->behind, row->half, row->directions, row->steps, row->bands,
+    const ssgi_plan settings = { row->method, row->thickness, row->half, row->directions, row->steps, row->bands,
                                  row->history, 0, row->directions > 0, row->resolution, row->size, 0.0f, 0.0f, 0, "" };
     double term[SSGI__PLAN_TERMS], square = 0.0;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
@@ -3514,8 +3514,8 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->behind >= 0 && s->behind <= SSGI_PLAN_SLABS && s->history >= 0
-                && s->history <= 1 && s->occluders >= 0, "scene.device, .behind, .history, .occluders: must be 0..1, "
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS && s->history >= 0
+                && s->history <= 1 && s->occluders >= 0, "scene.device, .thickness, .history, .occluders: must be 0..1, "
                 "0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
                 && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
@@ -3550,7 +3550,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     for (at = best.why; *words; ++words) {              /* digits by hand: no stdio.h, no locale */
         const float x = figure[digit / 5];
         const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-        const char *const said[3] = { method[best.method], extra[0][best.behind], extra[1][best.history] };
+        const char *const said[3] = { method[best.method], extra[0][best.thickness], extra[1][best.history] };
         for (int k = 0; k < 3 && *words == '*'; ++k) for (const char *m = said[k]; *m; ++m) *at++ = *m;
         if (*words == '#') { *at++ = (char)('0' + n / ten[digit % 5] % 10); ++digit; }
         else if (*words != '*') *at++ = *words;
@@ -3565,8 +3565,14 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
 #endif /* SSGI_IMPLEMENTATION */
 
 /* From 1.0 on a minor version adds: sources still compile, names, units and what zeros mean stay; pixels may change.
-   Before that a minor version may rename: its changes are listed here.
-   CHANGES from 0.1 to 0.2, old -> new:
+   Before that a minor version may rename: its changes are listed here, old -> new.
+
+   CHANGES in 0.3, November 2026
+   Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
+   .thickness; functions in the GLSL, which has words in whole.
+   ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
+
+   CHANGES in 0.2, November 2026
    ssgi_sh_lacking -> ssgi_sh_residual; ssgi_trial, ssgi_plan_try -> ssgi_calibration, ssgi_plan_calibrate (one more
    picture); surfel_desc.aside, .every, .most -> .offscreen_growth, .keep_small, .max_distance; splat.most,
    .brightest, .front -> .max_distance, .max_radiance, .near_depth; field.most -> .max_error; dipole.above, .below,

@@ -1,4 +1,4 @@
-/* ssgi_gl.h - v0.2 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
+/* ssgi_gl.h - v0.3 - screen-space illumination: the GLSL of every pass, as text. C99, includes ssgi.h only.
    Licence: end of ssgi.h.
 
    Do this in *one* C or C++ file:      #define SSGI_IMPLEMENTATION          (unless ssgi.h is implemented elsewhere)
@@ -87,103 +87,204 @@ extern "C" {
 #endif
 
 /* ==== >>desc ====================================================================================================== */
-enum { SSGI_GL_SSAO = 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_LIGHTS, SSGI_GL_SENDERS, SSGI_GL_SHADE,
-       SSGI_GL_FIELD, SSGI_GL_SURFELS, SSGI_GL_SHUFFLE, SSGI_GL_SPLAT, SSGI_GL_UNSHUFFLE, SSGI_GL_SMOOTH, SSGI_GL_SUM,
-       SSGI_GL_BLUR, SSGI_GL_HISTORY, SSGI_GL_COMPOSE, SSGI_GL_PASSES };             /* desc.pass */
-/* VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL. All in set 0: blocks ssgi_frame and ssgi_views at bindings 0, 1,
+/* desc.pass: see PASSES above. */
+enum {
+    SSGI_GL_SSAO = 0,
+    SSGI_GL_HSAO,
+    SSGI_GL_SSDO,
+    SSGI_GL_S3HO,
+    SSGI_GL_LIGHTS,
+    SSGI_GL_SENDERS,
+    SSGI_GL_SHADE,
+    SSGI_GL_FIELD,
+    SSGI_GL_SURFELS,
+    SSGI_GL_SHUFFLE,
+    SSGI_GL_SPLAT,
+    SSGI_GL_UNSHUFFLE,
+    SSGI_GL_SMOOTH,
+    SSGI_GL_SUM,
+    SSGI_GL_BLUR,
+    SSGI_GL_HISTORY,
+    SSGI_GL_COMPOSE,
+    SSGI_GL_PASSES, /* how many */
+};
+
+/* desc.dialect: the language of the text.
+   VULKAN: for SPIR-V, and from that HLSL, MSL, WGSL. All in set 0: blocks ssgi_frame and ssgi_views at bindings 0, 1,
    the texture of unit u at 2 + u, fetched without a sampler; 18 on, and other sets, are yours. Viewport heights are
    positive. ssgi_view_from_projection gets SSGI_CLIP_ZERO and Vulkan's own matrix, y down: row 0 is at NDC y = -1.
    Where the scene has that at 1 (drawn with a negative height; D3D, Metal, WebGPU), negate the matrix's second row; in
    the last three field's and splat's vertex stages negate gl_Position.y: those of make glsl WGSL=1 do. */
-enum { SSGI_GL_330 = 0, SSGI_GL_410, SSGI_GL_450, SSGI_GL_300ES, SSGI_GL_310ES, SSGI_GL_320ES, SSGI_GL_VULKAN,
-       SSGI_GL_DIALECTS };                                                                           /* desc.dialect */
-enum { SSGI_GL_VERTEX = 0, SSGI_GL_FRAGMENT, SSGI_GL_TESS_CONTROL, SSGI_GL_TESS_EVALUATION, SSGI_GL_GEOMETRY,
-       SSGI_GL_STAGES };                                                                   /* stage of ssgi_gl_emit */
+enum {
+    SSGI_GL_330 = 0,
+    SSGI_GL_410,
+    SSGI_GL_450,
+    SSGI_GL_300ES,
+    SSGI_GL_310ES,
+    SSGI_GL_320ES,
+    SSGI_GL_VULKAN,
+    SSGI_GL_DIALECTS, /* how many */
+};
 
-/* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface */
-enum { SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-       SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
-       SSGI_GL_DEPTH_CUSTOM };     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call that */
-/* desc.normal: source and packing of normals */
-enum { SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
-       SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
-       SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
-       SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
-       SSGI_GL_NORMAL_CUSTOM };    /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
-/* desc.noise: the pattern that decorrelates neighbouring pixels */
-enum { SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
-       SSGI_GL_NOISE_TEXTURE };    /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
-enum { SSGI_GL_SLICES = 0,         /* desc.search: planes through the view direction, walked both ways [TLG23] */
-       SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
-       SSGI_GL_MARCH };            /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
-/* desc.behind: thickness of visible surfaces, away from the viewer */
-enum { SSGI_GL_BEHIND_CONSTANT = 0,/* frame.thickness */
-       SSGI_GL_BEHIND_SOLID,       /* unlimited */
-       SSGI_GL_BEHIND_BACK,        /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); for
-                                      sheets, and where there is none, frame.thickness */
-       SSGI_GL_BEHIND_SLABS };     /* and from the next front face behind that to its back face: two more, peeled */
-/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions.
-   SQUARE is what a bounce needs that restores clamped virtual point lights (ssgi_gl_light.min_distance = radius) */
-enum { SSGI_GL_FALLOFF_LINEAR = 0 /* 1 - t/radius, the paper's */, SSGI_GL_FALLOFF_SQUARE /* 1 - (t/radius)^2 */ };
-/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows */
-enum { SSGI_GL_FADE_NONE = 0,
-       SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
-       SSGI_GL_FADE_LAMBDA };      /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
-enum { SSGI_GL_ENVIRONMENT_NONE = 0, /* desc.environment */
-       SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
-       SSGI_GL_ENVIRONMENT_MAP };  /* world space, a look-up a direction: ssgi_environment_map */
-/* desc.bounce: estimator of what an occluded direction receives */
-enum { SSGI_GL_BOUNCE_NONE = 0,
-       SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never brighter than it */
-       SSGI_GL_BOUNCE_PATCH };     /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
-/* desc.shadow: how a light's visibility is tested */
-enum { SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
-       SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
-       SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over what the bias skips [SSDO09 5]; without a map, SEGMENT */
-       SSGI_GL_SHADOW_NONE };
-/* desc.radiance: what senders send */
-enum { SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
-       SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
-       SSGI_GL_RADIANCE_BOTH,      /* the sum */
-       SSGI_GL_RADIANCE_ALBEDO };  /* albedo alone: what s3ho reads, whose light comes later */
-/* desc.transfer: what the coefficients of s3ho hold */
-enum { SSGI_GL_TRANSFER_DIRECT = 0,  /* one set: the transfer of unoccluded directions */
-       SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-       SSGI_GL_TRANSFER_REFLECTED }; /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
-/* desc.shading: how the coefficients are shaded */
-enum { SSGI_GL_SHADING_HARMONICS = 0,/* dot product with frame.harmonics [S3HO12 2.2] */
-       SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
-       SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
-       SSGI_GL_SHADING_BENT };     /* no light: that direction, view space, unit; cosine of the cone's half-angle */
-/* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened */
-enum { SSGI_GL_OBJECTS_NONE = 0,
-       SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
-       SSGI_GL_OBJECTS_CUSTOM };   /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
-/* desc.effect: what surfels do to pixels */
-enum { SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-       SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels block of the environment */
-       SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
-       SSGI_GL_EFFECT_SPECULAR,    /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
-       SSGI_GL_EFFECT_SCATTER };   /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
-/* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards */
-enum { SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
-       SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
-                                      the environment, open, if desc.environment */
-       SSGI_GL_SENDS_CUSTOM };     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
-/* desc.colour: what blur and history filter: ambient visibility; light, three channels; coefficients of s3ho */
-enum { SSGI_GL_GREY = 0, SSGI_GL_COLOUR, SSGI_GL_COEFFICIENTS };
-/* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE */
-enum { SSGI_GL_ONTO_NONE = 0,
-       SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
-       SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
-       SSGI_GL_ONTO_AMBIENT };     /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
-/* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across
-   creases: blur puts it back unfiltered, at full size */
-enum { SSGI_GL_RESTORE_NONE = 0,
-       SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
-       SSGI_GL_RESTORE_DIFFERENCE }; /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
-enum { SSGI_GL_BILATERAL = 0,      /* desc.filter: box over a tile, weighted by distance to the tangent plane */
-       SSGI_GL_GAUSSIAN };         /* the paper's, weighted by the inverse of the depth difference [HSAO08 4.1.3] */
+/* Stages of ssgi_gl_emit. */
+enum {
+    SSGI_GL_VERTEX = 0,
+    SSGI_GL_FRAGMENT,
+    SSGI_GL_TESS_CONTROL,
+    SSGI_GL_TESS_EVALUATION,
+    SSGI_GL_GEOMETRY,
+    SSGI_GL_STAGES, /* how many */
+};
+
+/* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface. */
+enum {
+    SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
+    SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
+    SSGI_GL_DEPTH_CUSTOM,       /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
+};
+
+/* desc.normal: source and packing of normals. */
+enum {
+    SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
+    SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
+    SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
+    SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
+    SSGI_GL_NORMAL_CUSTOM,      /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+};
+
+/* desc.noise: the pattern that decorrelates neighbouring pixels. */
+enum {
+    SSGI_GL_NOISE_GRADIENT = 0, /* interleaved gradient noise: suits a filter of 3x3 */
+    SSGI_GL_NOISE_TEXTURE,      /* your texture, tiled: z in [-0.5,0.5] offsets steps, w in [0,1) turns directions */
+};
+
+/* desc.search: where a gather looks for what occludes. */
+enum {
+    SSGI_GL_SLICES = 0,         /* planes through the view direction, walked both ways [TLG23] */
+    SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
+    SSGI_GL_MARCH,              /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+};
+
+/* desc.thickness: how far visible surfaces reach, away from the viewer. */
+enum {
+    SSGI_GL_THICKNESS_CONSTANT = 0, /* frame.thickness */
+    SSGI_GL_THICKNESS_SOLID,    /* without end */
+    SSGI_GL_THICKNESS_BACK,     /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); of sheets,
+                                   and where there is none, frame.thickness */
+    SSGI_GL_THICKNESS_SLABS,    /* and from the next front face behind that to its back face: two more, peeled */
+};
+
+/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions. */
+enum {
+    SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
+    SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: what a bounce needs that restores what virtual point lights clamp
+                                   (ssgi_gl_light.min_distance = radius) */
+};
+
+/* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows. */
+enum {
+    SSGI_GL_FADE_NONE = 0,
+    SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
+    SSGI_GL_FADE_LAMBDA,        /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
+};
+
+/* desc.environment: where the light of the environment comes from. */
+enum {
+    SSGI_GL_ENVIRONMENT_NONE = 0,
+    SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
+    SSGI_GL_ENVIRONMENT_MAP,    /* world space, a look-up a direction: ssgi_environment_map */
+};
+
+/* desc.bounce: estimator of what an occluded direction receives. */
+enum {
+    SSGI_GL_BOUNCE_NONE = 0,
+    SSGI_GL_BOUNCE_SOLID_ANGLE, /* the sender's radiance over the sample's solid angle: never brighter than it */
+    SSGI_GL_BOUNCE_PATCH,       /* the paper's: a patch of pi r^2/N, clamped at frame.distance_clamp [SSDO09 3] */
+};
+
+/* desc.shadow: how a light's visibility is tested. */
+enum {
+    SSGI_GL_SHADOW_SEGMENT = 0, /* points on the segment to the light, radius long at most, in screen space */
+    SSGI_GL_SHADOW_MAP,         /* your shadow maps, with a bias; lights without a map are unshadowed */
+    SSGI_GL_SHADOW_FILL,        /* MAP, and SEGMENT over what the bias skips [SSDO09 5]; without a map, SEGMENT */
+    SSGI_GL_SHADOW_NONE,
+};
+
+/* desc.radiance: what senders send. */
+enum {
+    SSGI_GL_RADIANCE_LIGHT = 0, /* albedo times what ssdo, shade or lights wrote */
+    SSGI_GL_RADIANCE_DIRECT,    /* your own texture of outgoing radiance */
+    SSGI_GL_RADIANCE_BOTH,      /* the sum */
+    SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone: what s3ho reads, whose light comes later */
+};
+
+/* desc.transfer: what the coefficients of s3ho hold. */
+enum {
+    SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
+    SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
+    SSGI_GL_TRANSFER_REFLECTED, /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
+};
+
+/* desc.shading: how the coefficients are shaded. */
+enum {
+    SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
+    SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
+    SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
+    SSGI_GL_SHADING_BENT,       /* no light: that direction, view space, unit; cosine of the cone's half-angle */
+};
+
+/* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened. */
+enum {
+    SSGI_GL_OBJECTS_NONE = 0,
+    SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
+    SSGI_GL_OBJECTS_CUSTOM,     /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
+};
+
+/* desc.effect: what surfels do to pixels. */
+enum {
+    SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
+    SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels block of the environment */
+    SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
+    SSGI_GL_EFFECT_SPECULAR,    /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
+    SSGI_GL_EFFECT_SCATTER,     /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
+};
+
+/* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards. */
+enum {
+    SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
+    SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
+                                   the environment, open, if desc.environment */
+    SSGI_GL_SENDS_CUSTOM,       /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+};
+
+/* desc.colour: what blur and history filter. */
+enum {
+    SSGI_GL_GREY = 0,           /* ambient visibility */
+    SSGI_GL_COLOUR,             /* light, three channels */
+    SSGI_GL_COEFFICIENTS,       /* of s3ho */
+};
+
+/* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE. */
+enum {
+    SSGI_GL_ONTO_NONE = 0,
+    SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
+    SSGI_GL_ONTO_MULTIPLY_SRGB, /* values that are stored encoded, by the power of 1/2.2 */
+    SSGI_GL_ONTO_AMBIENT,       /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
+};
+
+/* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across creases:
+   blur puts it back unfiltered, at full size. */
+enum {
+    SSGI_GL_RESTORE_NONE = 0,
+    SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
+    SSGI_GL_RESTORE_DIFFERENCE, /* light less unoccluded light: for transfer BOTH, whose light may exceed it */
+};
+
+/* desc.filter: how a neighbour is weighted. */
+enum {
+    SSGI_GL_BILATERAL = 0,      /* a box over a tile, by its distance to the tangent plane */
+    SSGI_GL_GAUSSIAN,           /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
+};
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
    and what is off leaves no text behind. A comment begins with the passes that look at the field; the others ignore it,
@@ -211,13 +312,13 @@ typedef struct ssgi_gl_desc {
     int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
     int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
     int steps;           /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
-    int behind;          /* SSGI_GL_BEHIND_CONSTANT .. */
+    int thickness;       /* SSGI_GL_THICKNESS_CONSTANT .. */
     int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
     int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
     int fade;            /* points   SSGI_GL_FADE_NONE .. */
     int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
     int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
-                            the next; an odd last one as behind says */
+                            the next; an odd last one as thickness says */
     int views;           /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
                             front of its depth; occluded if none does and one finds it inside a solid */
     int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
@@ -282,7 +383,7 @@ typedef struct ssgi_gl_desc {
      march         4x6, 6x9 + 1 normal ray, 8x18 + 2 (directions x steps)
      points        ssdo, s3ho: half 4x4, 4x4, 8x6 (directions x points)
      ssao, lights  8, 16, 32 points; 4, 8, 16 on each segment
-   All else stays, desc.behind, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
+   All else stays, desc.thickness, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
    without such settings are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
@@ -450,7 +551,7 @@ typedef struct ssgi_gl_frame {
     int32_t target[2];   /* [units: texels]  first texel of the image in what passes write; half of it in half size */
     float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
     float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.behind has
+    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness has
                             no other; 1 radius suits ssao, 0.5 march, 0.4 light */
     float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
     float   fade;        /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
@@ -643,8 +744,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "ssgi_slabs", __LINE__ + 1,
     "// view depths: the nearest back face at or behind what is seen, the next front face behind it, and its end\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
-    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if behind == BACK\n"
-    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if behind == SLABS\n"
+    "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if thickness == BACK\n"
+    "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if thickness == SLABS\n"
     "    z = vec3(ssgi_unskew(z.x, p), ssgi_unskew(z.y, p), ssgi_unskew(z.z, p)); // #if depth == WINDOW && oblique\n"
     "    return vec3(ssgi_decode(z.x), ssgi_decode(z.y), ssgi_decode(z.z)); // #if depth == WINDOW\n"
     "    return min(mix(vec3(SSGI_FAR), z, greaterThan(z, vec3(0.0))), SSGI_FAR); // #if depth != WINDOW\n"
@@ -1002,7 +1103,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    for (int j = 0; j < layers; j += 2) {\n"
     "        ssgi_solid a = ssgi_solid_at(v, p, j, layers);\n"
     "        float back = a.back;\n"
-    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if behind != SOLID\n"
+    "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if thickness != SOLID\n"
     "        if (!known && s <= a.front - slack) found = -1.0;\n"
     "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
     "        // within the slack in front of a surface is unknown, too\n"
@@ -1054,7 +1155,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec2 front = vec2(z, back.y);\n"
     "    vec2 end_ = front + ssgi_slab_thickness(front, back.xz, vec2(ssgi_footprint(z)));\n"
     "    bool first = s > z && s < end_.x;\n"
-    "#if behind == SLABS\n"
+    "#if thickness == SLABS\n"
     "    bool second = !first && s > back.y && s < end_.y;\n"
     "    if (second) z = back.y;\n"
     "    if (second) ssgi_sender.xyz = vec3(0.0); // its radiance is unknown // #if bounce\n"
@@ -1066,14 +1167,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
-    "// occlusion of S: behind the visible surface within its thickness (desc.behind); 0 off screen, behind the eye\n"
+    "// occlusion of S: behind the visible surface within its thickness (desc.thickness); 0 off screen, behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
     "    float z = ssgi_sending_depth(p); // #if bounce\n"
-    "    bool found = -S.z > z; // #if behind == SOLID\n"
-    "    bool found = -S.z > z && -S.z < z + ssgi_thickness(); // #if behind == CONSTANT\n"
-    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if behind > SOLID\n"
+    "    bool found = -S.z > z; // #if thickness == SOLID\n"
+    "    bool found = -S.z > z && -S.z < z + ssgi_thickness(); // #if thickness == CONSTANT\n"
+    "    bool found = ssgi_in_slabs(p, -S.z, z); // #if thickness > SOLID\n"
     "    return S.z < 0.0 && ssgi_inside(p) && found\n"
     "        ? ssgi_fade_weight(ssgi_point(-1, p, z)) : 0.0; // #if fade || range\n"
     "        ? 1.0 : 0.0; // #if !(fade || range)\n"
@@ -1359,7 +1460,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (contact >= 0.0) reach = min(reach, contact); // #if shadow == FILL\n"
     "    // distances below a pixel are left to the map // #if shadow == FILL\n"
     "    if (contact >= 0.0 && contact < ssgi_footprint(-P.z)) reach = 0.0; // #if shadow == FILL\n"
-    "    ssgi_segment_length = reach; // #if behind != SOLID\n"
+    "    ssgi_segment_length = reach; // #if thickness != SOLID\n"
     "    vec3 start = ssgi_lift(P, n), along = s.way * reach;\n"
     "    xi = fract(xi + 0.61803399 * float(i)); // by the golden ratio: another offset for every light\n"
     "    for (int k = 0; k < SSGI_SAMPLES; ++k)\n"
@@ -1761,7 +1862,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- The walk: planes through the view direction, from near to far [TLG23]. Each side has 32 sectors of equal
    cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
-   distance; the surface has the thickness of desc.behind. Taps of one surface are joined: they also cover the sectors
+   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the sectors
    between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over the
    tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
 
@@ -1796,7 +1897,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "const float SSGI_OVER = 0.4; // the same beyond the zenith: rounding, or a texel off the slice\n" },
 
 { "SSGI_JOINED", __LINE__ + 1,
-    "const float SSGI_JOINED = 4.0; // behind CONSTANT: slope up to which taps are joined\n" },
+    "const float SSGI_JOINED = 4.0; // thickness CONSTANT: slope up to which taps are joined\n" },
 
 { "SSGI_UNSEEN", __LINE__ + 1,
     "const float SSGI_UNSEEN = 0.25; // what the unseen side of a sender sends, of what is seen: measured\n" },
@@ -1892,8 +1993,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "struct ssgi_walked { // what the steps so far leave to the next, a side each\n"
     "    uvec2 mask; // sectors that are covered\n"
     "    vec2 distance, u; // of the last taps: from the receiver; along the slice, of the radius\n"
-    "    vec2 low, high, z; // its arc, its view depth // #if behind != SOLID\n"
-    "    vec2 end_; // where its surface ends // #if behind > SOLID\n"
+    "    vec2 low, high, z; // its arc, its view depth // #if thickness != SOLID\n"
+    "    vec2 end_; // where its surface ends // #if thickness > SOLID\n"
     "    vec2 c, h; // lower elevation of the covered arc // #if environment\n"
     "    vec2 share, shared_c, shared_h; // blocked so far, and times its elevation // #if environment\n"
     "};\n" },
@@ -1903,8 +2004,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    ssgi_walked w;\n"
     "    w.mask = uvec2(0u);\n"
     "    w.distance = w.u = vec2(0.0);\n"
-    "    w.low = w.high = vec2(0.0), w.z = vec2(z); // #if behind != SOLID\n"
-    "    w.end_ = w.z; // #if behind > SOLID\n"
+    "    w.low = w.high = vec2(0.0), w.z = vec2(z); // #if thickness != SOLID\n"
+    "    w.end_ = w.z; // #if thickness > SOLID\n"
     "    w.c = vec2(1.0), w.h = vec2(0.0); // #if environment\n"
     "    w.share = w.shared_c = w.shared_h = vec2(0.0); // #if environment\n"
     "    return w;\n"
@@ -1936,13 +2037,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 o = ssgi_unpack_normal(s.y);\n"
     "    float facing = -dot(o, d), edge = 0.03 * length(d); // #if !two_sided\n"
     "    share *= facing > edge ? 1.0 : facing < -edge ? SSGI_UNSEEN : 0.0; // #if !two_sided\n"
-    "    share += SSGI_SECOND * second; // #if behind == SLABS\n"
+    "    share += SSGI_SECOND * second; // #if thickness == SLABS\n"
     "    sums.bounce += ssgi_unpack_radiance(s.x) * share; // #if pass == SSDO\n"
     "    ssgi_reflected(sums.bounce, o, d, ssgi_unpack_radiance(s.x) * share); // #if pass != SSDO\n"
     "}\n" },
 
 { "ssgi_cover", __LINE__ + 1,
-    "#if behind == SOLID\n"
+    "#if thickness == SOLID\n"
     "// covers what a step's taps block; share of the hemisphere that is newly blocked\n"
     "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t) {\n"
     "    uvec2 arc = ssgi_sectors(vec2(0.0), ssgi_sector(s, t.c, t.up));\n"
@@ -1957,13 +2058,13 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_cover", __LINE__ + 1,
-    "#if behind != SOLID\n"
+    "#if thickness != SOLID\n"
     "// covers what a step's taps block, whose thickness is `deep`; share of the hemisphere that is newly blocked\n"
     "vec2 ssgi_cover(ssgi_slice s, inout ssgi_walked w, ssgi_taps t, vec2 deep, vec2 gap) {\n"
     "    vec2 x = t.x, y = t.y, high = ssgi_sector(s, t.c, t.up), low = min(ssgi_deepen(s, x, y, t.z, deep), high);\n"
     "    vec2 l = t.distance;\n"
-    "    bvec2 joined = lessThan(abs(t.z - w.z), SSGI_JOINED * gap); // #if behind == CONSTANT\n"
-    "#if behind > SOLID\n"
+    "    bvec2 joined = lessThan(abs(t.z - w.z), SSGI_JOINED * gap); // #if thickness == CONSTANT\n"
+    "#if thickness > SOLID\n"
     "    vec2 end_ = t.z + deep;\n"
     "    bvec2 joined = lessThan(max(t.z - w.end_, w.z - end_), gap); // their depths overlap\n"
     "    w.end_ = mix(vec2(-SSGI_FAR), end_, t.seen);\n"
@@ -2013,12 +2114,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: from tap to tap\n"
     "        gap *= share; // #if span\n"
     "        w.u = u;\n"
-    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if behind > SOLID\n"
-    "        vec2 deep = ssgi_slab_thickness(t.z, vec2(back0.x, back1.x), gap); // #if behind > SOLID\n"
-    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if behind > SOLID\n"
-    "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if behind == CONSTANT\n"
-    "        vec2 first = ssgi_cover(s, w, t); // #if behind == SOLID\n"
-    "#if behind == SLABS\n"
+    "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if thickness > SOLID\n"
+    "        vec2 deep = ssgi_slab_thickness(t.z, vec2(back0.x, back1.x), gap); // #if thickness > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, deep, gap); // #if thickness > SOLID\n"
+    "        vec2 first = ssgi_cover(s, w, t, vec2(u_ssgi_thickness), gap); // #if thickness == CONSTANT\n"
+    "        vec2 first = ssgi_cover(s, w, t); // #if thickness == SOLID\n"
+    "#if thickness == SLABS\n"
     "        second = ssgi_cover_second(s, w, t, vec2(back0.y, back1.y), vec2(back0.z, back1.z), gap);\n"
     "#endif\n"
     "        sums.all += first.x + first.y + second.x + second.y; // #if pass == HSAO\n"
@@ -3058,8 +3159,8 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__Y("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
     SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
     SSGI_GL__Y("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
-    SSGI_GL__Y("back", 13, "behind != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
-    SSGI_GL__Y("back", 13, "behind == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
+    SSGI_GL__Y("back", 13, "thickness != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
+    SSGI_GL__Y("back", 13, "thickness == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
                "back face; next front face behind it; next back face behind that"),
     SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
     SSGI_GL__Y("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
@@ -3174,7 +3275,7 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
     SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"), SSGI_GL__B(orthographic),
     SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines), SSGI_GL__B(left_handed), SSGI_GL__B(oblique),
     SSGI_GL__B(multisampled), SSGI_GL__B(array), SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64), SSGI_GL__I(steps, 64), SSGI_GL__E(behind, BEHIND, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__I(samples, 64), SSGI_GL__I(steps, 64), SSGI_GL__E(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
     SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"), SSGI_GL__B(kernel),
     SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"), SSGI_GL__B(range), SSGI_GL__I(layers, 8),
     SSGI_GL__I(views, 4), SSGI_GL__I(view_layers, 8), SSGI_GL__I(receiver, 7),
@@ -3222,14 +3323,14 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
-    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.behind); hidden layers "
+    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
       "need SSGI_GL_POINTS or _MARCH" },
-    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.behind); extra cameras need "
+    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
-    { "(behind == BACK || behind == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.behind: back faces are "
-      "those of one layer and camera; layers and views want SSGI_GL_BEHIND_CONSTANT or _SOLID" },
+    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.thickness: back faces are "
+      "those of one layer and camera; layers and views want SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
     { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
     { "pass == HISTORY && colour == COEFFICIENTS",
@@ -3311,7 +3412,7 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     if (d.pass == SSGI_GL_SSDO && !d.environment) d.environment = SSGI_GL_ENVIRONMENT_MAP;
     SSGI_GL__TRY(ssgi_gl_preset(&d, SSGI_GL_BALANCED, why));
     d.half = plan->half;
-    d.directions = plan->directions, d.steps = plan->steps, d.behind = plan->behind;
+    d.directions = plan->directions, d.steps = plan->steps, d.thickness = plan->thickness;
     d.bands = plan->bands, d.levels = plan->levels, d.filter_radius = plan->filter_radius;
     if (d.pass == SSGI_GL_S3HO) {
         d.shaded = d.residual = 1;

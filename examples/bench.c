@@ -102,7 +102,7 @@ static int measure(row *r, int s, kit_gbuffer *g, float radius, const kit_world 
 /* Every choice of the plan but surfels and fields: its time over that of an unblurred 16-sample ssao. */
 static int plan_csv(const char *path, kit_gbuffer *g, float radius, const kit_world *world, kit_error *err)
 {
-    ssgi_plan_scene s = { .behind = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .map = 1 };
     row unit = { .set = "samples=16,blur=0" }, r = { .set = "" };
     FILE *f = fopen(path, "w");
     int failed = f ? 0 : kit_fail(err, "%s: cannot be written", path);
@@ -203,8 +203,8 @@ int main(int argc, char **argv)
                 if (!*r->why && measure(r, s, &g, scene.radius, &world, &why))
                     snprintf(r->why, sizeof r->why, "%.150s", why.text);
                 const int behind = (int)kit_method_value(&r->method, "behind");
-                const int two = behind == SSGI_GL_BEHIND_SLABS;     /* anew: the first was of a cold program */
-                if (behind >= SSGI_GL_BEHIND_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
+                const int two = behind == SSGI_GL_THICKNESS_SLABS;     /* anew: the first was of a cold program */
+                if (behind >= SSGI_GL_THICKNESS_BACK && !kit_gbuffer_slabs(&g, &scene, 1 + two, NULL))
                     r->slabs[s] = k ? fmin(r->slabs[s], g.slab_ms[two]) : g.slab_ms[two];
                 kit_progress(s ? "3840x2160" : "1920x1080", ((double)k * count + i + 1) / (count * (ROUNDS + 0.01)));
             }

@@ -95,8 +95,8 @@ static void know(measured *row, int count)
             ssgi_calibration *c = &row[k].scene.calibration;
             if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
             if (r->method == SSGI_PLAN_NOTHING) c->unoccluded = (float)row[i].error;
-            if (balanced && !r->behind) c->hsao = (float)row[i].error;
-            if (balanced && r->behind == SSGI_PLAN_SLABS) c->slabs = (float)row[i].error;
+            if (balanced && !r->thickness) c->hsao = (float)row[i].error;
+            if (balanced && r->thickness == SSGI_PLAN_SLABS) c->slabs = (float)row[i].error;
         }
     }
 }
@@ -187,14 +187,14 @@ int main(int argc, char **argv)
             equations[n].square = row[i].error * row[i].error;
             ssgi__plan_terms(equations[n].term, r, &row[i].scene);
             /* a row's error follows the calibration of its own thickness model */
-            if (!r->behind && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
-            if (r->behind == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+            if (!r->thickness && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+            if (r->thickness == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
             ++n;
         }
         const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
         for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
         printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
-               behind[r->behind], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
+               behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
         printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
         for (int k = 0; k < 2; ++k) {
             qsort(costs[k], (size_t)n, sizeof **costs, by_value);

@@ -159,7 +159,7 @@ static const char *plan_name(char out[320], const ssgi_plan *p, int wanted)
 
 static int same_plan(const ssgi_plan *a, const ssgi_plan *b)
 {
-    return a->method == b->method && a->behind == b->behind && a->half == b->half && a->directions == b->directions
+    return a->method == b->method && a->thickness == b->thickness && a->half == b->half && a->directions == b->directions
            && a->steps == b->steps && a->bands == b->bands && a->history == b->history
            && a->resolution == b->resolution && !(fabsf(a->size - b->size) > 0);
 }

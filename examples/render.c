@@ -410,51 +410,17 @@ static double slabs_ms(const kit_run *run) { return run->gbuffer->slab_ms[0] + r
 
 /* ---- >>report ---------------------------------------------------------------------------------------------------- */
 
-/* Bytes of the character of UTF-8 at s; 0: it is none. */
-static int utf8_length(const unsigned char *s)
-{
-    const int length = *s < 0x80 ? 1 : *s >= 0xc2 && *s < 0xe0 ? 2 : *s >= 0xe0 && *s < 0xf0 ? 3
-                     : *s >= 0xf0 && *s < 0xf5 ? 4 : 0;
-    for (int i = 1; i < length; ++i) if ((s[i] & 0xc0) != 0x80) return 0;
-    /* longer than need be, a surrogate, past the last one */
-    if ((*s == 0xe0 && s[1] < 0xa0) || (*s == 0xed && s[1] > 0x9f) || (*s == 0xf0 && s[1] < 0x90)
-        || (*s == 0xf4 && s[1] > 0x8f)) return 0;
-    return length;
-}
-
-/* A string of JSON. What is no UTF-8, as names of files may be, becomes U+FFFD. */
-static void json_string(FILE *f, const char *s)
-{
-    fputc('"', f);
-    while (*s) {
-        const int length = utf8_length((const unsigned char *)s);
-        if (!length) fputs("\\ufffd", f);
-        else if ((unsigned char)*s < 32 || *s == 127) fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s);
-        else fprintf(f, "%s%.*s", *s == '"' || *s == '\\' ? "\\" : "", length, s);
-        s += length ? length : 1;
-    }
-    fputc('"', f);
-}
-
-/* A number of JSON, which has no infinity: null. decimals: so many behind the point; below 0: so many digits in all. */
-static void json_number(FILE *f, double v, int decimals)
-{
-    if (!isfinite(v)) fputs("null", f);
-    else if (decimals < 0) fprintf(f, "%.*g", -decimals, v);
-    else fprintf(f, "%.*f", decimals, v);
-}
-
 /* Members of an object: the first has before = "". */
 static void json_text(const char *before, const char *key, const char *value)
 {
     printf("%s\"%s\": ", before, key);
-    json_string(stdout, value);
+    kit_json_string(stdout, value);
 }
 
 static void json_value(const char *before, const char *key, double value, int decimals)
 {
     printf("%s\"%s\": ", before, key);
-    json_number(stdout, value, decimals);
+    kit_json_number(stdout, value, decimals);
 }
 
 static void json_plan(const ssgi_plan *plan)

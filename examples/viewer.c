@@ -719,7 +719,7 @@ static void gbuffer_use(const gbuffer *g, GLuint program, GLuint framebuffer, co
     glUniformMatrix4fv(glGetUniformLocation(program, "projection"), 1, GL_FALSE, projection);
 }
 
-/* behind: SSGI_GL_BEHIND_BACK wants one more draw, depth alone; _SLABS three, each of which peels by the one before. */
+/* behind: SSGI_GL_THICKNESS_BACK wants one more draw, depth alone; _SLABS three, each of which peels by the one before. */
 static void gbuffer_draw(gbuffer *g, const float view[16], const float projection[16], int behind)
 {
     static const GLfloat none[4], all_far[4] = { 1, 1, 1, 1 }, farthest = 1;
@@ -732,16 +732,16 @@ static void gbuffer_draw(gbuffer *g, const float view[16], const float projectio
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     glDrawArrays(GL_TRIANGLES, 0, g->count);
     timer_end(&g->time);
-    if (behind < SSGI_GL_BEHIND_BACK) { glDisable(GL_DEPTH_TEST); return; }
+    if (behind < SSGI_GL_THICKNESS_BACK) { glDisable(GL_DEPTH_TEST); return; }
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     timer_begin(&g->slab_time);
-    if (behind == SSGI_GL_BEHIND_BACK) {
+    if (behind == SSGI_GL_THICKNESS_BACK) {
         gbuffer_use(g, g->draw, g->back_framebuffer, view, projection);
         glClearBufferfv(GL_DEPTH, 0, &farthest);
         glDrawArrays(GL_TRIANGLES, 0, g->count);
     }
-    for (int i = 0; i < 3 && behind == SSGI_GL_BEHIND_SLABS; ++i) {
+    for (int i = 0; i < 3 && behind == SSGI_GL_THICKNESS_SLABS; ++i) {
         gbuffer_use(g, g->peel, g->slab_framebuffer[i & 1], view, projection);
         if (!i) {
             glBindFramebuffer(GL_FRAMEBUFFER, g->slab_framebuffer[1]);
@@ -1147,7 +1147,7 @@ static int half_open(viewer *v, half *h)
     want.desc.search = methods[m].search;
     want.desc.environment = methods[m].lit ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
     if (ssgi_gl_preset(&want.desc, h->preset, &why) != SSGI_OK) return kit_fail(&v->err, "%s", why);
-    want.desc.behind = v->behind;
+    want.desc.thickness = v->behind;
     want.desc.orthographic = !(v->camera.fovy > 0);
     want.desc.normal = v->from_depth ? SSGI_GL_NORMAL_FROM_DEPTH : SSGI_GL_NORMAL_SIGNED;
     if (methods[m].pass == SSGI_GL_SSDO) want.desc.bounce = SSGI_GL_BOUNCE_SOLID_ANGLE;
@@ -1196,7 +1196,7 @@ static int half_draw(viewer *v, half *h, const float to_view[16], const float pr
     yours[SSGI_GL_YOUR_DEPTH] = v->gbuffer.depth;
     yours[SSGI_GL_YOUR_NORMAL] = v->gbuffer.normal;
     yours[SSGI_GL_YOUR_ALBEDO] = v->gbuffer.albedo;
-    yours[SSGI_GL_YOUR_BACK] = v->behind == SSGI_GL_BEHIND_SLABS ? v->gbuffer.slabs : v->gbuffer.back;
+    yours[SSGI_GL_YOUR_BACK] = v->behind == SSGI_GL_THICKNESS_SLABS ? v->gbuffer.slabs : v->gbuffer.back;
     yours[SSGI_GL_YOUR_ENVIRONMENT] = h->environment;
     yours[SSGI_GL_YOUR_IRRADIANCE] = h->irradiance;
     chain_draw(&h->chain, &frame, yours);
@@ -1389,7 +1389,7 @@ static void overlay(viewer *v)
             slash ? slash + 1 : v->scene.name, (double)v->scene.mesh.triangles * about, about < 1 ? "k" : "",
             v->camera.width, v->camera.height, v->gbuffer.time.ms, software ? ", drawn by the CPU" : "");
         add(text, sizeof text, "\nradius %.3g, behind: %s", (double)v->radius, behinds[v->behind]);
-        if (v->behind >= SSGI_GL_BEHIND_BACK) add(text, sizeof text, " (%.2f ms)", v->gbuffer.slab_time.ms);
+        if (v->behind >= SSGI_GL_THICKNESS_BACK) add(text, sizeof text, " (%.2f ms)", v->gbuffer.slab_time.ms);
         add(text, sizeof text, "%s%s", v->history ? ", history" : "", v->from_depth ? ", normals from depth" : "");
         if (v->noted > 0 && kit_seconds() < v->noted + 4) add(text, sizeof text, "   %s", v->note);
         else add(text, sizeof text, "   h: keys");

@@ -367,7 +367,7 @@ static void plans(const float *f, size_t count, const uint8_t *data, size_t size
     memset(&was, 7, sizeof was);
     plan = was;
     s.wanted = data[0] % 6 - 1;
-    s.behind = data[1 % size] % 6 - 1;
+    s.thickness = data[1 % size] % 6 - 1;
     s.device = data[2 % size] % 4 - 1;
     s.history = data[7 % size] % 2;
     s.occluders = data[3 % size];

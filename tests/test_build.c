@@ -324,9 +324,9 @@ static void documentation(void)
         "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"),
         getenv("PWD")),
           "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
-    CHECK(!shell(text, sizeof text, "grep -q 'v0.2 ' '%s/ssgi.h' && grep -q 'v0.2 ' '%s/ssgi_gl.h'", getenv("PWD"),
+    CHECK(!shell(text, sizeof text, "grep -q 'v0.3 ' '%s/ssgi.h' && grep -q 'v0.3 ' '%s/ssgi_gl.h'", getenv("PWD"),
                  getenv("PWD"))
-              && SSGI_VERSION == 200 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 2,
+              && SSGI_VERSION == 300 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 3,
           "the headers' first lines and SSGI_VERSION disagree");
 }
 
@@ -492,12 +492,12 @@ static void packages(void)
     write_text("app/app.c", program);
     if (has("pkg-config"))
         CHECK(!shell(text, sizeof text, "export PKG_CONFIG_PATH=$PWD/to/usr/share/pkgconfig && pkg-config "
-                     "--exact-version=0.2 ssgi && gcc $(pkg-config --cflags ssgi) app/app.c -o app/app "
+                     "--exact-version=0.3 ssgi && gcc $(pkg-config --cflags ssgi) app/app.c -o app/app "
                      "$(pkg-config --libs ssgi) && app/app%s%s", "", ""), "%s", text);
     if (has("cmake")) {
         write_text("app/CMakeLists.txt",
-                   "cmake_minimum_required(VERSION 3.5)\nproject(app C)\nfind_package(ssgi 0.2 REQUIRED)\n"
-                   "find_package(ssgi 0.1 QUIET)\nif(ssgi_FOUND)\n  message(FATAL_ERROR \"0.2 passes for 0.1\")\n"
+                   "cmake_minimum_required(VERSION 3.5)\nproject(app C)\nfind_package(ssgi 0.3 REQUIRED)\n"
+                   "find_package(ssgi 0.2 QUIET)\nif(ssgi_FOUND)\n  message(FATAL_ERROR \"0.3 passes for 0.2\")\n"
                    "endif()\nadd_executable(app app.c)\ntarget_link_libraries(app ssgi::ssgi)\n");
         CHECK(!shell(text, sizeof text, "cmake -S app -B app/build -DCMAKE_PREFIX_PATH=$PWD/to/usr -DCMAKE_C_COMPILER_"
                      "WORKS=1 && cmake --build app/build && app/build/app%s%s", "", ""), "%s", text);

@@ -1139,7 +1139,7 @@ static void fetches_are_counted(void)
         d.pass = row[i / 2].pass;
         d.search = row[i / 2].search;
         d.normal_rays = row[i / 2].rays;
-        d.behind = row[i / 2].behind;
+        d.thickness = row[i / 2].behind;
         d.normal = row[i / 2].normal;
         d.directions = 3;
         const GLuint program = kit_pass_program(&d, &err);

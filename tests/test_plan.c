@@ -24,7 +24,7 @@ static void follows(void)
     ssgi_plan_scene s = { .wanted = SSGI_PLAN_LIGHT,
                           .screen_radius = 0.2f,
                           .calibration = { 1, 0.15f, 0.045f, 0.04f },
-                          .behind = SSGI_PLAN_SLABS,
+                          .thickness = SSGI_PLAN_SLABS,
                           .surfels = 0.2,
                           .map = 1 };
     ssgi_plan p;
@@ -43,7 +43,7 @@ static void follows(void)
     ssgi_sh_light(sh, 4, right, 0.25f, turquoise, SSGI_SH_WINDOW_NONE, NULL);
     ssgi_sh_energy(s.energy, 4, sh, 3);
     s.calibration = (ssgi_calibration){ 1, 0.16f, 0.13f, 0.12f };
-    s.behind = s.map = 0;
+    s.thickness = s.map = 0;
     int bands = 0;
     for (s.error = 0.106f; s.error < 0.125f; s.error += 0.004f) {
         p = made(&s);
@@ -60,18 +60,18 @@ static void follows(void)
     for (s.wanted = 0; s.wanted < 3; ++s.wanted)
         for (int given = 0; given <= SSGI_PLAN_SLABS; ++given)
             for (s.error = 0.01f; s.error < 0.2f; s.error *= 1.3f) {
-                s.behind = given;
+                s.thickness = given;
                 p = made(&s);
-                CHECK(p.behind <= given && !p.history && p.method != SSGI_PLAN_SURFELS,
+                CHECK(p.thickness <= given && !p.history && p.method != SSGI_PLAN_SURFELS,
                       "%d given, %g of %d: %s", given, (double)s.error, s.wanted, p.why);
             }
     /* Slabs are bought where they are what helps, unless depth passes are dear; the nearest is told where nothing
        meets the error. */
     s.wanted = SSGI_PLAN_VISIBILITY;
-    s.behind = SSGI_PLAN_SLABS;
+    s.thickness = SSGI_PLAN_SLABS;
     s.error = 0.035f;
     p = made(&s);
-    CHECK(p.meets && p.behind == SSGI_PLAN_SLABS && !strncmp(p.why, "hsao, slabs: errs by 0.0", 24), "%s", p.why);
+    CHECK(p.meets && p.thickness == SSGI_PLAN_SLABS && !strncmp(p.why, "hsao, slabs: errs by 0.0", 24), "%s", p.why);
     s.depth_pass = 1000;
     s.surfels = 0.3;
     const float before = p.cost;
@@ -89,7 +89,7 @@ static void follows(void)
     /* Budgets are kept, more of them never errs more; a smaller error never costs less; costs grow with splats and
        occluders. */
     s = (ssgi_plan_scene){
-        .calibration = { 1, 0.15f, 0.05f, 0.04f }, .behind = SSGI_PLAN_SLABS, .history = 1, .surfels = 0.2,
+        .calibration = { 1, 0.15f, 0.05f, 0.04f }, .thickness = SSGI_PLAN_SLABS, .history = 1, .surfels = 0.2,
         .occluders = 10, .map = 1
     };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted) {
@@ -147,7 +147,7 @@ static void by_hand(void)
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, row[k].scene) || p.method != row[k].method || p.half != row[k].half
                 || p.directions != row[k].directions || p.bands != row[k].bands || fabsf(p.size - row[k].size) > 1e-6f
-                || p.behind || p.history || p.steps == 12)
+                || p.thickness || p.history || p.steps == 12)
                 continue;
             CHECK(fabs((double)p.error / row[k].error - 1) < 1e-4 && fabs((double)p.cost / row[k].cost - 1) < 1e-4,
                   "row %zu: %.8g predicted at %.8g, %.8g at %g by hand", k, (double)p.error, (double)p.cost,
@@ -160,7 +160,7 @@ static void by_hand(void)
        * 0.02^2 + 1.75 * 0.03^2 of nothing with slabs, 1e-6 + 1.26 * 0.1^2 + 4.11 * 0.02^2 + 0.441 * 0.01^2 without. A
        calibration without slabs scales what the survey, or the guess of 0.003 that is hsao's too, says of them. */
     static const float passes[4] = { 0, 0, 1, 3 }, slabs[2] = { 0, 0.03f };
-    ssgi_plan_scene s = { .behind = SSGI_PLAN_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .occluders = 10, .coverage = 0.5f, .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_plan p[3];
@@ -171,7 +171,7 @@ static void by_hand(void)
                 ssgi_plan_choice(&p[k], i, &s);
             }
             if (p[0].method < 0) continue;
-            CHECK(fabsf(p[2].cost - p[0].cost - 2 * passes[p[0].behind]) < 1e-5f, "choice %d: depth passes cost %g", i,
+            CHECK(fabsf(p[2].cost - p[0].cost - 2 * passes[p[0].thickness]) < 1e-5f, "choice %d: depth passes cost %g", i,
                   (double)(p[2].cost - p[0].cost));
             CHECK(p[0].method == SSGI_PLAN_NOTHING || fabsf(p[1].cost / p[0].cost - 1) > 0.01f,
                   "choice %d: %g in either column", i, (double)p[0].cost);
@@ -186,10 +186,10 @@ static void by_hand(void)
         CHECK(ssgi_plan_choice(&p, 0, &s) && fabs((double)p.error - (k ? 0.122719 : 0.119537)) < 1e-5,
               "a survey %s slabs: nothing errs by %g", k ? "with" : "without", (double)p.error);
     }
-    s = (ssgi_plan_scene){ .calibration = { 1, 0.1f, 0.04f, 0 }, .behind = SSGI_PLAN_SLABS };
+    s = (ssgi_plan_scene){ .calibration = { 1, 0.1f, 0.04f, 0 }, .thickness = SSGI_PLAN_SLABS };
     for (int i = 0, met = 0; i < SSGI_PLAN_CHOICES; ++i) {
         ssgi_plan p;
-        if (!ssgi_plan_choice(&p, i, &s) || p.behind != SSGI_PLAN_SLABS || p.directions != 2 || !p.half) continue;
+        if (!ssgi_plan_choice(&p, i, &s) || p.thickness != SSGI_PLAN_SLABS || p.directions != 2 || !p.half) continue;
         CHECK(!met++ && fabsf(p.error - 0.04f) < 1e-6f, "slabs that were not calibrated err by %g", (double)p.error);
     }
 }
@@ -206,10 +206,10 @@ static void refused(void)
                 { offsetof(ssgi_plan_scene, error), 0, -1, "scene.error" },
                 { offsetof(ssgi_plan_scene, error), 0, nan_, "scene.error" },
                 { offsetof(ssgi_plan_scene, screen_radius), 0, INFINITY, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, behind), 1, 4, "scene.device, .behind" },
+                { offsetof(ssgi_plan_scene, thickness), 1, 4, "scene.device, .thickness" },
                 { offsetof(ssgi_plan_scene, device), 1, 2, "scene.device" },
                 { offsetof(ssgi_plan_scene, depth_pass), 0, -1, "scene.error, .budget, .screen_radius" },
-                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.device, .behind, .history, .occluders" },
+                { offsetof(ssgi_plan_scene, occluders), 1, -1, "scene.device, .thickness, .history, .occluders" },
                 { offsetof(ssgi_plan_scene, energy) + 8, 0, nan_, "scene.energy" },
                 { offsetof(ssgi_plan_scene, survey), 0, nan_, "scene.survey" },
                 { offsetof(ssgi_plan_scene, calibration) + 4, 0, nan_, "scene.calibration" } };
@@ -242,7 +242,7 @@ static void refused(void)
 /* Every choice becomes a desc that is good, and a method of the kit with the same settings. */
 static void drawable(void)
 {
-    ssgi_plan_scene s = { .behind = SSGI_PLAN_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1 };
+    ssgi_plan_scene s = { .thickness = SSGI_PLAN_SLABS, .history = 1, .surfels = 1, .occluders = 1, .map = 1 };
     for (s.wanted = 0; s.wanted < 4; ++s.wanted)
         for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
             ssgi_gl_desc desc = { .depth = SSGI_GL_DEPTH_LINEAR };
@@ -252,7 +252,7 @@ static void drawable(void)
             ssgi_plan p;
             if (!ssgi_plan_choice(&p, i, &s) || p.method == SSGI_PLAN_NOTHING) continue;
             CHECK(ssgi_gl_plan(&desc, &p, &why) == SSGI_OK && desc.depth == SSGI_GL_DEPTH_LINEAR
-                      && desc.steps == p.steps && desc.behind == p.behind && desc.half == p.half,
+                      && desc.steps == p.steps && desc.thickness == p.thickness && desc.half == p.half,
                   "choice %d: %s", i, why);
             CHECK(!kit_plan_method(&m, &p, s.wanted, &err), "choice %d: %s", i, err.text);
             CHECK(p.method == SSGI_PLAN_SURFELS || p.method == SSGI_PLAN_FIELD

@@ -22,7 +22,7 @@ typedef struct choice { const char *name; size_t offset; int count, first, step;
 static const choice choices[] = {
     CHOICE(orthographic, 2, 0, 1),  CHOICE(depth, 3, 0, 1),    CHOICE(normal, 5, 0, 1),
     CHOICE(world_normals, 2, 0, 1), CHOICE(noise, 2, 0, 1),    CHOICE(steps, 2, 1, 2),
-    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(behind, 4, 0, 1),
+    CHOICE(normal_rays, 2, 0, 2),   CHOICE(hard, 2, 0, 1),     CHOICE(thickness, 4, 0, 1),
     CHOICE(falloff, 2, 0, 1),       CHOICE(kernel, 2, 0, 1),   CHOICE(fade, 3, 0, 1),
     CHOICE(range, 2, 0, 1),         CHOICE(layers, 3, 1, 1),   CHOICE(views, 2, 0, 2),
     CHOICE(view_layers, 2, 1, 1),   CHOICE(receiver, 2, 0, 1), CHOICE(environment, 3, 0, 1),
@@ -495,7 +495,7 @@ static size_t any_text(int k, char *out, size_t capacity)
           .environment = SSGI_GL_ENVIRONMENT_SH,
           .bounce = SSGI_GL_BOUNCE_PATCH,
           .views = 1 },
-        { .pass = SSGI_GL_HSAO, .behind = SSGI_GL_BEHIND_SLABS, .dialect = SSGI_GL_310ES, .lines = 1 },
+        { .pass = SSGI_GL_HSAO, .thickness = SSGI_GL_THICKNESS_SLABS, .dialect = SSGI_GL_310ES, .lines = 1 },
         { .pass = SSGI_GL_HSAO,
           .search = SSGI_GL_MARCH,
           .normal_rays = 2,
@@ -1222,7 +1222,7 @@ static const struct { const char *start; size_t offset; int most;
 } ints[] = { /* all of a desc */
              INT(pass, 16),         INT(dialect, 6),       INT(orthographic, 1),   INT(depth, 2),   INT(normal, 4),
              INT(world_normals, 1), INT(noise, 1),         INT(samples, 64),       INT(search, 2),  INT(directions, 32),
-             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(behind, 3),   INT(falloff, 1),
+             INT(steps, 64),        INT(normal_rays, 8),   INT(hard, 1),           INT(thickness, 3),   INT(falloff, 1),
              INT(kernel, 1),        INT(fade, 2),          INT(range, 1),          INT(layers, 8),  INT(views, 4),
              INT(view_layers, 8),   INT(receiver, 7),      INT(environment, 2),    INT(bounce, 2),  INT(bands, 4),
              INT(packed, 1),        INT(transfer, 2),      INT(shaded, 1),         INT(shading, 3), INT(lights, 1),
@@ -1247,9 +1247,9 @@ static void sentences(void)
         { "desc.views:", { .pass = SSGI_GL_SSDO, .environment = 1, .views = 1 } },
         { "desc.bounce:", { .pass = SSGI_GL_SSDO, .bounce = SSGI_GL_BOUNCE_PATCH } },
         { NULL, { .pass = SSGI_GL_SSAO, .search = SSGI_GL_MARCH, .views = 1 } },
-        { "desc.behind:", { .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
-        { "desc.behind:", { .pass = SSGI_GL_LIGHTS, .views = 1, .behind = SSGI_GL_BEHIND_SLABS } },
-        { NULL, { .pass = SSGI_GL_SENDERS, .layers = 2, .behind = SSGI_GL_BEHIND_BACK } },
+        { "desc.thickness:", { .layers = 2, .thickness = SSGI_GL_THICKNESS_BACK } },
+        { "desc.thickness:", { .pass = SSGI_GL_LIGHTS, .views = 1, .thickness = SSGI_GL_THICKNESS_SLABS } },
+        { NULL, { .pass = SSGI_GL_SENDERS, .layers = 2, .thickness = SSGI_GL_THICKNESS_BACK } },
         { "desc.colour:", { .pass = SSGI_GL_HISTORY, .colour = SSGI_GL_COEFFICIENTS } },
         { "desc.filter:", { .pass = SSGI_GL_BLUR, .half = 1, .filter = SSGI_GL_GAUSSIAN } },
         { "desc.environment:", { .pass = SSGI_GL_SSDO } },
@@ -1300,7 +1300,7 @@ static void sentences(void)
                                .fetch = FETCH },
                          was;
             if (ints[i].offset == offsetof(ssgi_gl_desc, environment)) d.pass = SSGI_GL_SSDO;
-            if (ints[i].offset == offsetof(ssgi_gl_desc, behind) || ints[i].offset == offsetof(ssgi_gl_desc, array))
+            if (ints[i].offset == offsetof(ssgi_gl_desc, thickness) || ints[i].offset == offsetof(ssgi_gl_desc, array))
                 d.layers = 0;
             set(&d, ints[i].offset, ints[i].most);
             CHECK(ssgi_gl_check(&d, &why) == SSGI_OK, "%s %d is refused: %s", ints[i].start, ints[i].most, why);
@@ -1374,8 +1374,8 @@ static void defaults(void)
     } rows[] = {
         ROW(2 + 16, (.pass = SSGI_GL_SSAO), (.samples = 16, .steps = 1, .layers = 1, .view_layers = 1)),
         ROW(2 + 6 * 2, (.pass = SSGI_GL_HSAO), (.directions = 1, .steps = 6)),
-        ROW(2 + 4 * 2 * 2, (.pass = SSGI_GL_HSAO, .steps = 4, .behind = SSGI_GL_BEHIND_SLABS), (.directions = 1)),
-        ROW(2 + 16 * 2, (.pass = SSGI_GL_SSAO, .behind = SSGI_GL_BEHIND_BACK), (.samples = 16)),
+        ROW(2 + 4 * 2 * 2, (.pass = SSGI_GL_HSAO, .steps = 4, .thickness = SSGI_GL_THICKNESS_SLABS), (.directions = 1)),
+        ROW(2 + 16 * 2, (.pass = SSGI_GL_SSAO, .thickness = SSGI_GL_THICKNESS_BACK), (.samples = 16)),
         ROW(2 + 6 * 6 * (1 + 2), (.pass = SSGI_GL_HSAO, .search = SSGI_GL_MARCH, .normal_rays = 1, .views = 1),
             (.directions = 6, .steps = 6, .view_layers = 1)),
         ROW(2 + 16 * 2 + 4, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_MAP),
@@ -1388,7 +1388,7 @@ static void defaults(void)
         ROW(2 + 3 + 6 + 8 + 1, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_FILL, .accumulate = 1),
             (.samples = 8)),
         ROW(2 + 3, (.pass = SSGI_GL_LIGHTS, .shadow = SSGI_GL_SHADOW_NONE),
-            (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .behind = SSGI_GL_BEHIND_SOLID)),
+            (.samples = 64, .noise = SSGI_GL_NOISE_TEXTURE, .thickness = SSGI_GL_THICKNESS_SOLID)),
         ROW(2 + 2 + 1, (.pass = SSGI_GL_SENDERS, .radiance = SSGI_GL_RADIANCE_BOTH), (.layers = 1)),
         ROW(2 + 16, (.pass = SSGI_GL_SSDO, .search = SSGI_GL_POINTS, .environment = SSGI_GL_ENVIRONMENT_SH),
             (.bands = 3)),

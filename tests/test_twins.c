@@ -767,7 +767,7 @@ static void twin_sectors(void)
    back, the thickness. */
 static void twin_deep(void)
 {
-    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .behind = SSGI_GL_BEHIND_BACK };
+    const ssgi_gl_desc d = { .pass = SSGI_GL_HSAO, .dialect = SSGI_GL_450, .thickness = SSGI_GL_THICKNESS_BACK };
     ssgi_gl_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.radius = 0.5f;
@@ -806,7 +806,7 @@ static void slices_limits(void)
                        .hard = 1,
                        .orthographic = 1,
                        .depth = SSGI_GL_DEPTH_LINEAR,
-                       .behind = SSGI_GL_BEHIND_SOLID };
+                       .thickness = SSGI_GL_THICKNESS_SOLID };
     ssgi_gl_frame frame;
     ssgi_view view;
     if (!facing(&view, &frame, 3.512f)) return;
@@ -888,7 +888,7 @@ static void view_slack(void)
                        still[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };
     static float map[MANY][4], wall[MANY];
     const ssgi_gl_desc d = {
-        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR, .behind = SSGI_GL_BEHIND_SOLID
+        .dialect = SSGI_GL_450, .views = 1, .samples = 4, .depth = SSGI_GL_DEPTH_LINEAR, .thickness = SSGI_GL_THICKNESS_SOLID
     };
     ssgi_view view;
     ssgi_gl_frame frame;

@@ -224,7 +224,7 @@ int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world,
     size_t seen = 0;
     memset(s, 0, sizeof *s);
     s->wanted = wanted;
-    s->behind = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
+    s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
     for (int k = 0; k < count; ++k)
         if (drawn(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
     if (kit_gbuffer_read(&frame, g, err)) return -1;
@@ -267,7 +267,7 @@ const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
     for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
         if (asked[i].value >= asked[i].least)
             n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
-    if (p->behind) n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->behind]);
+    if (p->thickness) n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->thickness]);
     if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
     if (wanted == SSGI_PLAN_BOUNCE && p->method == SSGI_PLAN_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
     if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO))

@@ -191,7 +191,7 @@ static GLuint texture_of(const kit_run *run, const kit_pass *p, const char *name
     const struct { const char *name; GLuint texture;
     } table[] = { { "depth", p->gbuffer->depth },
                   { "layers", p->gbuffer->layer_depth },
-                  { "back", p->desc.behind == SSGI_GL_BEHIND_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
+                  { "back", p->desc.thickness == SSGI_GL_THICKNESS_SLABS ? p->gbuffer->slabs : p->gbuffer->back },
                   { "views", run->view_depth },
                   { "normal", p->desc.receiver ? p->gbuffer->layer_normal : p->gbuffer->normal },
                   { "albedo", p->desc.receiver     ? p->gbuffer->layer_albedo
@@ -408,8 +408,8 @@ static int open_on(kit_making *m, kit_gbuffer *g, float radius)
     if (m->gather.views && !m->world->scene)
         return kit_fail(m->err, "--set views=%d: a frame has one camera; extra ones need a scene", m->gather.views);
     if (m->gather.layers > g->layers && kit_gbuffer_peel(g, m->world->scene, m->gather.layers, m->err)) return -1;
-    if (m->gather.behind >= SSGI_GL_BEHIND_BACK) {
-        const int two = m->gather.behind == SSGI_GL_BEHIND_SLABS, missing = !(two ? g->slabs : g->back);
+    if (m->gather.thickness >= SSGI_GL_THICKNESS_BACK) {
+        const int two = m->gather.thickness == SSGI_GL_THICKNESS_SLABS, missing = !(two ? g->slabs : g->back);
         if (missing && !m->world->scene)
             return kit_fail(m->err, "--set behind=%s: the frame has no channel %s", two ? "slabs" : "back",
                             g->back ? "front2.Z" : "back.Z");
@@ -590,7 +590,8 @@ int kit_run_read(kit_image *out, const kit_run *run, kit_error *err)
     kit_image image, frame;
     float *texels = malloc(pixels * (size_t)components * sizeof *texels);
     int failed = 0;
-    if (!texels || kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) {
+    if (!texels) return kit_fail(err, "out of memory");
+    if (kit_image_new(&image, width, height, run->lit ? KIT_LIT_CHANNELS : "Y", err)) {
         free(texels);
         return -1;
     }

@@ -33,7 +33,7 @@ THICKNESS(lit_thick_row, 0.4)
 THICKNESS(half_thick_row, 0.5)
 THICKNESS(most_thick_row, 0.7)
 ROW(behind_row, "behind", "thickness of visible surfaces: constant; unlimited; to the back face; two slabs",
-    "constant solid back slabs", 0, 0, 3, 1, GATHER, DESC(behind))
+    "constant solid back slabs", 0, 0, 3, 1, GATHER, DESC(thickness))
 ROW(half_row, "half", "1: one pixel of every 2x2, brought to full size by the filter",
     NULL, 0, 0, 1, 1, GATHER, DESC(half))
 ROW(hard_row, "hard", "1: no attenuation by distance", NULL, 0, 0, 1, 1, GATHER, DESC(hard))
@@ -434,7 +434,7 @@ int kit_settings_apply(kit_making *m, float radius)
     m->gather.noise = m->lights.noise = kit_method_value(m->method, "noise") > 0 ? SSGI_GL_NOISE_TEXTURE
         : SSGI_GL_NOISE_GRADIENT;
     m->gather.kernel = kit_method_value(m->method, "sets") > 0;
-    m->lights.behind = kit_method_value(m->method, "solid") > 0 ? SSGI_GL_BEHIND_SOLID : SSGI_GL_BEHIND_CONSTANT;
+    m->lights.thickness = kit_method_value(m->method, "solid") > 0 ? SSGI_GL_THICKNESS_SOLID : SSGI_GL_THICKNESS_CONSTANT;
     if (m->gather.pass == SSGI_GL_S3HO) {
         const int bent = !m->gather.bands;
         if (bent) {

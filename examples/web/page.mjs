@@ -294,7 +294,7 @@ const farthestHalf = 65504;                         /* depths that 16 bits hold 
 /* The chain of a side, as settings have it. */
 function chainOf(name, preset) {
     const { desc } = methods[name], bounce = set.bounce && desc.pass === 'SSDO';
-    const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, behind: set.behind }, preset);
+    const d = ssgi.preset({ ...desc, dialect: '300ES', normal: set.normals, thickness: set.behind }, preset);
     if (methods[name].desc.restore) d.restore = methods[name].desc.restore;
     return { desc: { ...d, ...(bounce && { bounce: 'SOLID_ANGLE' }) }, width: size.width, height: size.height, blur: 1,
              history: +set.history, direct: +(bounce && set.sun), precise: +(stage.info?.far > farthestHalf) };
