@@ -22,6 +22,16 @@ typedef struct host {
 
 static GLuint keep(host *h, GLuint texture) { return h->all[h->textures++] = texture; }
 
+/* Compiled once a context, whoever draws: equal keys are equal texts. */
+static GLuint program_of(const ssgi_gl_desc *desc)
+{
+    const uint64_t key = ssgi_gl_key(desc);
+    GLuint program = kit_program_kept(key);
+    if (program) return program;
+    program = kit_pass_program(desc, &err);
+    return program && !kit_program_keep(key, program, &err) ? program : 0;
+}
+
 /* Programs, textures, framebuffers: once. */
 static int opened(host *h, const ssgi_gl_chain *chain)
 {
@@ -32,7 +42,7 @@ static int opened(host *h, const ssgi_gl_chain *chain)
     for (int i = 0; i < h->steps; ++i) {
         const ssgi_gl_step *s = &h->step[i];
         GLenum attachments[6] = { 0 };
-        if (!CHECK((h->program[i] = kit_pass_program(&s->desc, &err)) != 0, "%s", err.text)) return 0;
+        if (!CHECK((h->program[i] = program_of(&s->desc)) != 0, "%s", err.text)) return 0;
         glGenFramebuffers(1, &h->framebuffer[i]);
         glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
         for (int k = 0; k < s->outputs; ++k) {
@@ -75,45 +85,47 @@ static ssgi_gl_bound bound(GLuint texture, GLenum target)
     return b;
 }
 
-static void draw(host *h, const ssgi_gl_frame *frame)
+static void draw_step(host *h, const ssgi_gl_frame *frame, int i)
 {
+    const ssgi_gl_step *s = &h->step[i];
+    GLint was;
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, h->block);
     glBufferData(GL_UNIFORM_BUFFER, sizeof *frame, frame, GL_DYNAMIC_DRAW);
-    for (int i = 0; i < h->steps; ++i) {
-        const ssgi_gl_step *s = &h->step[i];
-        GLint was;
-        glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
-        glViewport(0, 0, s->width, s->height);
-        glUseProgram(h->program[i]);
-        for (int k = 0; k < s->inputs; ++k) {
-            glActiveTexture(GL_TEXTURE0 + (GLenum)s->input[k].unit);
-            glBindTexture(s->input[k].target, read_by(h, &s->input[k]));
-        }
-        for (GLint k = 0; k < s->outputs && s->clear; ++k)
-            glClearBufferfv(GL_COLOR, k, (const GLfloat[4]) { s->clear_to, s->clear_to, s->clear_to, s->clear_to });
-        if (s->blend[0]) {
-            glEnable(GL_BLEND);
-            glBlendEquation(s->blend[0]);
-            glBlendFunc(s->blend[1], s->blend[2]);
-        }
-        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
-        if (s->desc.pass == SSGI_GL_SPLAT) glBindVertexArray(h->array);
-        glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances ? s->instances
-                              : s->desc.pass == SSGI_GL_SPLAT ? h->surfels : h->occluders);
-        glBindVertexArray((GLuint)was);
-        glDisable(GL_BLEND);
-        for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
-            GLuint *pair = h->made[s->output[k].texture], other = pair[0];
-            pair[0] = pair[1];
-            pair[1] = other;
-        }
+    glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer[i]);
+    glViewport(0, 0, s->width, s->height);
+    glUseProgram(h->program[i]);
+    for (int k = 0; k < s->inputs; ++k) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)s->input[k].unit);
+        glBindTexture(s->input[k].target, read_by(h, &s->input[k]));
+    }
+    for (GLint k = 0; k < s->outputs && s->clear; ++k)
+        glClearBufferfv(GL_COLOR, k, (const GLfloat[4]) { s->clear_to, s->clear_to, s->clear_to, s->clear_to });
+    if (s->blend[0]) {
+        glEnable(GL_BLEND);
+        glBlendEquation(s->blend[0]);
+        glBlendFunc(s->blend[1], s->blend[2]);
+    }
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &was);
+    if (s->desc.pass == SSGI_GL_SPLAT && h->array) glBindVertexArray(h->array);
+    glDrawArraysInstanced(s->primitive, 0, s->vertices, s->instances ? s->instances
+                          : s->desc.pass == SSGI_GL_SPLAT ? h->surfels : h->occluders);
+    glBindVertexArray((GLuint)was);
+    glDisable(GL_BLEND);
+    for (int k = 0; k < s->outputs && s->output[k].kept; ++k) {         /* the two change places */
+        GLuint *pair = h->made[s->output[k].texture], other = pair[0];
+        pair[0] = pair[1];
+        pair[1] = other;
     }
     glActiveTexture(GL_TEXTURE0);
 }
 
+static void draw(host *h, const ssgi_gl_frame *frame)
+{
+    for (int i = 0; i < h->steps; ++i) draw_step(h, frame, i);
+}
+
 static void shut(host *h)
 {
-    for (int i = 0; i < h->steps; ++i) glDeleteProgram(h->program[i]);
     glDeleteFramebuffers(h->steps, h->framebuffer);
     glDeleteTextures(h->textures, h->all);
     glDeleteBuffers(1, &h->block);
@@ -154,11 +166,12 @@ static ssgi_gl_chain chain_of(host *h, const kit_run *run, int pass)
     return chain;
 }
 
-static const struct { const char *method, *set; int pass, lit; } methods[] = {
-    { "ssao", "", SSGI_GL_SSAO, 0 }, { "hsao", "", SSGI_GL_HSAO, 0 }, { "hsao-march", "blur=0", SSGI_GL_HSAO, 0 },
-    { "ssdo", "environment=sh", SSGI_GL_SSDO, 1 }, { "ssdo", "shadows=map", SSGI_GL_SSDO, 1 },
-    { "s3ho", "indirect=none", SSGI_GL_S3HO, 1 }, { "aof", "occluders=all", SSGI_GL_FIELD, 0 },
-    { "dss", "size=0.05", SSGI_GL_SPLAT, 0 }
+/* es: in a context of GLES as well */
+static const struct { const char *method, *set; int pass, lit, es; } methods[] = {
+    { "ssao", "", SSGI_GL_SSAO, 0, 0 }, { "hsao", "", SSGI_GL_HSAO, 0, 1 },
+    { "hsao-march", "blur=0", SSGI_GL_HSAO, 0, 0 }, { "ssdo", "environment=sh", SSGI_GL_SSDO, 1, 0 },
+    { "ssdo", "shadows=map", SSGI_GL_SSDO, 1, 1 }, { "s3ho", "indirect=none", SSGI_GL_S3HO, 1, 0 },
+    { "aof", "occluders=all,resolution=4,rays=16", SSGI_GL_FIELD, 0, 1 }, { "dss", "size=0.05", SSGI_GL_SPLAT, 0, 1 }
 };
 enum { METHODS = (int)(sizeof methods / sizeof *methods) };
 
@@ -188,6 +201,7 @@ static void every_method(void)
         kit_run run;
         host h;
         ssgi_gl_chain chain;
+        if (kit_gl_is_es() && !methods[m].es) continue;
         static float want[4 * W * H], got[4 * W * H];
         GLuint result[2] = { 0, 0 }, kits[2];
         double worst = 0;
@@ -227,7 +241,7 @@ static void every_method(void)
         shut(&h);
         kit_run_close(&run);
     }
-    t_note("%s: %d methods, %d draws, the kit's bytes", kit_gl_name(), METHODS, draws);
+    t_note("%s: %d draws, the kit's bytes", kit_gl_name(), draws);
     kit_gbuffer_free(&g);
     kit_scene_free(&scene);
     kit_image_free(&l.env);
@@ -391,6 +405,106 @@ static void results(void)
     }
 }
 
+/* ---- >>chains by chance ------------------------------------------------------------------------------------------ */
+
+static uint32_t below(uint32_t n)
+{
+    static uint32_t state = 7;
+    state = state * 1664525u + 1013904223u;
+    return (state >> 8) % n;
+}
+
+/* A desc most of whose fields have their default. */
+static void any_desc(ssgi_gl_desc *d)
+{
+    const ssgi_gl_choice *c;
+    memset(d, 0, sizeof *d);
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        const int value = below(4) ? 0 : (int)below((uint32_t)c->most + 1);
+        memcpy((char *)d + c->offset, &value, sizeof value);
+    }
+    d->dialect = SSGI_GL_450;
+    d->fetch = "float ssgi_custom_depth(ivec2 p, int j) { return float(p.x + p.y + j + 1); }\n"
+               "vec3 ssgi_custom_normal(ivec2 p) { return vec3(0.0, 0.0, 1.0); }\n"
+               "uint ssgi_custom_object(ivec2 p) { return uint(p.x); }\n"
+               "vec3 ssgi_custom_surfel(vec3 p, vec3 n, vec3 colour) { return colour; }\n";
+}
+
+static ssgi_gl_chain any_chain(void)
+{
+    static const int passes[] = { SSGI_GL_SSAO, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_FIELD,
+                                  SSGI_GL_SPLAT };
+    ssgi_gl_chain chain;
+    memset(&chain, 0, sizeof chain);
+    any_desc(&chain.desc);
+    any_desc(&chain.lights);
+    chain.desc.pass = passes[below(6)];
+    chain.lights.pass = below(2) ? SSGI_GL_LIGHTS : SSGI_GL_SSAO;
+    chain.width = 1 + (int)below(24);
+    chain.height = 1 + (int)below(24);
+    int *const flags[] = { &chain.blur, &chain.history, &chain.vectors, &chain.reuse, &chain.vpls, &chain.direct,
+                           &chain.hidden_sky, &chain.unsmoothed, &chain.precise };
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) *flags[i] = (int)below(2);
+    return chain;
+}
+
+/* A texture of zeros that a sampler of this type can read, as large as it asks for. */
+static GLuint anything(const ssgi_gl_input *in)
+{
+    const int width = in->width > 8 ? in->width : 8, height = in->height > 8 ? in->height : 8;
+    const GLenum format = *in->type == 'u' ? GL_RG32UI : GL_RGBA32F;
+    GLuint t;
+    if (in->target == GL_TEXTURE_2D) return kit_texture(width, height, format, NULL);
+    if (in->target == GL_TEXTURE_2D_ARRAY) return kit_texture_array(width, height, 40, format, NULL);
+    glGenTextures(1, &t);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, t);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_RGBA32F, width, height, GL_TRUE);
+    return t;
+}
+
+/* Every chain that is accepted compiles, its framebuffers are complete, and it draws without an error. T_CHAINS in the
+   environment: so many instead of a few. */
+static void random_chains(void)
+{
+    const char *const many = getenv("T_CHAINS");
+    const int wanted = many ? atoi(many) : 5;
+    static ssgi_gl_frame frame;
+    GLuint cameras, grey = kit_texture(64, 64, GL_RGBA32F, NULL);
+    int drawn = 0, refused = 0;
+    frame.size[0] = frame.size[1] = 1;
+    glGenBuffers(1, &cameras);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, cameras);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(ssgi_gl_views), NULL, GL_STATIC_DRAW);
+    while (drawn < wanted) {
+        static host h;
+        const ssgi_gl_chain chain = any_chain();
+        const int n = ssgi_gl_steps(NULL, 0, &chain, NULL);
+        if (!n || n > STEPS) { ++refused; continue; }
+        memset(&h, 0, sizeof h);
+        h.surfels = h.occluders = 1;
+        h.picture = grey;
+        if (!opened(&h, &chain)) return;
+        for (int i = 0; i < h.steps; ++i) {
+            glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer[i]);
+            CHECK(!h.step[i].outputs || glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+                  "chain %d: the targets of %s", drawn, ssgi_gl_pass_name(h.step[i].desc.pass));
+            for (int k = 0; k < h.step[i].inputs; ++k) {
+                const ssgi_gl_input *in = &h.step[i].input[k];
+                if (in->meaning >= 0) h.yours[in->meaning] = keep(&h, anything(in));
+            }
+            frame.size[0] = chain.width, frame.size[1] = chain.height;
+            draw_step(&h, &frame, i);
+            const GLenum error = glGetError();
+            CHECK(!error, "chain %d: %s: GL error %x", drawn, ssgi_gl_pass_name(h.step[i].desc.pass), error);
+        }
+        shut(&h);
+        ++drawn;
+    }
+    t_note("%d chains drawn, %d refused", drawn, refused);
+    glDeleteTextures(1, &grey);
+    glDeleteBuffers(1, &cameras);
+}
+
 void test_steps(void)
 {
     static const char *const contexts[] = { "osmesa", "egl-es" };
@@ -407,6 +521,7 @@ void test_steps(void)
             RUN("ambient visibility stands on a picture", onto_a_picture);
             RUN("a chain that cannot be drawn is refused", refusals);
             RUN("every chain ends with its result, or on the picture", results);
+            RUN("chains by chance are refused, or draw without an error", random_chains);
         }
         kit_fields_free();
         kit_gl_close();
