@@ -5,7 +5,7 @@
 #   make test    all tests                        make peers       what others have, for the chart
 #   make glsl    the text of every pass           make fit         the table of ssgi.h's room >>plan
 #   make golden    the hashes of those texts that make test compares
-#   make passes    examples/PASSES.md, the table of them
+#   make passes    examples/docs/PASSES.md, the table of them
 #   make web, web-test   a page in build/web/, and it in a browser without a window. make webgpu-test: WGSL in one
 #   make viewer, engine, bench   a window; OpenSceneGraph as the host; milliseconds on a GPU. make viewer-test
 #   make install   the headers, for pkg-config and CMake: PREFIX=/usr/local DESTDIR=; make uninstall
@@ -15,10 +15,11 @@
 CFLAGS   ?= -O2 -g
 WARNINGS  = -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion
 EXR       = $(shell pkg-config --cflags OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
-KIT_FLAGS = -std=c11 -D_GNU_SOURCE $(WARNINGS) $(EXR) $(CFLAGS)
+KIT_FLAGS = -std=c11 -D_GNU_SOURCE -Iexamples $(WARNINGS) $(EXR) $(CFLAGS)
 KIT_LIBS  = -lOpenEXRCore-3_1 -lOpenEXR-3_1 -lz -lm -lpthread -ldl
-KIT       = util image places mesh shapes scenes scene light truth gl gbuffer shadow field fetches settings run \
-            frames lights deep plan
+KIT       = util image $(addprefix scene/,mesh shapes scenes scene light) $(addprefix trace/,places truth) \
+            $(addprefix gl/,gl gbuffer shadow field) \
+            $(addprefix run/,fetches settings run frames lights deep plan)
 KIT_O     = $(KIT:%=build/kit/%.o) build/kit/library.o
 HEADERS   = ssgi.h ssgi_gl.h examples/kit/kit.h examples/kit/kit_gl.h examples/kit/kit_run.h examples/kit/kit_build.h
 
@@ -36,7 +37,7 @@ build/kit/library.o: examples/kit/library.c ssgi.h ssgi_gl.h | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) -std=c99 $(WARNINGS) $(CFLAGS) -c $< -o $@
 
-build/render: examples/render.c $(KIT_O)
+build/render: examples/tools/render/render.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 # The same under sanitizers, for make test: drawn with once a method.
@@ -46,27 +47,29 @@ build/sanitized/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
-build/sanitized/render.o: examples/render.c $(HEADERS) | deps
+build/sanitized/render.o: examples/tools/render/render.c $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(SANITIZE) -c $< -o $@
 
 build/render-sanitized: $(SANITIZED)
 	@echo '  cc $@'; $(CC) -fsanitize=address,undefined $(SANITIZED) $(KIT_LIBS) -o $@
 
-EXAMPLE_H = examples/report.h examples/page.h examples/choices.h examples/manifest.h
+EXAMPLE_H = examples/lab/report.h examples/lab/page/page.h examples/tools/glsl/choices.h examples/tools/glsl/manifest.h
 build/examples/%.o: examples/%.c $(HEADERS) $(EXAMPLE_H) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -c $< -o $@
 
-REPORT = report stage parts page lit pairs fields deep plan peers costs choices
+REPORT = lab/report lab/measure/stage lab/page/page tools/glsl/choices \
+         $(addprefix lab/chart/,parts lit pairs fields deep plan peers costs)
 build/report: $(REPORT:%=build/examples/%.o) $(KIT_O)
 	@echo '  cc $@'; $(CC) $^ $(KIT_LIBS) -o $@
 
-build/stability: examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
+PAGE_O = build/examples/lab/page/page.o
+build/stability: examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
 
-GLSL_O = build/examples/choices.o build/examples/manifest.o
-build/glsl-text: examples/glsl.c $(GLSL_O) $(KIT_O)
+GLSL_O = $(addprefix build/examples/tools/glsl/,choices.o manifest.o)
+build/glsl-text: examples/tools/glsl/glsl.c $(GLSL_O) $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(GLSL_O) $(KIT_O) $(KIT_LIBS) -o $@
 
 build/minimal: examples/minimal.c ssgi.h ssgi_gl.h | deps
@@ -96,15 +99,15 @@ peers:
 	@command -v npm > /dev/null || { echo 'peers: npm is missing (apt-get install npm)' >&2; exit 2; }
 	@mkdir -p build/peers
 	npm install --prefix build/peers --no-save --ignore-scripts --no-audit --no-fund --silent $(PEERS)
-	@cp examples/peers.mjs build/peers/
+	@cp examples/lab/chart/peers.mjs build/peers/
 
 # Where methods fail; report/stability.html. make stability QUICK=1 is smaller.
 stability: build/stability build/figures
 	build/stability $(if $(QUICK),--quick)
 	build/figures
 
-# examples/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
-build/figures: examples/figures.c build/kit/util.o $(HEADERS) | deps
+# examples/docs/FIGURES.md, from the csv of the two above; of quick ones report/FIGURES.md.
+build/figures: examples/lab/chart/figures.c build/kit/util.o $(HEADERS) | deps
 	@mkdir -p $(@D)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< build/kit/util.o -lm -lpthread -o $@
 
@@ -113,7 +116,7 @@ build/figures: examples/figures.c build/kit/util.o $(HEADERS) | deps
 fit: build/report
 	@sh examples/kit/models.sh iron-bed stairs
 	build/report fit
-	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/fit.c -lm -o build/fit
+	$(CC) -std=c11 $(CFLAGS) -Wno-unused-function examples/lab/fit.c -lm -o build/fit
 	build/fit report/plan-fit.csv $(wildcard report/plan-gpu.csv)
 
 # The text of every pass, dialect and feature choice, as plain files; manifest.json says what belongs together.
@@ -122,15 +125,15 @@ fit: build/report
 TRANSLATED = $(if $(SPV),spv) $(if $(WGSL),wgsl) $(if $(HLSL),hlsl) $(if $(MSL),msl)
 glsl: build/glsl-text
 	build/glsl-text build/glsl
-	$(if $(strip $(TRANSLATED)),sh examples/translate.sh build/glsl $(TRANSLATED))
+	$(if $(strip $(TRANSLATED)),sh examples/tools/glsl/translate.sh build/glsl $(TRANSLATED))
 
 # A hash of each text, which make test compares: rewritten after a change that is meant to touch them.
 golden: build/glsl-text
 	build/glsl-text --golden >tests/golden.txt
 
-# examples/PASSES.md: what each pass reads and writes, and every choice.
+# examples/docs/PASSES.md: what each pass reads and writes, and every choice.
 passes: build/glsl-text
-	build/glsl-text --passes ssgi_gl.h >examples/PASSES.md
+	build/glsl-text --passes ssgi_gl.h >examples/docs/PASSES.md
 
 # The headers, where pkg-config and CMake's find_package(ssgi) see them under PREFIX.
 PREFIX ?= /usr/local
@@ -140,36 +143,37 @@ INSTALLED = include/ssgi.h include/ssgi_gl.h share/pkgconfig/ssgi.pc share/cmake
             share/cmake/ssgi/ssgi-config-version.cmake
 install:
 	@mkdir -p '$(TO)/include' '$(TO)/share/pkgconfig' '$(TO)/share/cmake/ssgi'
-	@for f in $(INSTALLED); do from=$${f##*/}; test -e $$from || from=examples/packages/$$from; \
+	@for f in $(INSTALLED); do from=$${f##*/}; test -e $$from || from=examples/tools/packages/$$from; \
 	  sed 's/@VERSION@/$(VERSION)/' $$from >'$(TO)'/$$f && chmod 644 '$(TO)'/$$f || exit 1; done
 	@echo 'ssgi $(VERSION): $(TO)/include'
 
 uninstall:
 	@for f in $(INSTALLED); do rm -f '$(TO)'/$$f; done; rmdir '$(TO)/share/cmake/ssgi' 2>/dev/null || true
 
-# The headers as WebAssembly, without a C library; examples/wasm/ssgi.mjs loads it.
+# The headers as WebAssembly, without a C library; examples/tools/wasm/ssgi.mjs loads it.
 WASM_FLAGS = --target=wasm32 -std=c99 $(WARNINGS) -Os -fno-builtin -fno-math-errno -fdata-sections \
-             -nostdlib -nostdlibinc -isystem examples/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
+             -nostdlib -nostdlibinc -isystem examples/tools/wasm/libc -Wl,--no-entry,--strip-all,--stack-first,--export=__heap_base
 wasm: build/wasm/ssgi.wasm
-build/wasm/ssgi.wasm: examples/wasm/ssgi.c examples/wasm/ssgi.mjs $(wildcard examples/wasm/libc/*.h) ssgi.h ssgi_gl.h
+build/wasm/ssgi.wasm: examples/tools/wasm/ssgi.c examples/tools/wasm/ssgi.mjs $(wildcard examples/tools/wasm/libc/*.h) ssgi.h ssgi_gl.h
 	@command -v clang >/dev/null && command -v wasm-ld >/dev/null || sh examples/kit/install.sh clang lld || \
 	  { echo 'wasm: clang or wasm-ld is missing (apt-get install clang lld)' >&2; exit 2; }
 	@mkdir -p $(@D)
 	@echo '  clang $@'; clang $(WASM_FLAGS) $< -o $@
-	@cp examples/wasm/ssgi.mjs $(@D)
+	@cp examples/tools/wasm/ssgi.mjs $(@D)
 
 # An npm package: ssgi.mjs with its types and ssgi.wasm, the texts of WebGL 2 with their manifest.
 npm: build/wasm/ssgi.wasm build/glsl-text
 	@rm -rf build/npm && mkdir -p build/npm
 	@build/glsl-text build/npm/glsl 300es >/dev/null
-	@cp build/wasm/ssgi.wasm examples/wasm/ssgi.mjs LICENSE build/npm
-	@{ build/glsl-text --types && cat examples/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
-	@sed 's/@VERSION@/$(VERSION)/' examples/packages/package.json >build/npm/package.json
+	@cp build/wasm/ssgi.wasm examples/tools/wasm/ssgi.mjs LICENSE build/npm
+	@{ build/glsl-text --types && cat examples/tools/wasm/ssgi.d.ts; } >build/npm/ssgi.d.ts
+	@sed 's/@VERSION@/$(VERSION)/' examples/tools/packages/package.json >build/npm/package.json
 	@echo 'build/npm: ssgi $(VERSION)'
 
-TESTS = main t others test_math test_trace test_files test_models test_library test_text test_twins test_pipeline test_light test_vectors test_field test_casters test_steps test_surfels test_plan test_stability test_build
-build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/stability.c examples/sweeps.c build/examples/page.o $(KIT_O)
-	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) build/examples/page.o $(KIT_O) $(KIT_LIBS) -o $@
+TESTS = main t others $(addprefix test_,math trace files models library text twins pipeline light vectors field casters \
+        steps surfels plan stability build)
+build/test: $(TESTS:%=tests/%.c) tests/t.h tests/others.h tests/frames.h examples/lab/stability/stability.c examples/lab/stability/sweeps.c $(PAGE_O) $(KIT_O)
+	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $(TESTS:%=tests/%.c) $(PAGE_O) $(KIT_O) $(KIT_LIBS) -o $@
 
 # Pictures are written and read while memory runs out: malloc is this program's own.
 build/starve: tests/starve.c tests/others.c build/kit/util.o build/kit/image.o tests/others.h
@@ -190,19 +194,19 @@ clean:
 .PHONY: all install uninstall wasm npm passes demo test chart light peers stability fit glsl golden deps clean
 
 # A window onto a scene, every method live: build/viewer SCENE.obj (or .gltf, or a built-in scene's name).
-VIEWER_O    = util.o image.o places.o mesh.o shapes.o scenes.o scene.o light.o truth.o library.o
+VIEWER_O    = util.o image.o $(addprefix scene/,mesh.o shapes.o scenes.o scene.o light.o) trace/places.o trace/truth.o library.o
 VIEWER_LIBS = $(KIT_LIBS) $$(pkg-config --libs glfw3) -lGL
 viewer: build/viewer
 glfw:
 	@pkg-config --exists glfw3 || sh examples/kit/install.sh libglfw3-dev || \
 	  { echo 'viewer: GLFW is missing (apt-get install libglfw3-dev)' >&2; exit 2; }
-build/viewer: examples/viewer.c $(VIEWER_O:%=build/kit/%) | glfw
+build/viewer: examples/viewer/viewer.c $(VIEWER_O:%=build/kit/%) | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $^ $(VIEWER_LIBS) -o $@
 
 # The same under sanitizers: of memory and undefined behaviour, of threads.
-build/viewer-sanitized: examples/viewer.c $(VIEWER_O:%=build/sanitized/%) | glfw
+build/viewer-sanitized: examples/viewer/viewer.c $(VIEWER_O:%=build/sanitized/%) | glfw
 	@echo '  cc $@'; $(CC) $(SANITIZE) $^ $(VIEWER_LIBS) -o $@
-build/viewer-threads: examples/viewer.c $(VIEWER_O:%=build/threads/%) | glfw
+build/viewer-threads: examples/viewer/viewer.c $(VIEWER_O:%=build/threads/%) | glfw
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) -O1 -fsanitize=thread $^ $(VIEWER_LIBS) -o $@
 build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 	@mkdir -p $(@D)
@@ -210,7 +214,7 @@ build/threads/%.o: examples/kit/%.c $(HEADERS) | deps
 
 # OpenSceneGraph with ambient occlusion by the same steps.
 engine: build/engine
-build/engine: examples/engine.cpp ssgi.h ssgi_gl.h
+build/engine: examples/hosts/openscenegraph.cpp ssgi.h ssgi_gl.h
 	@pkg-config --exists openscenegraph-osgViewer || \
 	  { echo 'engine: OpenSceneGraph is missing (apt-get install libopenscenegraph-dev)' >&2; exit 2; }
 	@mkdir -p $(@D)
@@ -232,7 +236,7 @@ viewer-test: build/render build/rmse
 bench: build/bench
 	@mkdir -p report
 	build/bench $(CONTEXT:%=--context %) $(SCENE:%=--scene %) $(METHOD:%=--method %)
-build/bench: examples/bench.c $(KIT_O)
+build/bench: examples/lab/bench.c $(KIT_O)
 	@echo '  cc $@'; $(CC) $(KIT_FLAGS) $< $(KIT_O) $(KIT_LIBS) -o $@
 
 .PHONY: viewer glfw engine viewer-test bench
@@ -289,7 +293,7 @@ webgpu-test: web-deps build/glsl-text
 	@lacks=; for p in node npm glslangValidator; do command -v $$p >/dev/null || lacks="$$lacks $$p"; done; \
 	test -z "$$lacks" || { echo "skipped: everything: no$$lacks"; echo '0 passed, 0 failed'; exit 0; }; \
 	rm -rf $(WEBGPU) && mkdir -p $(WEBGPU) && echo '<!doctype html><link rel="icon" href="data:,">' >$(WEBGPU)/empty.html && \
-	build/glsl-text $(WEBGPU)/glsl vulkan >/dev/null && { sh examples/translate.sh $(WEBGPU)/glsl wgsl || \
+	build/glsl-text $(WEBGPU)/glsl vulkan >/dev/null && { sh examples/tools/glsl/translate.sh $(WEBGPU)/glsl wgsl || \
 	{ test $$? = 2 && echo 'skipped: everything: no translator' && echo '0 passed, 0 failed' && exit 0; exit 1; }; } && \
 	node tests/webgpu.mjs $(ONLY)
 

@@ -166,7 +166,7 @@ SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
                 low-discrepancy in each set, the sets rotated against each other
      length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
                 radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
-   [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/PAPERS.md] */
+   [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/docs/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
 /* ==== >>sh ===================================================================================================== */
@@ -3331,7 +3331,7 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
 }
 
 /* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
-   (examples/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
+   (examples/lab/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
    and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
 enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_SLABS_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER,
        SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT_ERROR, SSGI__PLAN_TERMS };
@@ -3397,7 +3397,7 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 };
 
 static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
-/* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/fit.c) */
+/* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/lab/fit.c) */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
     { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } } };

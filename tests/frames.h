@@ -1,7 +1,7 @@
 /* frames.h - pictures of known geometry, and runs on them, that the tests of GL share. */
 #ifndef FRAMES_H
 #define FRAMES_H
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 #include <math.h>
 
 /* Numbers by chance, the same in every run: a sequence a file. */

@@ -7,7 +7,7 @@
 
    Each is read, or refused in a sentence that names it, with the picture untouched, in seconds. If not: status 1, and
    the picture stays in its folder. */
-#include "../examples/kit/kit.h"
+#include "kit/kit.h"
 #include "others.h"
 
 #include <math.h>

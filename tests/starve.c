@@ -5,7 +5,7 @@
 
    Each ends in one sentence that names the file and memory, or in the right picture: never in a hang, with another
    picture, with a file half written or left over. The last line is "N failures, M wrong"; status 1 if any is. */
-#include "../examples/kit/kit.h"
+#include "kit/kit.h"
 #include "others.h"
 
 #include <dirent.h>

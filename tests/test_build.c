@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 
 #define WARNINGS "-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror"
 
@@ -302,7 +302,7 @@ static void documentation(void)
                  getenv("PWD"), ""),
           "README.md: 250 lines of 120 columns are enough: %s", text);
     CHECK(!shell(text, sizeof text,
-                 "cd '%s' && for f in README.md examples/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut "
+                 "cd '%s' && for f in README.md examples/docs/*.md; do for l in $(grep -o '](%s)' $f | tr -d '()]' | cut "
                  "-d'#' -f1); do "
                  "test -e \"$(dirname $f)/$l\" || { echo \"$f: $l\"; exit 1; }; done; done",
                  getenv("PWD"), "[^)]*"),
@@ -312,8 +312,8 @@ static void documentation(void)
                  "cd '%s' && { sed -E 's/(GL|ES|From|Mesa) [0-9.]+//g' README.md | grep -oE '[0-9]+\\.[0-9]+'; sed -n "
                  "'/^## Speed/,$p' README.md | tr '\\n' ' ' | grep -oE '[0-9]+ of [0-9]+'; } | sort -u | "
                  "while read -r n; do grep -qE \"(^|[^0-9.])$(echo \"$n\" | sed 's/[.]/[.]/')([^0-9.]|%s)\" "
-                 "examples/FIGURES.md || { echo \"$n\"; exit 1; }; done", getenv("PWD"), "$"),
-          "README.md has a figure that examples/FIGURES.md has not: %s", text);
+                 "examples/docs/FIGURES.md || { echo \"$n\"; exit 1; }; done", getenv("PWD"), "$"),
+          "README.md has a figure that examples/docs/FIGURES.md has not: %s", text);
     CHECK(!shell(text, sizeof text,
                  "gcc -std=c99 -Wall -Wextra -Werror '%s/examples/minimal.c' -I. -o minimal %s && ./minimal && head -c "
                  "15 ao.pgm",
@@ -321,9 +321,9 @@ static void documentation(void)
               && strstr(text, "P5 960 540 255"),
           "examples/minimal.c: %s", text);
     CHECK(!shell(text, sizeof text,
-        "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/PASSES.md' passes.md", getenv("PWD"),
+        "'%s/build/glsl-text' --passes ssgi_gl.h >passes.md && diff '%s/examples/docs/PASSES.md' passes.md", getenv("PWD"),
         getenv("PWD")),
-          "examples/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
+          "examples/docs/PASSES.md is not what build/glsl-text --passes prints (make passes): %s", text);
     CHECK(!shell(text, sizeof text, "grep -q 'v0.3 ' '%s/ssgi.h' && grep -q 'v0.3 ' '%s/ssgi_gl.h'", getenv("PWD"),
                  getenv("PWD"))
               && SSGI_VERSION == 300 && SSGI_VERSION_MAJOR == 0 && SSGI_VERSION_MINOR == 3,

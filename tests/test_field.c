@@ -7,7 +7,7 @@
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
-#include "../examples/kit/kit.h"
+#include "kit/kit.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
    fuzz_files.c. */
 #include "t.h"
 #include "others.h"
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 
 #include <dirent.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* test_models.c - what a model's file may cost to read, and what is said where there is none: the kit's mesh.c and
    scene.c. What files mean stands in test_files.c. */
 #include "t.h"
-#include "../examples/kit/kit.h"
+#include "kit/kit.h"
 
 #include <math.h>
 #include <stdlib.h>

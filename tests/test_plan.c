@@ -1,6 +1,6 @@
 /* test_plan.c - what a scene needs: survey, calibration, choice. */
 #include "t.h"
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
    methods each. */
 #include "t.h"
 #define main stability_main
-#include "../examples/stability.c"
+#include "../examples/lab/stability/stability.c"
 #undef main
 
 /* Numbers of a sweep's curves (methods, or what the curve is called) and their bounds; of what is seen beside them, "",

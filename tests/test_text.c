@@ -2,7 +2,7 @@
    sentences, fuzz, speed. */
 #include "t.h"
 #include "../ssgi_gl.h"
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -931,7 +931,7 @@ static int has_place(const char *text, const char *what, int number)
     return 0;
 }
 
-/* examples/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
+/* examples/tools/glsl/translate.sh: in every language every texture is at its binding, and vertex stages turn y. */
 static void translated(void)
 {
     static const struct { const char *ending, *texture, *turned, *has; } into[] = {
@@ -969,7 +969,7 @@ static void translated(void)
         else t_note("%s skipped, without %.*s", into[k].ending, (int)strcspn(line, "\n"), line);
     }
     if (*to) {
-        snprintf(path, sizeof path, "sh examples/translate.sh %s%s 2>&1", folder, to);
+        snprintf(path, sizeof path, "sh examples/tools/glsl/translate.sh %s%s 2>&1", folder, to);
         FILE *pipe = popen(path, "r");
         while (pipe && fgets(line, sizeof line, pipe)) CHECK(strstr(line, " 14 of 14\n"), "%s", line);
         CHECK(pipe && !pclose(pipe), "%s: fails", path);

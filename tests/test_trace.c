@@ -1,6 +1,6 @@
 /* test_trace.c - the tracer against brute force, cameras, the ray-traced truth and its floor against closed forms. */
 #include "t.h"
-#include "../examples/kit/kit.h"
+#include "kit/kit.h"
 
 #include <math.h>
 #include <stdlib.h>

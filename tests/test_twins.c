@@ -3,7 +3,7 @@
    does in GLSL, by cases worked out by hand. */
 #include "t.h"
 #include "../ssgi_gl.h"
-#include "../examples/kit/kit_gl.h"
+#include "kit/kit_gl.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* image.c - float pictures: EXR in and out, HDR in, PNG out, scores, difference colours. */
-#include "kit.h"
+#include "kit/kit.h"
 
 #include <errno.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef KIT_BUILD_H
 #define KIT_BUILD_H
 
-#include "kit.h"
+#include "kit/kit.h"
 
 /* ---- >>shapes: all in local coordinates that at and turn place in the world ---------------------------------- */
 

@@ -5,7 +5,7 @@
 #ifndef KIT_GL_H
 #define KIT_GL_H
 
-#include "kit.h"
+#include "kit/kit.h"
 #include <GL/glcorearb.h>
 
 /* ---- >>functions -------------------------------------------------------------------------------------------- */

@@ -2,7 +2,7 @@
 #ifndef KIT_RUN_H
 #define KIT_RUN_H
 
-#include "kit_gl.h"
+#include "kit/kit_gl.h"
 
 /* What kit_run_open works with; the run is its result. */
 typedef struct kit_making {

@@ -1,5 +1,5 @@
 /* util.c - errors, progress, threads, whole files, JSON. */
-#include "kit.h"
+#include "kit/kit.h"
 
 #include <errno.h>
 #include <fcntl.h>

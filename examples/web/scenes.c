@@ -3,7 +3,7 @@
 
    NAME.bin, little-endian: vertices, indices (uint32); positions (3 floats a vertex); normals (3 int16 and a 0, of
    32767), albedo (3 uint16 and a 0, linear, of 65535); indices (uint32, counter-clockwise as their normals say). */
-#include "../kit/kit.h"
+#include "kit/kit.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

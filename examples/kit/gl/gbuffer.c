@@ -1,0 +1,617 @@
+/* gbuffer.c - the G-buffer: rasterised from a scene, or taken from a frame, and read back as one. Declared in
+   kit_gl.h. */
+#include "kit/kit_gl.h"
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A face's side is decided on the CPU (facing): gl_FrontFacing would need every mesh to be wound one way. u_side: 1
+   turns normals toward the viewer, -1 away.
+
+   PEEL keeps what lies behind u_previous, the view depths of the layer before, by more than 4e-6 of them. They are what
+   this same program interpolated, so a surface finds its own depth again bit by bit; the tolerance is for surfaces that
+   coincide (a box on a floor), whose depths differ by rounding. Window depth would not do: away from a near plane its
+   steps are coarser than that by far. SLAB is PEEL without normals and albedo. */
+static const char vertex_source[] =
+    "layout(location = 0) in vec3 a_position;\n"
+    "layout(location = 1) in vec3 a_normal;\n"
+    "layout(location = 2) in vec3 a_facing;\n"
+    "layout(location = 3) in vec3 a_albedo;\n"
+    "layout(location = 4) in vec3 a_object;\n"
+    "uniform mat4 u_view;\n"
+    "uniform mat4 u_projection;\n"
+    "uniform float u_side;\n"
+    "invariant gl_Position;\n"
+    "out float v_depth;\n"
+    "out vec3 v_normal;\n"
+    "flat out vec3 v_facing;\n"
+    "flat out vec3 v_albedo;\n"
+    "flat out float v_object;\n"
+    "void main() {\n"
+    "    v_normal = mat3(u_view) * a_normal;\n"
+    "    v_facing = mat3(u_view) * a_facing * u_side;\n"
+    "    v_albedo = a_albedo;\n"
+    "    v_object = a_object.x;\n"
+    "    vec4 position = u_view * vec4(a_position, 1.0);\n"
+    "    v_depth = -position.z;\n"
+    "    gl_Position = u_projection * position;\n"
+    "}\n";
+static const char fragment_source[] =
+    "in float v_depth;\n"
+    "in vec3 v_normal;\n"
+    "flat in vec3 v_facing;\n"
+    "flat in vec3 v_albedo;\n"
+    "flat in float v_object;\n"
+    "#ifdef SLAB\n"
+    "#define PEEL\n"
+    "layout(location = 0) out float o_depth;\n"
+    "vec4 o_normal, o_albedo;\n"
+    "#else\n"
+    "layout(location = 0) out vec4 o_normal;\n"
+    "layout(location = 1) out vec4 o_albedo;\n"
+    "#ifdef PEEL\n"
+    "layout(location = 2) out float o_depth;\n"
+    "#endif\n"
+    "#endif\n"
+    "#ifdef PEEL\n"
+    "uniform sampler2D u_previous;\n"
+    "#else\n"
+    "layout(location = 2) out highp uint o_object;\n"
+    "#endif\n"
+    "void main() {\n"
+    "#ifdef PEEL\n"
+    "    if (!(v_depth > 1.000004 * texelFetch(u_previous, ivec2(gl_FragCoord.xy), 0).x)) discard;\n"
+    "    o_depth = v_depth;\n"
+    "#else\n"
+    "    o_object = uint(v_object + 0.5);\n"
+    "#endif\n"
+    "    vec3 n = dot(v_normal, v_normal) > 0.0 ? normalize(v_normal) : v_facing;\n"
+    "    o_normal = vec4(dot(n, v_facing) < 0.0 ? -n : n, 0.0);\n"
+    "    o_albedo = vec4(v_albedo, 1.0);\n"
+    "}\n";
+
+/* position, normal, facing, albedo, the object's number and two to fill up */
+enum { VERTEX_FLOATS = 15 };
+
+/* The soup as vertices. facing is the face's normal turned to the side that the camera is on. */
+static float *vertices_new(const kit_mesh *mesh, const kit_camera *camera)
+{
+    float *vertices = malloc(mesh->triangles * 3 * VERTEX_FLOATS * sizeof *vertices + 1);
+    for (size_t t = 0; vertices && t < mesh->triangles; t++) {
+        const float *p = mesh->position + 9 * t;
+        float facing[3];
+        double a[3], b[3], face[3], toward = 0, length;
+        for (int i = 0; i < 3; i++) {
+            a[i] = (double)p[3 + i] - (double)p[i];
+            b[i] = (double)p[6 + i] - (double)p[i];
+        }
+        for (int i = 0; i < 3; i++)
+            face[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+        length = sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]);
+        for (int i = 0; i < 3; i++)
+            toward += face[i] * ((double)camera->eye[i] - (double)(camera->fovy > 0 ? p[i] : camera->target[i]));
+        for (int i = 0; i < 3; i++) facing[i] = length > 0 ? (float)((toward < 0 ? -face[i] : face[i]) / length) : 0.0f;
+        for (size_t k = 0; k < 3; k++) {
+            float *v = vertices + (3 * t + k) * VERTEX_FLOATS;
+            memcpy(v, p + 3 * k, 3 * sizeof *v);
+            memcpy(v + 3, mesh->normal + 9 * t + 3 * k, 3 * sizeof *v);
+            memcpy(v + 6, facing, sizeof facing);
+            memcpy(v + 9, mesh->albedo + 3 * t, 3 * sizeof *v);
+            v[12] = mesh->object ? (float)mesh->object[t] : 0.0f;
+            v[13] = v[14] = 0;
+        }
+    }
+    return vertices;
+}
+
+/* Makes ready to draw the soup as g's camera sees it; a framebuffer without targets. */
+static GLuint begin(kit_soup *soup, const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program)
+{
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
+    float view[16], projection[16];
+    GLuint framebuffer;
+    kit_camera_matrices(&g->camera, view, projection);
+    while (glGetError() != GL_NO_ERROR) {}
+    kit_soup_open(soup, vertices, mesh->triangles * 3, VERTEX_FLOATS / 3);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glUseProgram(program);
+    glUniformMatrix4fv(glGetUniformLocation(program, "u_view"), 1, GL_FALSE, view);
+    glUniformMatrix4fv(glGetUniformLocation(program, "u_projection"), 1, GL_FALSE, g->projection);
+    glViewport(g->viewport[0], g->viewport[1], g->viewport[2], g->viewport[3]);
+    glDepthFunc(reversed ? GL_GREATER : GL_LESS);
+    if (reversed) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    return framebuffer;
+}
+
+/* Draws the nearest back face; the next front face behind that, and its back face, as window depths. Each pass writes
+   view depth, too, which the next one peels by. */
+static int draw_slabs(kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program,
+                      const GLuint depth[3])
+{
+    static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL, passes = depth[2] ? 3 : 1;
+    const GLfloat clear = reversed ? 0.0f : 1.0f;
+    GLuint framebuffer, view_depth[2];
+    int complete = 1;
+    kit_soup soup;
+    framebuffer = begin(&soup, g, mesh, vertices, program);
+    for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, view_depth[1], 0);
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glActiveTexture(GL_TEXTURE0);
+    glEnable(GL_CULL_FACE);
+    kit_timer_begin();
+    for (int i = 0; i < passes && complete; i++) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, view_depth[i % 2], 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth[i], 0);
+        glBindTexture(GL_TEXTURE_2D, view_depth[(i + 1) % 2]);
+        complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+        glClearBufferfv(GL_COLOR, 0, farthest);
+        glClearBufferfv(GL_DEPTH, 0, &clear);
+        glCullFace(i == 1 ? GL_BACK : GL_FRONT);
+        if (complete) glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
+    }
+    g->slab_ms[passes > 1] = kit_timer_end();
+    glDisable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    kit_soup_close(&soup);
+    glDeleteTextures(2, view_depth);
+    glDeleteFramebuffers(1, &framebuffer);
+    return complete && glGetError() == GL_NO_ERROR;
+}
+
+/* Draws g's first layer, or with a program that peels all others; 0 if the context cannot. Peeling draws the first one
+   too, for its view depth, into the slices that the second will have; view depths go from layer to layer through a pair
+   of textures, so that none reads the array that it writes. */
+static int draw(const kit_gbuffer *g, const kit_mesh *mesh, const float *vertices, GLuint program, int peels)
+{
+    static const GLenum targets[3] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2 };
+    static const GLuint none[4] = { 0, 0, 0, 0 };
+    static const GLfloat zero[4] = { 0, 0, 0, 0 }, farthest[4] = { SSGI_FAR, 0, 0, 0 };
+    const int reversed = g->camera.depth != KIT_DEPTH_NORMAL;
+    const GLfloat clear = reversed ? 0.0f : 1.0f;
+    GLuint framebuffer, view_depth[2] = { 0, 0 };
+    int complete = 1;
+    kit_soup soup;
+    framebuffer = begin(&soup, g, mesh, vertices, program);
+    glDrawBuffers(3, targets);
+    if (peels) {
+        for (int i = 0; i < 2; i++) view_depth[i] = kit_texture(g->width, g->height, GL_R32F, NULL);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[1], 0);
+        glClearBufferfv(GL_COLOR, 2, zero);                    /* what the first layer is behind of */
+        glActiveTexture(GL_TEXTURE0);
+    }
+    for (int layer = 0; layer < (peels ? g->layers : 1) && complete; layer++) {
+        const int slice = layer ? layer - 1 : 0;
+        if (peels) {
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[0], g->layer_normal, 0, slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, targets[1], g->layer_albedo, 0, slice);
+            glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, g->layer_depth, 0, slice);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, view_depth[layer % 2], 0);
+            glBindTexture(GL_TEXTURE_2D, view_depth[(layer + 1) % 2]);
+        } else {
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[0], GL_TEXTURE_2D, g->normal, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[1], GL_TEXTURE_2D, g->albedo, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, targets[2], GL_TEXTURE_2D, g->object, 0);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, g->depth, 0);
+        }
+        complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+        if (!complete) break;
+        for (int i = 0; i < 2; i++) glClearBufferfv(GL_COLOR, i, zero);
+        if (peels) glClearBufferfv(GL_COLOR, 2, farthest);
+        else       glClearBufferuiv(GL_COLOR, 2, none);
+        glClearBufferfv(GL_DEPTH, 0, &clear);
+        glUniform1f(glGetUniformLocation(program, "u_side"), layer % 2 ? -1.0f : 1.0f);
+        glDrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * mesh->triangles));
+    }
+    if (reversed) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (peels) glBindTexture(GL_TEXTURE_2D, 0);
+    kit_soup_close(&soup);
+    glDeleteTextures(2, view_depth);
+    glDeleteFramebuffers(1, &framebuffer);
+    return complete && glGetError() == GL_NO_ERROR;
+}
+
+static int rasterise(kit_gbuffer *g, const kit_scene *scene, int peels, const GLuint *slab, kit_error *err)
+{
+    float *vertices;
+    GLuint program;
+    int drawn;
+    if (scene->mesh.triangles > 0x7fffffff / 3)
+        return kit_fail(err, "G-buffer of %s: %zu triangles are more than one draw call takes", scene->name,
+                        scene->mesh.triangles);
+    vertices = vertices_new(&scene->mesh, &g->camera);
+    if (!vertices)
+        return kit_fail(err, "G-buffer of %s: no memory for %zu triangles", scene->name, scene->mesh.triangles);
+    program = kit_program_text(slab    ? "#define SLAB\n"
+                               : peels ? "#define PEEL\n"
+                                       : "",
+                               vertex_source, fragment_source, err);
+    drawn = program
+            && (slab ? draw_slabs(g, &scene->mesh, vertices, program, slab)
+                     : draw(g, &scene->mesh, vertices, program, peels));
+    free(vertices);
+    if (!program) return -1;
+    glDeleteProgram(program);
+    if (!drawn)
+        return kit_fail(err,
+                        "G-buffer of %s: %s cannot draw %d layers of %d x %d RGBA32F and RGBA16F texels with %zu "
+                        "triangles",
+                        scene->name, kit_gl_name(), g->layers, g->width, g->height, scene->mesh.triangles);
+    return 0;
+}
+
+int kit_gbuffer_from_scene(kit_gbuffer *gbuffer, const kit_scene *scene, const kit_camera *camera, const int margin[4],
+                           kit_error *err)
+{
+    static const int none[4] = { 0, 0, 0, 0 };
+    kit_gbuffer g;
+    float view[16];
+    GLint limit = 0;
+    memset(&g, 0, sizeof g);
+    if (!margin) margin = none;
+    g.layers = 1;
+    g.camera = *camera;
+    kit_camera_planes(&g.camera, &scene->mesh);
+    kit_camera_matrices(&g.camera, view, g.projection);
+    g.width  = camera->width + margin[0] + margin[2];
+    g.height = camera->height + margin[1] + margin[3];
+    g.viewport[0] = margin[0]; g.viewport[1] = margin[1]; g.viewport[2] = camera->width; g.viewport[3] = camera->height;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (camera->width < 1 || camera->height < 1 || margin[0] < 0 || margin[1] < 0 || margin[2] < 0 || margin[3] < 0 ||
+        g.width > limit || g.height > limit)
+        return kit_fail(err, "G-buffer of %s: %d x %d texels is not a size that this context can draw (1 to %d)",
+                        scene->name, g.width, g.height, (int)limit);
+    if (camera->depth != KIT_DEPTH_NORMAL && !glClipControl)
+        return kit_fail(err, "G-buffer of %s: reversed depth needs glClipControl, which %s lacks", scene->name,
+                        kit_gl_name());
+    g.depth  = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
+    g.normal = kit_texture(g.width, g.height, GL_RGBA32F, NULL);
+    g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, NULL);
+    g.object = kit_texture(g.width, g.height, GL_R32UI, NULL);
+    if (rasterise(&g, scene, 0, NULL, err)) {
+        kit_gbuffer_free(&g);
+        return -1;
+    }
+    *gbuffer = g;
+    return 0;
+}
+
+int kit_gbuffer_widen(kit_gbuffer *wide, const kit_gbuffer *g, const kit_scene *scene, int pixels, kit_error *err)
+{
+    const double pi = 3.14159265358979323846, more = 1 + 2.0 * pixels / g->viewport[3];
+    kit_camera c = g->camera;
+    c.width = g->viewport[2] + 2 * pixels;
+    c.height = g->viewport[3] + 2 * pixels;
+    c.fovy = (float)(360 / pi * atan(more * tan((double)c.fovy * pi / 360)));
+    c.ortho_height = (float)(more * (double)c.ortho_height);
+    return kit_gbuffer_from_scene(wide, scene, &c, NULL, err);
+}
+
+static void layers_free(kit_gbuffer *g)
+{
+    glDeleteTextures(1, &g->layer_depth);
+    glDeleteTextures(1, &g->layer_normal);
+    glDeleteTextures(1, &g->layer_albedo);
+    g->layer_depth = g->layer_normal = g->layer_albedo = 0;
+    g->layers = 1;
+}
+
+int kit_gbuffer_peel(kit_gbuffer *gbuffer, const kit_scene *scene, int layers, kit_error *err)
+{
+    kit_gbuffer g = *gbuffer;
+    if (layers < 1 || layers > KIT_MAX_LAYERS) return kit_fail(err, "layers %d: must be 1..%d", layers, KIT_MAX_LAYERS);
+    if (g.depth_is_linear) return kit_fail(err, "G-buffer: it came from a frame, which has no scene to peel");
+    if (layers > 1) {
+        g.layers       = layers;
+        g.layer_depth  = kit_texture_array(g.width, g.height, layers - 1, GL_DEPTH_COMPONENT32F, NULL);
+        g.layer_normal = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA32F, NULL);
+        g.layer_albedo = kit_texture_array(g.width, g.height, layers - 1, GL_RGBA16F, NULL);
+        if (rasterise(&g, scene, 1, NULL, err)) {
+            layers_free(&g);
+            return -1;
+        }
+        layers_free(gbuffer);
+        *gbuffer = g;
+    } else layers_free(gbuffer);
+    return 0;
+}
+
+/* Three planes of texels as one texture of four components, rows as they are. */
+static GLuint packed_slabs(const kit_gbuffer *g, const float *planes)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height;
+    float *packed = calloc(4 * texels, sizeof *packed);
+    GLuint texture;
+    if (!packed) return 0;
+    for (size_t i = 0; i < 3 * texels; i++) packed[4 * (i % texels) + i / texels] = planes[i];
+    texture = kit_texture(g->width, g->height, GL_RGBA32F, packed);
+    free(packed);
+    return texture;
+}
+
+int kit_gbuffer_slabs(kit_gbuffer *gbuffer, const kit_scene *scene, int slabs, kit_error *err)
+{
+    const size_t texels = (size_t)gbuffer->width * (size_t)gbuffer->height;
+    kit_gbuffer g = *gbuffer;
+    GLuint depth[3] = { 0, 0, 0 };
+    float *planes;
+    int failed;
+    if (slabs < 1 || slabs > 2) return kit_fail(err, "slabs %d: must be 1 or 2", slabs);
+    if (g.depth_is_linear)
+        return kit_fail(err, "G-buffer: it came from a frame, which has no scene to draw back faces of");
+    for (int i = 0; i < (slabs > 1 ? 3 : 1); i++)
+        depth[i] = kit_texture(g.width, g.height, GL_DEPTH_COMPONENT32F, NULL);
+    failed = rasterise(&g, scene, 0, depth, err);
+    if (!failed && slabs > 1) {
+        planes = malloc(3 * texels * sizeof *planes);
+        failed = !planes;
+        for (int i = 0; i < 3 && !failed; i++)
+            failed = kit_texture_read(depth[i], g.width, g.height, 1, planes + (size_t)i * texels);
+        g.slabs = failed ? 0 : packed_slabs(&g, planes);
+        failed = !g.slabs && kit_fail(err, "G-buffer of %s: no memory for slabs", scene->name);
+        free(planes);
+    } else if (!failed) { g.back = depth[0]; depth[0] = 0; }
+    glDeleteTextures(3, depth);
+    if (failed) return -1;
+    glDeleteTextures(1, slabs > 1 ? &gbuffer->slabs : &gbuffer->back);
+    *gbuffer = g;
+    return 0;
+}
+
+/* the camera's planes where they are 0, from the frame's own depths */
+static void planes_from_depths(kit_camera *camera, const float *z, size_t count)
+{
+    float nearest = FLT_MAX, farthest = 0;
+    for (size_t i = 0; i < count; i++)
+        if (z[i] > 0 && z[i] <= FLT_MAX) {
+            nearest = z[i] < nearest ? z[i] : nearest;
+            farthest = z[i] > farthest ? z[i] : farthest;
+        }
+    if (farthest <= 0) { nearest = 1; farthest = 100; }
+    if (!(camera->znear > 0)) camera->znear = 0.5f * nearest;
+    if (!(camera->zfar > 0))  camera->zfar  = 2.0f * farthest;
+    if (!(camera->zfar > camera->znear)) camera->zfar = 2.0f * camera->znear;
+}
+
+/* Channels of a layer; DIRECT is the first layer's alone. */
+enum { Z, N, ALBEDO = 4, DIRECT = 7, CHANNELS = 10 };
+static const char *const channel_names[CHANNELS] =
+    { "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.G", "direct.B" };
+
+static const char *const slab_names[3] = { "back.Z", "front2.Z", "back2.Z" };
+
+static void channel_name(char out[32], int layer, int c)
+{
+    if (layer) snprintf(out, 32, "layer%d.%s", layer, channel_names[c]);
+    else       snprintf(out, 32, "%s", channel_names[c]);
+}
+
+/* Channels first .. last - 1 of a layer: 1 if all are there, 0 if none is, -1 if some are missing; the line names the
+   first of these. */
+static int channels_find(const float **channel, const kit_image *frame, int layer, int first, int last, kit_error *err)
+{
+    char name[32], missing[32] = "";
+    int found = 0;
+    for (int c = first; c < last; c++) {
+        channel_name(name, layer, c);
+        channel[c] = kit_image_channel(frame, name);
+        found += channel[c] != NULL;
+        if (!channel[c] && !missing[0]) memcpy(missing, name, sizeof missing);
+    }
+    return !missing[0] ? 1
+           : !found    ? 0
+                       : kit_fail(err,
+                                  "frame: channel %s is missing; a layer has all of Z, N.X, N.Y and N.Z, and all of "
+                                     "albedo.R/G/B or none, as all of direct.R/G/B",
+                                  missing);
+}
+
+int kit_gbuffer_from_frame(kit_gbuffer *gbuffer, const kit_image *frame, const kit_camera *camera, kit_error *err)
+{
+    const size_t width = (size_t)frame->width, texels = width * (size_t)frame->height;
+    const float *channel[KIT_MAX_LAYERS][CHANNELS];
+    const float *slab[3];
+    size_t known;
+    float view[16], *depth, *normal, *albedo, *direct;
+    kit_gbuffer g;
+    GLint limit = 0;
+    int colours, lit;
+    size_t layers = 0;
+    memset(&g, 0, sizeof g);
+    while (g.layers < KIT_MAX_LAYERS) {
+        const int found = channels_find(channel[g.layers], frame, g.layers, Z, ALBEDO, err);
+        if (found < 0) return -1;
+        if (!found) break;
+        g.layers++;
+    }
+    if (!g.layers) return kit_fail(err, "frame: channel Z is missing; Z, N.X, N.Y and N.Z are needed");
+    colours = channels_find(channel[0], frame, 0, ALBEDO, DIRECT, err);
+    lit = channels_find(channel[0], frame, 0, DIRECT, CHANNELS, err);
+    if (colours < 0 || lit < 0) return -1;
+    for (int layer = 1; layer < g.layers && colours; layer++)
+        if (channels_find(channel[layer], frame, layer, ALBEDO, DIRECT, err) != 1)
+            return kit_fail(err, "frame: layer%d lacks albedo, which the first layer has", layer);
+    layers = (size_t)g.layers;
+    for (int i = 0; i < 3; i++) slab[i] = kit_image_channel(frame, slab_names[i]);
+    const float *const moved[2] = { kit_image_channel(frame, "motion.X"), kit_image_channel(frame, "motion.Y") };
+    if ((slab[1] || slab[2]) && !(slab[0] && slab[1] && slab[2]))
+        return kit_fail(err, "frame: front2.Z and back2.Z need each other and back.Z");
+    known = slab[2] ? 3 : slab[0] ? 1 : 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (frame->width > limit || frame->height > limit)
+        return kit_fail(err, "frame: %d x %d is larger than this context's textures (%d)", frame->width, frame->height,
+                        (int)limit);
+    g.camera = *camera;
+    g.camera.width  = g.width  = g.viewport[2] = frame->width;
+    g.camera.height = g.height = g.viewport[3] = frame->height;
+    g.depth_is_linear = 1;
+    planes_from_depths(&g.camera, channel[0][Z], texels);
+    kit_camera_matrices(&g.camera, view, g.projection);
+    depth = calloc(texels * (9 * layers + 4), sizeof *depth);
+    if (!depth)
+        return kit_fail(err, "frame: no memory for %d x %d texels in %zu layers", frame->width, frame->height, layers);
+    normal = depth + layers * texels;
+    albedo = normal + 4 * layers * texels;
+    direct = albedo + 4 * layers * texels;
+    for (size_t at = 0; at < layers * texels; at++) {
+        const size_t layer = at / texels, i = at % texels;
+        /* rows turn over */
+        const size_t from = (size_t)frame->height * width - (i / width + 1) * width + i % width;
+        const float *const *c_of = channel[layer];
+        double n[3], length;
+        if (!(c_of[Z][from] > 0 && c_of[Z][from] <= FLT_MAX)) continue;
+        depth[at] = c_of[Z][from];
+        for (int c = 0; c < 3; c++) n[c] = (double)c_of[N + c][from];
+        length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        normal[4 * at + 2] = layer % 2 ? -1.0f : 1.0f;
+        for (size_t c = 0; c < 3 && length > 0 && length <= DBL_MAX; c++) normal[4 * at + c] = (float)(n[c] / length);
+        for (size_t c = 0; c < 3 && colours; c++) albedo[4 * at + c] = c_of[ALBEDO + c][from];
+        albedo[4 * at + 3] = 1;
+        for (size_t c = 0; c < 3 && lit && !layer; c++) {
+            const float value = c_of[DIRECT + c][from];
+            direct[4 * i + c] = value > 0 && value <= FLT_MAX ? value : 0.0f;
+        }
+    }
+    g.depth  = kit_texture(g.width, g.height, GL_R32F, depth);
+    g.normal = kit_texture(g.width, g.height, GL_RGBA32F, normal);
+    if (colours) g.albedo = kit_texture(g.width, g.height, GL_RGBA16F, albedo);
+    if (lit)     g.direct = kit_texture(g.width, g.height, GL_RGBA32F, direct);
+    if (g.layers > 1) {
+        g.layer_depth  = kit_texture_array(g.width, g.height, g.layers - 1, GL_R32F, depth + texels);
+        g.layer_normal = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA32F, normal + 4 * texels);
+        if (colours)
+            g.layer_albedo = kit_texture_array(g.width, g.height, g.layers - 1, GL_RGBA16F, albedo + 4 * texels);
+    }
+    for (size_t at = 0; at < known * texels; at++) {
+        const size_t i = at % texels;
+        const float z = slab[at / texels][(size_t)frame->height * width - (i / width + 1) * width + i % width];
+        depth[at] = z > 0 && z <= FLT_MAX ? z : 0;
+    }
+    if (moved[0] && moved[1]) {             /* bottom row first, +y up */
+        for (size_t i = 0; i < texels; i++)
+            for (size_t c = 0; c < 2; c++) {
+                const float v = moved[c][(size_t)frame->height * width - (i / width + 1) * width + i % width];
+                normal[2 * i + c] = !isfinite(v) ? 0 : c ? -v : v;
+            }
+        g.motion = kit_texture(g.width, g.height, GL_RG32F, normal);
+    }
+    if (known) g.back = kit_texture(g.width, g.height, GL_R32F, depth);
+    if (known > 1) g.slabs = packed_slabs(&g, depth);
+    free(depth);
+    *gbuffer = g;
+    return 0;
+}
+
+/* window depth to view depth, 0 where it is the clear value; from the projection itself, so any frustum will do */
+static double view_depth(const kit_gbuffer *g, double depth)
+{
+    const float *p = g->projection;
+    const int normal = g->camera.depth == KIT_DEPTH_NORMAL;
+    const double z = normal ? 2 * depth - 1 : depth;
+    if (g->depth_is_linear) return depth > 0 ? depth : 0;
+    if (depth == (normal ? 1.0 : 0.0)) return 0;
+    return ((double)p[14] - z * (double)p[15]) / ((double)p[10] - z * (double)p[11]);
+}
+
+/* a layer of the textures: 2D ones for the first, slices of arrays for the others */
+static int layer_read(GLuint texture, GLuint array, int layer, const kit_gbuffer *g, int components, float *out)
+{
+    return layer ? kit_texture_slice_read(array, layer - 1, g->width, g->height, components, out)
+                 : kit_texture_read(texture, g->width, g->height, components, out);
+}
+
+/* adds channels first .. last - 1 of a layer to a list of names */
+static void names_add(char *names, size_t size, int layer, int first, int last)
+{
+    for (int c = first; c < last; c++) {
+        size_t length = strlen(names);
+        char name[32];
+        channel_name(name, layer, c);
+        snprintf(names + length, size - length, "%s%s", length ? "," : "", name);
+    }
+}
+
+int kit_gbuffer_read(kit_image *frame, const kit_gbuffer *g, kit_error *err)
+{
+    const size_t texels = (size_t)g->width * (size_t)g->height, channels = g->albedo ? DIRECT : ALBEDO;
+    const size_t width = (size_t)g->viewport[2], height = (size_t)g->viewport[3], pixels = width * height,
+                 known = g->slabs  ? 3
+                         : g->back ? 1
+                                   : 0;
+    char names[KIT_MAX_CHANNELS * 32] = "";
+    float *depth, *normal, *albedo, *direct;
+    kit_image image;
+    int result = 0;
+    for (int layer = 0; layer < g->layers; layer++) names_add(names, sizeof names, layer, Z, (int)channels);
+    if (g->direct) names_add(names, sizeof names, 0, DIRECT, CHANNELS);
+    for (size_t i = 0; i < known; i++) {
+        const size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, ",%s", slab_names[i]);
+    }
+    depth = malloc(texels * 13 * sizeof *depth);
+    if (!depth) return kit_fail(err, "G-buffer: no memory to read %d x %d texels", g->width, g->height);
+    if (kit_image_new(&image, g->viewport[2], g->viewport[3], names, err)) {
+        free(depth);
+        return -1;
+    }
+    normal = depth + texels;
+    albedo = normal + 4 * texels;
+    direct = albedo + 4 * texels;
+    if (g->direct) result = kit_texture_read(g->direct, g->width, g->height, 4, direct);
+    for (int layer = 0; layer < g->layers && !result; layer++) {
+        float *out = image.data + (size_t)layer * channels * pixels,
+              *out_direct = image.data + (size_t)g->layers * channels * pixels;
+        result = layer_read(g->depth, g->layer_depth, layer, g, 1, depth)
+                 || layer_read(g->normal, g->layer_normal, layer, g, 4, normal)
+                 || (g->albedo && layer_read(g->albedo, g->layer_albedo, layer, g, 4, albedo));
+        for (size_t i = 0; i < pixels && !result; i++) {
+            const size_t y = height - 1 - i / width;
+            const size_t from = ((size_t)g->viewport[1] + y) * (size_t)g->width + (size_t)g->viewport[0] + i % width;
+            const double z = view_depth(g, (double)depth[from]);
+            if (!(z > 0)) continue;
+            out[i] = (float)z;
+            for (size_t c = 0; c < 3; c++) {
+                out[(N + c) * pixels + i] = normal[4 * from + c];
+                if (g->albedo) out[(ALBEDO + c) * pixels + i] = albedo[4 * from + c];
+                if (g->direct && !layer) out_direct[c * pixels + i] = direct[4 * from + c];
+            }
+        }
+    }
+    if (known && !result)
+        result = kit_texture_read(known > 1 ? g->slabs : g->back, g->width, g->height, known > 1 ? 4 : 1, normal);
+    for (size_t k = 0; k < known && !result; k++) {
+        float *out = kit_image_channel(&image, slab_names[k]);
+        for (size_t i = 0; i < pixels; i++) {
+            const size_t from = ((size_t)g->viewport[1] + height - 1 - i / width) * (size_t)g->width
+                                + (size_t)g->viewport[0] + i % width;
+            out[i] = (float)view_depth(g, (double)normal[known > 1 ? 4 * from + k : from]);
+        }
+    }
+    free(depth);
+    if (result) {
+        kit_image_free(&image);
+        return kit_fail(err, "G-buffer: %s cannot read its textures back", kit_gl_name());
+    }
+    *frame = image;
+    return 0;
+}
+
+void kit_gbuffer_free(kit_gbuffer *gbuffer)
+{
+    layers_free(gbuffer);
+    glDeleteTextures(1, &gbuffer->back);
+    glDeleteTextures(1, &gbuffer->slabs);
+    glDeleteTextures(1, &gbuffer->motion);
+    glDeleteTextures(1, &gbuffer->depth);
+    glDeleteTextures(1, &gbuffer->normal);
+    glDeleteTextures(1, &gbuffer->albedo);
+    glDeleteTextures(1, &gbuffer->object);
+    glDeleteTextures(1, &gbuffer->direct);
+    memset(gbuffer, 0, sizeof *gbuffer);
+}

@@ -1,0 +1,129 @@
+/* frames.c - a run of frames: a method on one G-buffer after another, or on one that stays, each run after the one
+   before. Declared in kit_gl.h. */
+#include "kit/kit_run.h"
+#include <math.h>
+
+/* ---- >>follow ---------------------------------------------------------------------------------------------------- */
+
+/* Two textures change places, wherever their runs name them. */
+static void exchange(kit_run *a, GLuint x, kit_run *b, GLuint y)
+{
+    for (int r = 0; r < (a == b ? 1 : 2); ++r) {
+        kit_run *run = r ? b : a;
+        GLuint *places[] = { &run->light, &run->bounce, &run->joint };
+        for (int i = 0; i < 3; ++i) *places[i] = *places[i] == x ? y : *places[i] == y ? x : *places[i];
+        for (int i = 0; i < run->textures && a != b; ++i)
+            run->texture[i] = run->texture[i] == x ? y : run->texture[i] == y ? x : run->texture[i];
+        for (int i = 0; i < run->passes; ++i)
+            for (int k = 0; k < run->pass[i].step->inputs; ++k) {
+                GLuint *in = &run->pass[i].input[k];
+                *in = *in == x ? y : *in == y ? x : *in;
+            }
+    }
+}
+
+/* The noise of a frame, from that of frame 0. */
+static float phase_of(float from, unsigned frame)
+{
+    const double phase = (double)from + (double)ssgi_gl_phase(frame);
+    return (float)(phase - floor(phase));
+}
+
+int kit_run_follow(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+{
+    const kit_gbuffer *g = last->gbuffer;
+    const char *why = "";
+    ssgi_view view;
+    float now[16], then[16], projection[16];
+    if (run->passes != last->passes) return kit_fail(err, "the last frame had other passes");
+    if (kit_view_of(&view, g->projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    kit_camera_matrices(&run->gbuffer->camera, now, projection);
+    kit_camera_matrices(&g->camera, then, projection);
+    if (ssgi_gl_frame_history(&run->frame, &view, now, then, &why) != SSGI_OK)
+        return kit_fail(err, "the last frame: %s", why);
+    run->frame.phase = run == last ? ssgi_gl_phase(frame) : phase_of(run->frame.phase, frame);
+    for (int i = 0; i < run->passes; ++i) {
+        kit_pass *p = &run->pass[i], *from = &last->pass[i];
+        for (unsigned k = 0; k < KIT_HISTORIES && p->last[k]; ++k) {
+            const GLuint written = from->target[k], other = p->last[k];
+            exchange(run, written, last, other);
+            p->last[k] = written;
+            from->target[k] = other;
+            if (run != last) continue;
+            glBindFramebuffer(GL_FRAMEBUFFER, p->framebuffer);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + k, GL_TEXTURE_2D, other, 0);
+        }
+    }
+    kit_run_update(run);
+    return 0;
+}
+
+int kit_run_keeps(const kit_run *run)
+{
+    int kept = 0;
+    for (int i = 0; i < run->passes; ++i) kept |= run->pass[i].desc.pass == SSGI_GL_HISTORY;
+    return kept;
+}
+
+/* ---- >>frames ---------------------------------------------------------------------------------------------------- */
+
+/* A picture of a run by the noise of its frame, before it follows another. */
+static int draw_alone(kit_image *out, kit_run *run, unsigned frame, kit_error *err)
+{
+    const float phase = run->frame.phase;
+    run->frame.phase = phase_of(phase, frame);
+    kit_run_update(run);
+    kit_run_draw(run, 0);
+    run->frame.phase = phase;
+    kit_run_update(run);
+    return kit_run_read(out, run, err);
+}
+
+static int follow_or_begin(kit_run *run, kit_run *last, unsigned frame, kit_error *err)
+{
+    if (last) return kit_run_follow(run, last, frame, err);
+    run->frame.phase = phase_of(run->frame.phase, frame);
+    kit_run_update(run);
+    return 0;
+}
+
+int kit_frames_next(kit_frames *f, kit_gbuffer *g, const kit_method *method, float radius, const kit_world *world,
+                    kit_image *alone, kit_error *err)
+{
+    kit_run *last = f->now, *run = &f->run[last == &f->run[0]];
+    const int keeps = kit_method_value(method, "history") > 0;
+    kit_image picture = { 0 };
+    int failed = kit_run_open_wide(run, g, method, radius, world, last && keeps ? last->margin : -1, err)
+              || (alone && draw_alone(&picture, run, keeps ? f->number : 0, err))
+              || (keeps && follow_or_begin(run, last, f->number, err));
+    if (failed) {
+        kit_image_free(&picture);
+        kit_frames_close(f);
+        return -1;
+    }
+    if (last) kit_run_close(last);
+    if (alone) *alone = picture;
+    f->now = run;
+    ++f->number;
+    return 0;
+}
+
+void kit_frames_close(kit_frames *f)
+{
+    for (int k = 0; k < 2; ++k) kit_run_close(&f->run[k]);
+    f->now = NULL;
+    f->number = 0;
+}
+
+int kit_frames_still(kit_run *run, unsigned first, unsigned k, int timed, kit_error *err)
+{
+    if (kit_run_keeps(run)) {
+        if (!k) {
+            run->frame.history = 0;
+            run->frame.phase = ssgi_gl_phase(first);
+            kit_run_update(run);
+        } else if (kit_run_follow(run, run, first + k, err)) return -1;
+    }
+    kit_run_draw(run, timed);
+    return 0;
+}

@@ -1,0 +1,310 @@
+/* plan.c - what a scene needs: the numbers that ssgi_plan_make asks for, taken from a G-buffer, and its answer as a
+   method of the kit. Part of the kit. */
+#include "kit/kit_run.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PLACES = 8000, PLACE_RAYS = 64, LIGHT_PLACES = 3000, LIGHT_RAYS = 768 };
+
+/* What a plan is made from: ambient visibility of four kinds; slabs where the scene or the frame has them. */
+enum { HSAO, HSAO_BEST, HSAO_SOLID, HSAO_SLABS, PICTURES };
+static const char *const pictures[PICTURES][2] = { { "hsao", "" }, { "hsao-best", "" }, { "hsao", "behind=solid" },
+                                                   { "hsao", "behind=slabs" } };
+
+static int drawn(kit_image *out, kit_gbuffer *g, const kit_world *world, const char *method, const char *set,
+                 float radius, kit_error *err)
+{
+    kit_method m;
+    kit_run run;
+    int failed;
+    if (kit_method_find(&m, method, err) || kit_method_set(&m, set, err)
+        || kit_run_open(&run, g, &m, radius, world, err))
+        return -1;
+    kit_run_draw(&run, 0);
+    failed = kit_run_read(out, &run, err);
+    kit_run_close(&run);
+    return failed;
+}
+
+/* Pixels without a surface are left out. */
+static int survey_of(ssgi_survey *survey, kit_image picture[PICTURES], int count, const float *z, kit_error *err)
+{
+    const size_t pixels = (size_t)picture->width * (size_t)picture->height;
+    const char *why = "";
+    kit_image hsao;
+    if (kit_image_new(&hsao, picture->width, picture->height, "Y", err)) return -1;
+    for (size_t i = 0; i < pixels; ++i) hsao.data[i] = z[i] > 0 ? picture[HSAO].data[i] : NAN;
+    const int bad = ssgi_survey_of(survey, hsao.data, picture[HSAO_BEST].data, picture[HSAO_SOLID].data,
+                                   count > HSAO_SLABS ? picture[HSAO_SLABS].data : NULL, pixels, &why) != SSGI_OK;
+    kit_image_free(&hsao);
+    return bad ? kit_fail(err, "%s", why) : 0;
+}
+
+/* Traces some places of the pictures. */
+static int calibrate_visibility(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
+                                const kit_scene *scene, const kit_camera *camera, float radius, kit_error *err)
+{
+    const size_t triangles = scene->mesh.triangles, size = ssgi_trace_size(triangles);
+    const float *z = kit_image_channel(frame, "Z"),
+                *n[3] = { kit_image_channel(frame, "N.X"), kit_image_channel(frame, "N.Y"),
+                          kit_image_channel(frame, "N.Z") };
+    float *places = malloc(8 * PLACES * sizeof *places), to_view[16], projection[16], origin[3], ray[3];
+    void *memory = malloc(size);
+    size_t count = 0;
+    ssgi_trace trace;
+    ssgi_hit hit;
+    const char *why = "";
+    int failed = places && memory ? 0 : kit_fail(err, "out of memory");
+    kit_camera_matrices(camera, to_view, projection);
+    if (!failed
+        && ssgi_trace_build(&trace, memory, size, scene->mesh.position, 3 * sizeof(float), NULL, triangles, &why)
+               != SSGI_OK)
+        failed = kit_fail(err, "%s", why);
+    /* the R2 sequence over the picture */
+    for (int i = 0; i < 20 * PLACES && count < PLACES && !failed; ++i) {
+        const int x = (int)(fmod(0.7548776662466927 * (i + 1), 1) * frame->width),
+                  y = (int)(fmod(0.5698402909980532 * (i + 1), 1) * frame->height);
+        const size_t at = (size_t)y * (size_t)frame->width + (size_t)x;
+        if (!(z[at] > 0)) continue;
+        /* not from depth, whose rounding is more than a small radius far away */
+        kit_camera_ray(camera, x, y, origin, ray);
+        if (!ssgi_trace_closest(&trace, origin, ray, 0, 1e12f, &hit)) continue;
+        for (int k = 0; k < 3; ++k) places[3 * count + (size_t)k] = origin[k] + hit.t * ray[k];
+        for (int k = 0; k < 3; ++k)
+            places[3 * (PLACES + count) + (size_t)k] =
+                to_view[4 * k] * n[0][at] + to_view[4 * k + 1] * n[1][at] + to_view[4 * k + 2] * n[2][at];
+        places[6 * PLACES + count] = picture[HSAO].data[at];
+        places[7 * PLACES + count++] = picture[HSAO_SLABS].data[at];
+    }
+    if (!failed && !count) failed = kit_fail(err, "the picture shows nothing");
+    if (!failed
+        && ssgi_plan_calibrate(calibration, &trace, places, places + 3 * PLACES, places + 6 * PLACES,
+                               places + 7 * PLACES, count, PLACE_RAYS, radius, &why)
+               != SSGI_OK)
+        failed = kit_fail(err, "%s", why);
+    free(places);
+    free(memory);
+    return failed;
+}
+
+/* Of the environment's harmonics. */
+static int energy_of(float energy[4], const kit_lighting *light, kit_error *err)
+{
+    const size_t texels = (size_t)light->env.width * (size_t)light->env.height;
+    float sh[48] = { 0 };
+    if (light->env.data) {
+        float *rgb = malloc(3 * texels * sizeof *rgb);
+        if (!rgb) return kit_fail(err, "out of memory");
+        for (size_t i = 0; i < 3 * texels; ++i) rgb[i] = light->env.data[i % 3 * texels + i / 3];
+        ssgi_sh_project_equirect(sh, 4, rgb, light->env.width, light->env.height, NULL);
+        free(rgb);
+    }
+    ssgi_sh_energy(energy, 4, sh, 3);
+    return 0;
+}
+
+double kit_plan_error(const kit_image *picture, const kit_image *truth, const kit_image *frame, int wanted)
+{
+    static const char *const names[2][3] = { { "irradiance.R", "irradiance.G", "irradiance.B" },
+                                             { "bounce.R", "bounce.G", "bounce.B" } };
+    const float *z = kit_image_channel(frame, "Z");
+    const int lit = wanted == SSGI_PLAN_LIGHT || wanted == SSGI_PLAN_BOUNCE;
+    double square = 0, mean = 0;
+    size_t count = 0;
+    for (int c = 0; c < (lit ? 3 : 1); ++c) {
+        const float *a = kit_image_channel(picture, lit ? names[0][c] : "Y"),
+                    *b = kit_image_channel(truth, lit ? names[0][c] : "Y");
+        const float *more_a = wanted == SSGI_PLAN_BOUNCE ? kit_image_channel(picture, names[1][c]) : NULL,
+                    *more_b = more_a ? kit_image_channel(truth, names[1][c]) : NULL;
+        for (int i = 0; i < truth->width * truth->height; ++i) {
+            if (!(z[i] > 0) || isnan(b[i])) continue;
+            const double x = (double)a[i] + (more_a ? (double)more_a[i] : 0),
+                         y = (double)b[i] + (more_b ? (double)more_b[i] : 0);
+            square += (x - y) * (x - y);
+            mean += y;
+            ++count;
+        }
+    }
+    return sqrt(square / (double)count) / (lit ? mean / (double)count : 1);
+}
+
+/* What the environment brings to open surfaces; the lights with their shadows, where there are any. */
+static int light_of(kit_image *open, kit_image *direct, kit_gbuffer *g, const kit_world *world, float radius,
+                    kit_error *err)
+{
+    memset(direct, 0, sizeof *direct);
+    /* nothing is in the way within so small a radius */
+    if (drawn(open, g, world, "ssdo-points", "bounce=none,blur=0", 1e-4f * radius, err)) return -1;
+    if (!world->lighting || !world->lighting->lights) return 0;
+    return drawn(direct, g, world, "ssdo-points", "environment=none,bounce=none", radius, err);
+}
+
+/* The same of light: the truth of one pixel in every block, visibility dims what the environment brings to open
+   surfaces. */
+static int calibrate_light(ssgi_calibration *calibration, const kit_image *frame, const kit_image *picture,
+                           kit_gbuffer *g, const kit_world *world, float radius, int wanted, kit_error *err)
+{
+    static const int of[3] = { PICTURES /* none */, HSAO, HSAO_SLABS };
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / LIGHT_PLACES));
+    const size_t pixels = (size_t)frame->width * (size_t)frame->height;
+    double error[3];
+    kit_image truth, lit, open, direct;
+    if (light_of(&open, &direct, g, world, radius, err)
+        || kit_truth_lit(&truth, world->scene, &g->camera, world->lighting, radius, KIT_ATTENUATION_LINEAR,
+                         wanted == SSGI_PLAN_BOUNCE, LIGHT_RAYS, stride, err))
+        return -1;
+    for (int k = 0; k < 3; ++k) {
+        if (kit_image_new(&lit, frame->width, frame->height, "Y", err)) return -1;
+        for (size_t i = 0; i < pixels; ++i) lit.data[i] = of[k] < PICTURES ? picture[of[k]].data[i] : 1;
+        if (kit_dim(&lit, &open, direct.data ? &direct : NULL, err)) return -1;
+        error[k] = kit_plan_error(&lit, &truth, frame, wanted);
+        kit_image_free(&lit);
+    }
+    kit_image_free(&truth);
+    kit_image_free(&open);
+    kit_image_free(&direct);
+    /* else all is dark */
+    if (isfinite(error[0])) *calibration = (ssgi_calibration){ 1, (float)error[0], (float)error[1], (float)error[2] };
+    return 0;
+}
+
+/* Surfels of the scene and their splats, over the frame's pixels. */
+static int surfels_of(ssgi_plan_scene *s, const kit_gbuffer *g, const kit_scene *scene, float radius, kit_error *err)
+{
+    const ssgi_surfel_desc desc = { .max_distance = radius };
+    const ssgi_splat splat = { .max_distance = radius };
+    ssgi_surfel_source source = { .position = scene->mesh.position, .triangles = scene->mesh.triangles };
+    ssgi_surfel_cost cost;
+    ssgi_view view;
+    const char *why = "";
+    float projection[16];
+    const double pixels = (double)g->viewport[2] * g->viewport[3];
+    kit_camera_matrices(&g->camera, source.to_view, projection);
+    if (kit_view_of(&view, projection, g->camera.depth, g->viewport[2], g->viewport[3], err)) return -1;
+    if (ssgi_surfels_predict(&cost, &desc, &splat, &view, &source, &why) != SSGI_OK)
+        return kit_fail(err, "surfels: %s", why);
+    s->surfels = (double)cost.surfels / pixels;
+    for (int l = 0; l < SSGI_SPLAT_LEVELS; ++l) s->splats += cost.pixels[l] / pixels;
+    return 0;
+}
+
+/* What occluders' fields cover; the error without them, of one pixel in every block. */
+static int objects_of(ssgi_plan_scene *s, const kit_image *frame, const kit_gbuffer *g, const kit_scene *scene,
+                      kit_error *err)
+{
+    const int stride = (int)fmax(1, sqrt((double)frame->width * frame->height / PLACES));
+    kit_image truth, none;
+    kit_method m;
+    double covered;
+    if (kit_method_find(&m, "aof", err)) return -1;
+    const ssgi_field_desc desc = kit_method_field(&m);
+    if (kit_fields_cover(&covered, frame, &g->camera, scene, &desc, err)) return -1;
+    s->coverage = s->occluders ? (float)(covered / s->occluders) : 0;
+    if (kit_truth_objects(&truth, scene, &g->camera, PLACE_RAYS, stride, err)
+        || kit_image_new(&none, frame->width, frame->height, "Y", err))
+        return -1;
+    for (int i = 0; i < frame->width * frame->height; ++i) none.data[i] = 1;
+    s->calibration.unoccluded = (float)kit_plan_error(&none, &truth, frame, SSGI_PLAN_OBJECTS);
+    s->calibration.known = 1;
+    kit_image_free(&truth);
+    kit_image_free(&none);
+    return 0;
+}
+
+int kit_plan_numbers(ssgi_plan_scene *s, kit_gbuffer *g, const kit_world *world, float radius, int wanted,
+                     kit_error *err)
+{
+    const kit_world dark = { world->scene, NULL };
+    const int slabs = world->scene || g->slabs, count = slabs ? PICTURES : HSAO_SLABS;
+    kit_image frame, picture[PICTURES];
+    double reach = 0, albedo = 0;
+    float to_view[16], projection[16];
+    size_t seen = 0;
+    memset(s, 0, sizeof *s);
+    s->wanted = wanted;
+    s->thickness = slabs ? SSGI_PLAN_SLABS : g->back ? SSGI_PLAN_BACK : SSGI_PLAN_CONSTANT;
+    for (int k = 0; k < count; ++k)
+        if (drawn(&picture[k], g, &dark, pictures[k][0], pictures[k][1], radius, err)) return -1;
+    if (kit_gbuffer_read(&frame, g, err)) return -1;
+    const float *z = kit_image_channel(&frame, "Z"), *green = kit_image_channel(&frame, "albedo.G");
+    kit_camera_matrices(&g->camera, to_view, projection);
+    for (int i = 0; i < frame.width * frame.height; ++i) {
+        if (!(z[i] > 0)) continue;
+        reach += fabs((double)projection[5]) / 2 * (double)radius / (g->camera.fovy > 0 ? (double)z[i] : 1);
+        albedo += green ? (double)green[i] : 0.8;
+        ++seen;
+    }
+    s->screen_radius = (float)(reach / fmax(1, (double)seen));
+    s->albedo = (float)fmin(1, albedo / fmax(1, (double)seen));
+    s->map = world->lighting && world->lighting->env.data;
+    int failed = survey_of(&s->survey, picture, count, z, err);
+    if (!failed && world->scene && wanted == SSGI_PLAN_VISIBILITY)
+        failed = calibrate_visibility(&s->calibration, &frame, picture, world->scene, &g->camera, radius, err);
+    else if (!failed && world->scene && wanted != SSGI_PLAN_OBJECTS && world->lighting)
+        failed = calibrate_light(&s->calibration, &frame, picture, g, world, radius, wanted, err);
+    for (int i = 0; world->scene && i < world->scene->objects; ++i)
+        s->occluders += world->scene->object[i].casts > 0;
+    if (!failed && world->scene && wanted == SSGI_PLAN_OBJECTS)
+        failed = objects_of(s, &frame, g, world->scene, err);
+    for (int k = 0; k < count; ++k) kit_image_free(&picture[k]);
+    kit_image_free(&frame);
+    if (!failed && world->lighting) failed = energy_of(s->energy, world->lighting, err);
+    return failed || !world->scene ? failed : surfels_of(s, g, world->scene, radius, err);
+}
+
+const char *kit_plan_text(char set[256], const ssgi_plan *p, int wanted)
+{
+    static const char *const names[] = { NULL, "hsao", "ssdo", "s3ho", "dss", "aof" },
+                      *const behind[] = { "constant", "solid", "back", "slabs" };
+    const struct { const char *key; int value, least; } asked[] = {
+        { "half", p->half, p->directions ? 0 : 1 }, { "directions", p->directions, 1 }, { "steps", p->steps, 1 },
+        { "bands", p->bands, 1 }, { "history", p->history, 1 }, { "blur", p->filter_radius, 1 },
+        { "levels", p->levels, 1 }, { "resolution", p->resolution, 1 } };
+    size_t n = 0;
+    *set = 0;
+    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; ++i)
+        if (asked[i].value >= asked[i].least)
+            n += (size_t)snprintf(set + n, 256 - n, "%s%s=%d", n ? "," : "", asked[i].key, asked[i].value);
+    if (p->thickness) n += (size_t)snprintf(set + n, 256 - n, ",behind=%s", behind[p->thickness]);
+    if (p->method == SSGI_PLAN_SURFELS) n += (size_t)snprintf(set + n, 256 - n, ",size=%g", (double)p->size);
+    if (wanted == SSGI_PLAN_BOUNCE && p->method == SSGI_PLAN_SSDO) snprintf(set + n, 256 - n, ",reuse=1");
+    if (wanted != SSGI_PLAN_BOUNCE && (p->method == SSGI_PLAN_SSDO || p->method == SSGI_PLAN_S3HO))
+        snprintf(set + n, 256 - n, p->method == SSGI_PLAN_SSDO ? ",bounce=none" : ",indirect=none");
+    return names[p->method];
+}
+
+int kit_plan_method(kit_method *m, const ssgi_plan *p, int wanted, kit_error *err)
+{
+    char set[256];
+    const char *name = kit_plan_text(set, p, wanted);
+    return !name                                                          ? kit_fail(err, "nothing needs no method")
+           : kit_method_find(m, name, err) || kit_method_set(m, set, err) ? -1
+                                                                          : 0;
+}
+
+int kit_dim(kit_image *visibility, const kit_image *open, const kit_image *direct, kit_error *err)
+{
+    const size_t pixels = (size_t)visibility->width * (size_t)visibility->height;
+    kit_image out;
+    if (kit_image_new(&out, visibility->width, visibility->height, KIT_LIT_CHANNELS, err)) return -1;
+    for (size_t i = 0; i < pixels * (size_t)out.channels; ++i) {
+        const float d = direct ? direct->data[i] : 0;
+        out.data[i] = d + (open->data[i] - d) * visibility->data[i % pixels];
+    }
+    kit_image_free(visibility);
+    *visibility = out;
+    return 0;
+}
+
+int kit_light_by(kit_image *visibility, kit_gbuffer *g, const kit_world *world, float radius, kit_error *err)
+{
+    kit_image open, direct;
+    int failed = light_of(&open, &direct, g, world, radius, err);
+    if (failed) return -1;
+    failed = kit_dim(visibility, &open, direct.data ? &direct : NULL, err);
+    kit_image_free(&open);
+    kit_image_free(&direct);
+    return failed;
+}

@@ -1,0 +1,473 @@
+/* lit.c - what report.c shows of light: pictures for the demo, a chart, what layers, cameras and points buy, what
+   harmonics buy. Declared in report.h. */
+#include "lab/report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- >>tables ---------------------------------------------------------------------------------------------------- */
+
+#define PINK  "3.3,0.9,1.9"
+#define TURQUOISE "0.5,2.3,2.2"
+#define LEFT_SUN(colour)  "sun:-1,0.8,0.35," colour
+#define RIGHT_SUN(colour) "sun:1,0.8,0.35," colour
+
+static const lit sun_and_sky = { "sky", { "sun:-1,0.45,0.85,4.4,3.9,3.3" }, 4, 1, 0, 256, 0.4f,
+    { { 300, 129, 128, 72 } } };
+static const lit sky_boxes   = { "sky", { NULL }, 4, 1, 0, 256, 1, { { 0 } } };
+static const lit sky_alone   = { "sky", { NULL }, 0, 1, 0, 256, 1, { { 0 } } };
+static const lit lamp        = { NULL, { "point:0,5,-2.8,10,10,10" }, 0, 1, 0, 128, 2, { { 115, 150, 128, 72 } } };
+#define BETWEEN_BOXES { { 120, 123, 128, 72 }, { 260, 123, 128, 72 } }
+static const lit two_suns    = { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
+static const lit suns_changed = { NULL, { LEFT_SUN(TURQUOISE), RIGHT_SUN(PINK) }, 0, 0, 1, 64, 0.7f, BETWEEN_BOXES };
+static const lit yellow_sun  = { "sky", { "sun:1,0.7,0.2,5.5,4.6,2.0" }, 0, 0, 1, 128, 0.4f,
+    { { 175, 193, 128, 72 }, { 293, 153, 128, 72 } } };
+static const lit probe_alone = { "probe", { NULL }, 0, 0, 0, 2048, 1, { { 0 } } };
+static const lit band_lits[] = {
+    { "white", { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
+    { "sky",   { NULL }, 0, 0, 0, 256, 1, { { 0 } } },
+    { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 1, 256, 1, { { 0 } } },
+    { NULL, { LEFT_SUN(PINK), RIGHT_SUN(TURQUOISE) }, 0, 0, 0, 2, 1, { { 0 } } },
+    { "probe", { NULL }, 0, 0, 0, 1024, 1, { { 0 } } }
+};
+
+#define SCENE(name, scene, lit) { name, scene, 0, { 0 }, { 0 }, 0, 0, lit }
+#define BOXES_VIEW "bunny", BUNNY, 1, { -0.1f, 1.1f, 4.4f }, { 0, -0.25f, 0 }, 32, 0.6f
+
+static const entry sun_entries[] = {
+    { "SSAO",             "ssao", "",            1 },
+    { "SSDO",             "ssdo", "bounce=none", 1 },
+    { "SSDO with bounce", "ssdo", "",            1 },
+    { "SSDO with bounce, 4 cameras", "ssdo-points", "views=4", 1 }
+};
+static const entry lamp_entries[] = {
+    { "no bounce", "ssdo", "bounce=none", 1 },
+    { "bounce",    "ssdo", "",            1 }
+};
+
+/* 16 points each, one a direction, as the papers of point sampling have it: the same visibility for all methods. */
+#define PLAIN "fade=none,range=0"
+
+static const entry deep_entries[] = {       /* rows of one label make one curve; directions of 4 points */
+    { "slices",              "ssdo-fast", "",                                       0 },
+    { "slices",              "ssdo", "",                                            1 },
+    { "slices",              "ssdo-best", "",                                       1 },
+    { "slices, solid",       "ssdo", "behind=solid",                                0 },
+    { "slices, back faces",  "ssdo", "behind=back",                                 1 },
+    { "slices, two slabs",   "ssdo", "behind=slabs",                                1 },
+    { "slices, for a bounce", "ssdo-bounce", "",                                    1 },
+    { "slices, for a bounce", "ssdo-bounce", "margin=0.25",                         1 },
+    { "1 layer",             "ssdo-points", "",                                     1 },
+    { "1 layer",             "ssdo-points", "samples=16",                                  1 },
+    { "1 layer, 1 point a direction", "ssdo-points", "samples=16,steps=1," PLAIN,          1 },
+    { "2 layers",            "ssdo-points", "layers=2",                                    1 },
+    { "4 cameras",           "ssdo-points", "views=4",                                     1 },
+    { "harmonics, 1 layer",  "s3ho-points", "",                                     1 },
+    { "harmonics, slices",   "s3ho-fast", "",                                       1 },
+    { "harmonics, slices",   "s3ho", "",                                            1 },
+    { "harmonics, slices",   "s3ho-best", "",                                       0 }
+};
+static const entry extension_entries[] = {
+    { "slices",                              "ssdo", "",                               1 },
+    { "slices, back faces",                  "ssdo", "behind=back",                    1 },
+    { "slices, two slabs",                   "ssdo", "behind=slabs",                   1 },
+    { "1 layer",                             "ssdo-points", "",                        1 },
+    { "2 layers",                            "ssdo-points", "layers=2",                       1 },
+    { "4 layers",                            "ssdo-points", "layers=4",                       1 },
+    { "4 cameras",                           "ssdo-points", "views=4",                        1 },
+    { "harmonics, slices",                   "s3ho", "",                               1 },
+    { "harmonics, two slabs",                "s3ho", "behind=slabs",                   1 },
+    { "slices, a margin",                    "ssdo", "margin=0.25",                    1 },
+    { "slices, for a bounce",                "ssdo-bounce", "",                        1 },
+    { "slices, for a bounce, a margin",      "ssdo-bounce", "margin=0.25",             1 }
+};
+static const entry cost_entries[] = {
+    { "ambient visibility", "ssao", "blur=0", 1 },
+    { "harmonics", "ssdo-points", "samples=16,steps=1,environment=sh,bounce=none,blur=0," PLAIN, 1 },
+    { "map", "ssdo-points", "samples=16,steps=1,bounce=none,blur=0," PLAIN, 1 },
+    { "map, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,reuse=1,blur=0," PLAIN, 1 },
+    { "harmonics, bounce, of the last frame", "ssdo-points", "samples=16,steps=1,environment=sh,reuse=1,blur=0," PLAIN,
+      1 }
+};
+
+static const entry harmonics_entries[] = {
+    { "SSAO",                      "ssao", "",                          1 },
+    { "S3HO",                      "s3ho", "indirect=none",             1 },
+    { "S3HO, suns not windowed",   "s3ho", "indirect=none,window=none", 1 }
+};
+static const entry probe_entries[] = {      /* the paper's two steps along a direction */
+    { "S3HO",           "s3ho-points", "samples=16,steps=2,indirect=none,residual=0,blur=0," PLAIN, 1 },
+    { "S3HO, residual",    "s3ho-points", "samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "SSDO, map",      "ssdo-points", "samples=16,steps=2,bounce=none,blur=0," PLAIN, 1 },
+    { "SSBN, cone",     "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "SSAO",           "ssao", "samples=16,steps=2,blur=0," PLAIN, 1 }
+};
+static const entry band_entries[] = {
+    { "1 band, as published",  "s3ho-points", "bands=1,indirect=none,residual=0", 1 },
+    { "2 bands, as published",  "s3ho-points", "bands=2,indirect=none,residual=0", 1 },
+    { "3 bands, as published",  "s3ho-points", "bands=3,indirect=none,residual=0", 1 },
+    { "4 bands, as published",  "s3ho-points", "bands=4,indirect=none,residual=0", 1 },
+    { "1 band",  "s3ho-points", "bands=1,indirect=none", 1 },
+    { "2 bands",  "s3ho-points", "bands=2,indirect=none", 1 },
+    { "3 bands",  "s3ho-points", "bands=3,indirect=none", 1 },
+    { "4 bands",  "s3ho-points", "bands=4,indirect=none", 1 }
+};
+static const entry vector_entries[] = {
+    { "ambient visibility", "ssao", "samples=16,blur=0," PLAIN, 1 },
+    { "cone", "ssbn-points", "samples=16,steps=2,blur=0," PLAIN, 1 },
+    { "1 band", "s3ho-points", "bands=1,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "2 bands", "s3ho-points", "bands=2,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "3 bands", "s3ho-points", "bands=3,samples=16,steps=1,indirect=none,blur=0," PLAIN, 0 },
+    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=1,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands", "s3ho-points", "bands=4,samples=16,steps=2,indirect=none,blur=0," PLAIN, 1 },
+    { "4 bands, stored, then met", "s3ho-points", "samples=16,steps=2,indirect=none,filtered=vectors,blur=0," PLAIN,
+      1 },
+    { "4 bands, stored packed", "s3ho-points",
+      "samples=16,steps=2,indirect=none,filtered=vectors,store=packed,blur=0," PLAIN, 1 },
+    { "4 bands, bounce in one", "s3ho-points", "samples=16,steps=2,indirect=joint,blur=0," PLAIN, 1 },
+    { "4 bands, bounce apart", "s3ho-points", "samples=16,steps=2,indirect=apart,blur=0," PLAIN, 0 }
+};
+
+typedef struct lit_table {
+    const char *title, *about;
+    view view;
+    const entry *entries;
+    int count, of, quick;
+} lit_table;
+#define LOCAL "Suns are local: blocked within the radius as the environment is, not by the whole scene."
+static const lit_table lit_demos[] = {
+    { "Light: a sky and a sun",
+      "Bunny and four boxes under the built-in sky and a sun with shadows.",
+      { BOXES_VIEW, &sun_and_sky },
+      sun_entries,
+      COUNT(sun_entries),
+      OF_LIT,
+      0 },
+    { "Light: one lamp, one bounce", "Open box under a point light with shadows, no environment.",
+      SCENE("cornell", "cornell", &lamp), lamp_entries, COUNT(lamp_entries), OF_LIT, 0 },
+    { "Harmonics: two suns",
+      "Three white boxes between a pink sun from the left and a turquoise one from the right. " LOCAL,
+      SCENE("boxes", "boxes", &two_suns), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: the suns changed over", "The same boxes, turquoise from the left, pink from the right. " LOCAL,
+      SCENE("boxes-changed", "boxes", &suns_changed), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 },
+    { "Harmonics: a sky and a bright sun",
+      "White blocks under the built-in sky and a yellow sun from the right; below, their shadow side and their sunny "
+      "side. " LOCAL,
+      SCENE("blocks", "blocks", &yellow_sun), harmonics_entries, COUNT(harmonics_entries), OF_LIT, 0 }
+};
+static const lit_table lit_tables[] = {
+    { "Light: speed against accuracy",
+      "Bunny and four boxes under the sky, one bounce.",
+      { BOXES_VIEW, &sky_boxes },
+      deep_entries,
+      COUNT(deep_entries),
+      OF_LIT,
+      1 },
+    { "What light costs",
+      "The same scene; 16 directions, no filter.",
+      { BOXES_VIEW, &sky_boxes },
+      cost_entries,
+      COUNT(cost_entries),
+      OF_LIT,
+      0 },
+    { "What is hidden: columns",
+      "Made to need more than one depth layer: coloured columns behind white ones, a box beside the picture.",
+      SCENE("columns", "columns", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What is hidden: plates", "Made to need more: thin plates, bars and hoops over a floor.",
+      SCENE("plates", "plates", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 1 },
+    { "What is hidden: room",
+      "Not made for it: its walls, floor and ceiling are sheets, where layers and cameras want closed solids, and "
+      "cameras stand outside.",
+      SCENE("room", "room", &sky_alone), extension_entries, COUNT(extension_entries), OF_LIT, 0 },
+    { "What harmonics cost",
+      "Bunny and four boxes under the sky, no filter but where it says so. Filtering vectors is filtering before they "
+      "meet the light.",
+      { BOXES_VIEW, &sky_boxes },
+      vector_entries,
+      COUNT(vector_entries),
+      OF_LIT,
+      0 },
+    { "Under a high-contrast probe",
+      "White blocks in a dim room with coloured windows and lamps, no bounce, no filter. Hue, in degrees: the mean "
+      "angle between rgb vectors, weighted by the truth's luminance; and of that, what blockers keep 5 % or more of "
+      "the light from.",
+      SCENE("blocks-probe", "blocks", &probe_alone), probe_entries, COUNT(probe_entries), OF_SPLIT, 1 }
+};
+
+/* The same entries under one light each; shown as one table. */
+static const char *const bands_title = "How many bands";
+static const lit_table band_tables[] = {
+    { "white", "White: radiance 1 from everywhere.", SCENE("boxes-white", "boxes", &band_lits[0]), band_entries,
+      COUNT(band_entries), OF_LIT, 0 },
+    { "sky", "Sky: the built-in one.", SCENE("boxes-sky", "boxes", &band_lits[1]), band_entries, COUNT(band_entries),
+      OF_LIT, 0 },
+    { "local suns", "Local suns: pink from the left, turquoise from the right. " LOCAL,
+      SCENE("boxes-suns", "boxes", &band_lits[2]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "suns", "Suns: the same pictures against the whole scene's sharp shadows.",
+      SCENE("boxes-sharp", "boxes", &band_lits[3]), band_entries, COUNT(band_entries), OF_LIT, 0 },
+    { "probe", "Probe: a dim room with coloured windows and lamps.", SCENE("boxes-probe", "boxes", &band_lits[4]),
+      band_entries, COUNT(band_entries), OF_LIT, 0 }
+};
+enum {
+    LIT_DEMOS = COUNT(lit_demos),
+    LIT_TABLES = COUNT(lit_tables),
+    BAND_TABLES = COUNT(band_tables),
+    LIT_SETS = LIT_TABLES + BAND_TABLES,
+    LIT_WIDTH = 320,
+    LIT_HEIGHT = 180,
+    PROBE_STRIDE = 14,
+    PHASES = 8
+};
+typedef struct lit_row_set { row row[MOST_ROWS]; int count; } lit_row_set;
+_Static_assert(ON_STRIDE(PROBE_STRIDE), "noise is probed where there is no truth");
+static lit_row_set demo_sets[LIT_DEMOS], sets[LIT_SETS];
+
+/* ---- >>pages ----------------------------------------------------------------------------------------------------- */
+
+/* What stands under a heading: scene, radius, resolution, truth, and how far the truth itself is off, by tracing some
+   of it with more rays. */
+static int lit_about(FILE *html, stage *s, const lit_table *t, kit_error *err)
+{
+    char bounce[32] = "";
+    kit_image probe;
+    row noise;
+    memset(&noise, 0, sizeof noise);
+    if (trace(&probe, s, 4 * s->rays, PROBE_STRIDE, err) || score(&noise, s, &probe, err)) return -1;
+    kit_image_free(&probe);
+    if (s->lit->bounce) snprintf(bounce, sizeof bounce, ", bounce %.3f", noise.error[2]);
+    fprintf(html,
+            "<p>%s %zu triangles, %d x %d pixels, radius %g, linear attenuation. Truth: %d rays a pixel%s; its "
+            "own error, over the means: radiance %.4f, irradiance %.4f%s.</p>\n",
+            t->about, s->scene.mesh.triangles, s->truth.width, s->truth.height, (double)s->radius, s->rays,
+            s->stride > 1 ? ", every second pixel of every second row" : "",
+            noise.error[0], noise.error[1], bounce);
+    return 0;
+}
+
+static int demo_of(FILE *html, const char *out, const lit_table *t, row *rows, int *count, kit_error *err)
+{
+    enum { TIMES = 4, WIDTH = 480, HEIGHT = 270, ROUNDS = 2 };
+    const double range = 0.2;
+    kit_image picture[MOST_ROWS], whole, part, luminance, difference;
+    const kit_image *from[1 + MOST_ROWS];           /* the truth, what is given, methods */
+    const char *label[1 + MOST_ROWS];
+    stage s;
+    char slug[1 + MOST_ROWS][128], name[160], note[64];
+    if (stage_open(&s, &t->view, WIDTH, HEIGHT, err)) return -1;
+    if (measure(rows, &s, t->entries, t->count, ROUNDS, 0, picture, err)) return -1;
+    fprintf(html, "<h2>%s</h2>\n", t->title);
+    if (lit_about(html, &s, t, err)) return -1;
+    *count = t->count + s.givens;
+    fprintf(html,
+            "<p>Exposure %g, clamped at 1, sRGB; the environment itself is not drawn. Differences are of exposed "
+            "luminance.</p>\n<div class=\"grid\">\n",
+            (double)s.lit->exposure);
+    if (exposed(&luminance, &s.truth, s.lit->exposure, NULL, 1, err)) return -1;
+    for (int i = 0; i <= *count; ++i) {
+        const int at = i > s.givens ? i - 1 - s.givens : t->count + i - 1;
+        label[i] = i ? rows[at].label : "ray-traced truth";
+        from[i] = !i ? &s.truth : i > s.givens ? &picture[at] : &s.given[i - 1].picture;
+        if (exposed(&whole, from[i], s.lit->exposure, NULL, 1, err)) return -1;
+        snprintf(slug[i], sizeof slug[i], "lit-%s-", t->view.name);
+        slug_of(slug[i] + strlen(slug[i]), label[i]);
+        if (!i) snprintf(note, sizeof note, "%d rays a pixel", s.lit->rays);
+        else if (isnan(rows[at].relative)) snprintf(note, sizeof note, "error %.3f", rows[at].share);
+        else snprintf(note, sizeof note, "time %.2f, error %.3f", rows[at].relative, rows[at].share);
+        if (save(&whole, "R,G,B", 1, out, slug[i], ".png", err)) return -1;
+        figure_html(html, slug[i], label[i], note, whole.width, whole.height, i > 0);
+        if (!i) key_html(html, range);
+        fputs("</figure>\n", html);
+        if (i) {
+            if (kit_image_difference(&difference, &whole, &luminance, "Y", (float)range, err)
+                || save(&difference, "R,G,B", 0, out, slug[i], "-difference.png", err))
+                return -1;
+            kit_image_free(&difference);
+        }
+        kit_image_free(&whole);
+    }
+    fputs("</div>\n", html);
+    for (int k = 0; k < MOST_CROPS && s.lit->crop[k][2]; ++k) {
+        const int *crop = s.lit->crop[k];
+        fputs("<div class=\"grid crops\">\n", html);
+        for (int i = 0; i <= *count; ++i) {
+            snprintf(name, sizeof name, "%s-crop%s", slug[i], k ? "-2" : "");
+            if (exposed(&part, from[i], s.lit->exposure, crop, TIMES, err)
+                || save(&part, "R,G,B", 1, out, name, ".png", err))
+                return -1;
+            figure_html(html, name, label[i], "", part.width, part.height, 0);
+            fputs("</figure>\n", html);
+            kit_image_free(&part);
+        }
+        fprintf(html,
+                "</div>\n<p class=\"faint\">%d x %d pixels of each, from %d, %d on, every pixel as %d x %d.</p>\n",
+                crop[2], crop[3], crop[0], crop[1], TIMES, TIMES);
+    }
+    fputs("<h3>Figures</h3>\n", html);
+    table_html(html, rows, *count);
+    for (int i = 0; i < t->count; ++i) kit_image_free(&picture[i]);
+    for (int i = 0; i < *count; ++i) rows[i].scene = t->view.name;
+    kit_image_free(&luminance);
+    stage_close(&s);
+    return 0;
+}
+
+int lit_demo(FILE *html, const char *out, kit_error *err)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k)
+        if (demo_of(html, out, &lit_demos[k], demo_sets[k].row, &demo_sets[k].count, err)) return -1;
+    return 0;
+}
+
+void lit_demo_text(FILE *f)
+{
+    for (int k = 0; k < LIT_DEMOS; ++k) {
+        fprintf(f, "\n%s\n", lit_demos[k].title);
+        table_text(f, demo_sets[k].row, demo_sets[k].count);
+    }
+}
+
+int split(row *r, stage *s, kit_run *run, int phases, const kit_image *picture, kit_error *err)
+{
+    static const double luminance[3] = { 0.2126, 0.7152, 0.0722 };
+    static const char *const lit_names[3] = { "irradiance.R", "irradiance.G", "irradiance.B" }, *const ao_names[1] = {
+        "Y"
+    };
+    const char *const *names = s->lit ? lit_names : ao_names;
+    const size_t pixels = (size_t)s->truth.width * (size_t)s->truth.height, channels = s->lit ? 3 : 1;
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth[3], *open[3] = { NULL };
+    double *sum = calloc(2 * channels * pixels, sizeof *sum), *squares = sum + channels * pixels, level = 0, off = 0,
+           noise = 0, hue[2] = { 0 }, weight[2] = { 0 }, values = 0;
+    int drawn = 0, differs = 0;
+    if (!sum) return kit_fail(err, "out of memory");
+    do {
+        kit_image now = { 0 };
+        if (drawn) {
+            run->frame.phase = (float)drawn / (float)phases;
+            kit_run_update(run);
+            /* with a history: of frames that no other has */
+            if (draw_settled(run, SETTLED * (unsigned)drawn, 0, err) < 0 || kit_run_read(&now, run, err)
+                || (s->lit && !run->lit && light_by(&now, s, err))) return -1;
+        }
+        for (size_t c = 0; c < channels; ++c) {
+            const float *v = kit_image_channel(drawn ? &now : picture, names[c]);
+            for (size_t i = 0; i < pixels; ++i) {
+                differs |= drawn && (double)v[i] * drawn != sum[c * pixels + i];
+                sum[c * pixels + i] += (double)v[i];
+                squares[c * pixels + i] += (double)v[i] * (double)v[i];
+            }
+        }
+        kit_image_free(&now);
+        ++drawn;
+    } while (run && drawn < (drawn == 2 && !differs ? 2 : phases));
+    for (size_t c = 0; c < channels; ++c) {
+        truth[c] = kit_image_channel(&s->truth, names[c]);
+        if (s->lit) open[c] = kit_image_channel(&s->given[0].picture, names[c]);
+    }
+    for (size_t i = 0; i < pixels; ++i) {
+        double of[2] = { 0, 0 }, product = 0, bright = 0, unblocked = 0, turned = 0;
+        if (!(z[i] > 0) || isnan(sum[i])) continue;
+        for (size_t c = 0; c < channels; ++c) {
+            const double is = sum[c * pixels + i] / drawn, should = (double)truth[c][i];
+            level += should;
+            off += (is - should) * (is - should);
+            if (differs) noise += fmax(0, squares[c * pixels + i] / drawn - is * is) * drawn / (drawn - 1);
+            of[0] += is * is;
+            of[1] += should * should;
+            product += is * should;
+            if (s->lit) bright += luminance[c] * should;
+            if (s->lit) unblocked += luminance[c] * (double)open[c][i];
+            values += 1;
+        }
+        if (of[0] > 0 && of[1] > 0) turned = acos(fmin(1, product / sqrt(of[0] * of[1])));
+        for (int k = 0; k < (bright < 0.95 * unblocked ? 2 : 1); ++k) {
+            hue[k] += bright * turned;
+            weight[k] += bright;
+        }
+    }
+    level = s->lit ? level / values : 1;
+    r->of = s->lit ? OF_SPLIT : r->of | OF_PHASES;
+    r->split[0] = sqrt((off + noise * (drawn - 1) / drawn) / values) / level;
+    r->split[1] = sqrt(fmax(0, off - noise / drawn) / values) / level;
+    r->split[2] = run ? sqrt(noise / values) / level : (double)NAN;
+    for (int k = 0; k < 2; ++k) r->split[3 + k] = hue[k] / weight[k] * 180 / acos(-1);
+    free(sum);
+    return 0;
+}
+
+/* A row a number of bands, two columns a light: irradiance's error and the time. */
+static void bands_table(FILE *f, const lit_row_set *band, int html)
+{
+    fputs(html ? "<div class=\"wide\"><table>\n<tr><th>bands<th>settings" : "bands  ", f);
+    for (int k = 0; k < BAND_TABLES; ++k) fprintf(f, html ? "<th>%s<th>time" : " %10s   time", band_tables[k].title);
+    for (int i = 0; i < band->count; ++i) {
+        fprintf(f, html ? "\n<tr><td>%s<td><code>%s</code>" : "\n%-7s", band->row[i].label, band->row[i].settings);
+        for (int k = 0; k < BAND_TABLES; ++k) {
+            const row *r = &band[k].row[i];
+            char error[32], time[32];
+            snprintf(error, sizeof error, i < band[k].count ? "%.4f" : "-", r->error[1]);
+            snprintf(time, sizeof time, i < band[k].count && !isnan(r->relative) ? "%.2f" : "-", r->relative);
+            fprintf(f, html ? "<td>%s<td>%s" : " %10s %6s", error, time);
+        }
+    }
+    fputs(html ? "\n</table></div>\n" : "\n", f);
+}
+
+static const lit_table *lit_table_at(int k) { return k < LIT_TABLES ? &lit_tables[k] : &band_tables[k - LIT_TABLES]; }
+
+static int lit_unit(FILE *html, const options *o, int k, row *rows, kit_error *err)
+{
+    const lit_table *t = lit_table_at(k);
+    entry entries[MOST_ENTRIES];
+    kit_image picture[MOST_ENTRIES];
+    const int count = chosen(entries, t->entries, t->count, o);
+    stage s;
+    if (!count || (o->quick && !t->quick)) return 0;
+    if (!rows) return 1;
+    if (stage_load(&s, &t->view, err)) return -1;
+    s.stride = LIT_STRIDE;
+    if (stage_show(&s, &t->view, LIT_WIDTH, LIT_HEIGHT, err)
+        || measure(rows, &s, entries, count, o->quick ? QUICK_ROUNDS : CHART_ROUNDS, t->of == OF_SPLIT ? PHASES : 0,
+                   picture, err))
+        return -1;
+    for (int i = 0; i < count + s.givens; ++i) rows[i].scene = t->view.name;
+    if (k <= LIT_TABLES) fprintf(html, "<h2>%s</h2>\n", k < LIT_TABLES ? t->title : bands_title);
+    if (lit_about(html, &s, t, err) || (k < LIT_TABLES && thumbs(html, o->out, &s, rows, picture, count, err)))
+        return -1;
+    for (int i = 0; i < count; ++i) kit_image_free(&picture[i]);
+    stage_close(&s);
+    return count + s.givens;
+}
+
+int lit_units(const options *o) { return planned(lit_unit, LIT_SETS, o); }
+
+int lit_chart(FILE *html, const options *o, kit_error *err)
+{
+    int shown = 0;
+    page csv;
+    if (page_open(&csv, err)) return -1;
+    for (int k = 0; k < LIT_SETS; ++k) {
+        const lit_table *t = lit_table_at(k);
+        lit_row_set *set = &sets[k];
+        set->count = unit(html, o, "lit", k, lit_unit, set->row, err);
+        if (set->count < 0) return -1;
+        if (!set->count) continue;
+        if (!k && chart_of(html, o->out, "chart-lit.svg", t->title, &lit_words, set->row, set->count, (double)NAN, err))
+            return -1;
+        if (k < LIT_TABLES) table_html(html, set->row, set->count);
+        table_csv(csv.file, set->row, set->count, !shown++);
+    }
+    if (sets[LIT_TABLES].count) bands_table(html, sets + LIT_TABLES, 1);
+    return page_close(&csv, o->out, "chart-lit.csv", err);
+}
+
+void lit_chart_text(FILE *f)
+{
+    for (int k = 0; k < LIT_TABLES; ++k) {
+        if (!sets[k].count) continue;
+        fprintf(f, "\n%s\n", lit_tables[k].title);
+        table_text(f, sets[k].row, sets[k].count);
+    }
+    if (!sets[LIT_TABLES].count) return;
+    fprintf(f, "\n%s\n", bands_title);
+    bands_table(f, sets + LIT_TABLES, 0);
+}

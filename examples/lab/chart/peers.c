@@ -1,0 +1,504 @@
+/* peers.c - what people would pick instead of this library, beside it on the chart of ambient occlusion. Declared in
+   report.h.
+
+   peers.mjs (make peers puts it, and the packages that it drives, under build/peers) writes what each effect draws for
+   a view, as GLSL and numbers; here it is drawn on the stage's own depth and normals, timed and scored as the library's
+   methods are, and scored again after the best fit of two numbers a picture: what no gain, power or intensity of theirs
+   could better. Timed is all that makes the ambient visibility, their denoisers too; not what only multiplies the
+   picture by it. */
+#include "lab/report.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define PEERS "build/peers/"
+enum { PEER_PASSES = 8, PEER_SAMPLERS = 12, PEER_TARGETS = 2, PEER_TEXTURES = 160, PEER_BINS = 1024 };
+
+typedef struct peer_pass {
+    /* counter: the same, but writes how many texels it fetched */
+    GLuint program, counter, framebuffer, sampler[PEER_SAMPLERS];
+    int    samplers, targets, width, height, shown, cleared;
+    float  colour[4];
+} peer_pass;
+typedef struct peer { char label[64], settings[128]; peer_pass pass[PEER_PASSES]; int passes, result; } peer;
+typedef struct peer_texture { GLuint name; int width, height; } peer_texture;
+typedef struct peer_set { peer peer[MOST_PEERS]; peer_texture texture[PEER_TEXTURES]; int peers, textures; } peer_set;
+
+/* One line: how they stand on the chart, or why there are none. */
+#define THEY "three.js, n8ao, Babylon.js and PlayCanvas"
+static const char *const peers_here = THEY ": the radius matched to ours, after the best fit of two numbers to each "
+                                      "picture, which ours does without.";
+static const char *peers_missing = "";
+const char *peers_note(void) { return *peers_missing ? peers_missing : peers_here; }
+
+/* ---- >>reading: the view for the script, and what it made of it -------------------------------------------------- */
+
+/* 0 = none, with peers_missing set. */
+static int peers_write(const stage *s, int quick, kit_error *err)
+{
+    const kit_camera *c = &s->gbuffer.camera;
+    const size_t pixels = (size_t)c->width * (size_t)c->height;
+    const float *z = kit_image_channel(&s->frame, "Z");
+    double *depths = malloc(pixels * sizeof *depths);
+    float matrix[2][16];
+    page p;
+    struct stat status;
+    int n = 0;
+    if (!depths) return kit_fail(err, "out of memory");
+    for (size_t i = 0; i < pixels; ++i) if (z[i] > 0) depths[n++] = (double)z[i];
+    peers_missing = stat(PEERS "peers.mjs", &status)
+                        ? "Without " THEY ": make peers installs them (it needs node, npm and the network)."
+                    : c->fovy <= 0 || c->depth != KIT_DEPTH_NORMAL || s->gbuffer.depth_is_linear || !n
+                        ? "Without " THEY ": they are not driven with such a view."
+                        : "";
+    if (*peers_missing) { free(depths); return 0; }
+    kit_camera_matrices(c, matrix[1], matrix[0]);
+    if (page_open(&p, err)) { free(depths); return -1; }
+    fprintf(p.file, "%d %d %.9g %.9g %.9g", c->width, c->height, (double)c->znear, (double)c->zfar, (double)s->radius);
+    for (int i = 0; i < 32; ++i) fprintf(p.file, " %.9g", (double)matrix[i / 16][i % 16]);
+    fprintf(p.file, " %.9g\n", kit_median(depths, n));
+    free(depths);
+    if (page_close(&p, PEERS, "view.txt", err)) return -1;
+    if (system(quick ? "node " PEERS "peers.mjs quick < " PEERS "view.txt"
+                     : "node " PEERS "peers.mjs < " PEERS "view.txt"))
+        peers_missing = "Without " THEY ": node cannot run " PEERS "peers.mjs.";
+    return !*peers_missing;
+}
+
+static void peer_uniform(GLuint program, const char *type, const char *name, int count, const float *values)
+{
+    const GLint at = glGetUniformLocation(program, name);
+    glUseProgram(program);
+    if (!strcmp(type, "float")) glUniform1fv(at, count, values);
+    else if (!strcmp(type, "vec2")) glUniform2fv(at, count, values);
+    else if (!strcmp(type, "vec3")) glUniform3fv(at, count, values);
+    else if (!strcmp(type, "vec4")) glUniform4fv(at, count, values);
+    else if (!strcmp(type, "mat3")) glUniformMatrix3fv(at, count, GL_FALSE, values);
+    else if (!strcmp(type, "mat4")) glUniformMatrix4fv(at, count, GL_FALSE, values);
+    else glUniform1i(at, (int)values[0]);
+}
+
+/* N.vert and N.frag, and the same with its fetches counted. */
+static int peer_programs(peer_pass *pass, const char *number, kit_error *err)
+{
+    static const char *const counts = "float peer_fetches = 0.0;\n#define main peer_main\n#define texture(s, p) "
+                                      "(peer_fetches += 1.0, texture(s, p))\n"
+                                      "#define textureLod(s, p, l) (peer_fetches += 1.0, textureLod(s, p, l))\n#define "
+                                      "texelFetch(s, p, l) (peer_fetches += 1.0, texelFetch(s, p, l))\n";
+    static const char *const counted =
+        "%s%s\n#undef main\nvoid main() { peer_main(); gl_FragColor = vec4(peer_fetches); }\n";
+    char path[64], *text[2] = { NULL, NULL }, *more = NULL;
+    size_t size;
+    for (int k = 0; k < 2; ++k) {
+        snprintf(path, sizeof path, PEERS "out/%.16s.%s", number, k ? "frag" : "vert");
+        if (kit_file_read(&text[k], &size, path, err)) { free(text[0]); return -1; }
+    }
+    size = strlen(counts) + strlen(text[1]) + strlen(counted);
+    more = malloc(size);
+    if (more) snprintf(more, size, counted, counts, text[1]); else kit_fail(err, "out of memory");
+    pass->program = kit_program_text("", text[0], text[1], err);
+    pass->counter = more && pass->program ? kit_program_text("", text[0], more, err) : 0;
+    free(text[0]);
+    free(text[1]);
+    free(more);
+    return pass->counter ? 0 : -1;
+}
+
+static int peer_texture_read(peer_texture *t, char *text, kit_error *err)
+{
+    char path[64], file[32], *data = NULL;
+    int format, linear, repeat;
+    size_t size = 0;
+    if (sscanf(text, "%*d %d %d %d %d %d %31s", &t->width, &t->height, &format, &linear, &repeat, file) != 6)
+        return kit_fail(err, PEERS "out/manifest.txt: texture %s", text);
+    snprintf(path, sizeof path, PEERS "out/%s", file);
+    if (*file != '-' && kit_file_read(&data, &size, path, err)) return -1;
+    if (data
+        && size < (size_t)t->width * (size_t)t->height
+                      * (format == GL_R8 || format == GL_R16F || format == GL_R32F ? 4 : 16)) {
+        free(data);
+        return kit_fail(err, "%s: is too short", path);
+    }
+    t->name = kit_texture(t->width, t->height, (GLenum)format, (const float *)(void *)data);
+    free(data);
+    glBindTexture(GL_TEXTURE_2D, t->name);
+    if (linear) kit_texture_linear(GL_TEXTURE_2D);
+    for (GLenum k = 0; k < 2 && repeat; ++k)
+        glTexParameteri(GL_TEXTURE_2D, k ? GL_TEXTURE_WRAP_T : GL_TEXTURE_WRAP_S, GL_REPEAT);
+    return t->name ? 0 : kit_fail(err, PEERS "out/manifest.txt: no such texture: %s", text);
+}
+
+/* The view depth times a number, and what stands where there is none. */
+static int peer_depth_read(peer_texture *t, const kit_image *frame, const char *text, kit_error *err)
+{
+    const int width = frame->width, height = frame->height;
+    const float *z = kit_image_channel(frame, "Z");
+    float times, empty, *depths;
+    int linear;
+    if (sscanf(text, "%*d %f %f %d", &times, &empty, &linear) != 3)
+        return kit_fail(err, PEERS "out/manifest.txt: depth %s", text);
+    depths = malloc((size_t)width * (size_t)height * sizeof *depths);
+    for (int y = 0; y < height && depths; ++y) for (int x = 0; x < width; ++x) {
+        const float at = z[(size_t)(height - 1 - y) * (size_t)width + (size_t)x];
+        depths[(size_t)y * (size_t)width + (size_t)x] = at > 0 ? at * times : empty;
+    }
+    *t = (peer_texture){ depths ? kit_texture(width, height, GL_R32F, depths) : 0, width, height };
+    glBindTexture(GL_TEXTURE_2D, t->name);
+    if (linear) kit_texture_linear(GL_TEXTURE_2D);
+    free(depths);
+    return t->name ? 0 : kit_fail(err, "out of memory");
+}
+
+static const peer_texture *peer_texture_of(const peer_set *set, int number)
+{
+    return &set->texture[number < 0 || number >= set->textures ? 0 : number];
+}
+
+static int peer_pass_read(peer_pass *pass, const peer_set *set, char *text, kit_error *err)
+{
+    GLenum attachment[PEER_TARGETS];
+    char number[16], *at = text, *end;
+    int n = 0;
+    if (sscanf(text, "%15s %d %d %f %f %f%n", number, &pass->shown, &pass->cleared, &pass->colour[0], &pass->colour[1],
+               &pass->colour[2], &n)
+        != 6)
+        return kit_fail(err, PEERS "out/manifest.txt: pass %s", text);
+    pass->colour[3] = 1;
+    if (peer_programs(pass, number, err)) return -1;
+    glGenFramebuffers(1, &pass->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, pass->framebuffer);
+    for (at += n; pass->targets < PEER_TARGETS; at = end) {
+        const peer_texture *t = peer_texture_of(set, (int)strtol(at, &end, 10));
+        if (end == at) break;
+        pass->width = t->width;
+        pass->height = t->height;
+        attachment[pass->targets] = GL_COLOR_ATTACHMENT0 + (GLenum)pass->targets;
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment[pass->targets++], GL_TEXTURE_2D, t->name, 0);
+    }
+    glDrawBuffers(pass->targets, attachment);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
+               ? 0
+               : kit_fail(err, PEERS "out/manifest.txt: pass %s: no such targets", text);
+}
+
+static int peer_value_read(peer_pass *pass, const peer_set *set, int is_sampler, char *text, kit_error *err)
+{
+    char type[16] = "int", name[64], *at = text;
+    float values[16 * 64];
+    int count = 1, n = 0, number = 0;
+    if (is_sampler ? sscanf(text, "%63s %d", name, &number) != 2 || pass->samplers == PEER_SAMPLERS
+                   : sscanf(text, "%15s %63s %d%n", type, name, &count, &n) != 3)
+        return kit_fail(err, PEERS "out/manifest.txt: uniform %s", text);
+    values[0] = (float)pass->samplers;
+    if (is_sampler) pass->sampler[pass->samplers++] = peer_texture_of(set, number)->name;
+    at += n;
+    for (int i = 0; !is_sampler && i < COUNT(values); ++i) values[i] = strtof(at, &at);
+    peer_uniform(pass->program, type, name, count, values);
+    peer_uniform(pass->counter, type, name, count, values);
+    return 0;
+}
+
+/* Textures 0..3 of the set are the caller's. */
+static int peers_read(peer_set *set, const stage *s, kit_error *err)
+{
+    char *all, *rest, *line;
+    size_t size;
+    int failed = 0;
+    if (kit_file_read(&all, &size, PEERS "out/manifest.txt", err)) return -1;
+    for (line = strtok_r(all, "\n", &rest); line && !failed; line = strtok_r(NULL, "\n", &rest)) {
+        char *text = strchr(line, ' ');
+        peer *p = set->peers ? &set->peer[set->peers - 1] : NULL;
+        peer_pass *pass = p && p->passes ? &p->pass[p->passes - 1] : NULL;
+        if (text) *text++ = 0; else text = line + strlen(line);
+        if (!strcmp(line, "texture") && set->textures < PEER_TEXTURES)
+            failed = peer_texture_read(&set->texture[set->textures++], text, err);
+        else if (!strcmp(line, "depth") && set->textures < PEER_TEXTURES)
+            failed = peer_depth_read(&set->texture[set->textures++], &s->frame, text, err);
+        else if (!strcmp(line, "peer") && set->peers < MOST_PEERS)
+            failed =
+                sscanf(text, "%63[^/] / %127[^\n]", set->peer[set->peers].label, set->peer[set->peers].settings) == 2
+                        && set->peers++ < MOST_PEERS
+                    ? 0
+                    : kit_fail(err, PEERS "out/manifest.txt: peer %s", text);
+        else if (!strcmp(line, "pass") && p && p->passes < PEER_PASSES)
+            failed = peer_pass_read(&p->pass[p->passes++], set, text, err);
+        else if ((!strcmp(line, "uniform") || !strcmp(line, "sampler")) && pass)
+            failed = peer_value_read(pass, set, *line == 's', text, err);
+        else if (!strcmp(line, "result") && p) p->result = atoi(text);
+        else failed = kit_fail(err, PEERS "out/manifest.txt: %s %s: too many, or out of place", line, text);
+    }
+    free(all);
+    for (int i = 0; i < set->peers; ++i)
+        for (char *end = set->peer[i].label + strlen(set->peer[i].label); end > set->peer[i].label && end[-1] == ' ';)
+            *--end = 0;
+    return failed;
+}
+
+/* ---- >>drawing --------------------------------------------------------------------------------------------------- */
+
+static void peer_pass_draw(const peer_pass *pass, GLuint program)
+{
+    glViewport(0, 0, pass->width, pass->height);
+    glUseProgram(program);
+    for (int k = 0; k < pass->samplers; ++k) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)k);
+        glBindTexture(GL_TEXTURE_2D, pass->sampler[k]);
+    }
+    if (pass->cleared) glClearBufferfv(GL_COLOR, 0, pass->colour);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/* Milliseconds of all passes. */
+static double peer_draw(void *set, int i)
+{
+    const peer *p = &((const peer_set *)set)->peer[i];
+    double ms = 0;
+    for (int k = 0; k < p->passes; ++k) {
+        kit_timer_begin();
+        glBindFramebuffer(GL_FRAMEBUFFER, p->pass[k].framebuffer);
+        peer_pass_draw(&p->pass[k], p->pass[k].program);
+        ms += p->pass[k].shown ? (kit_timer_end(), 0) : kit_timer_end();
+    }
+    return ms;
+}
+
+/* Texels fetched for a pixel that shows something: a pass's mean over the texels that it writes there, by how many all
+   are. */
+static int peer_fetches(double *fetches, const peer *p, const stage *s, kit_error *err)
+{
+    const float *z = kit_image_channel(&s->frame, "Z");
+    GLuint framebuffer, target = 0;
+    *fetches = 0;
+    glGenFramebuffers(1, &framebuffer);
+    for (int k = 0; k < p->passes; ++k) {
+        peer_pass pass = p->pass[k];
+        const size_t texels = (size_t)pass.width * (size_t)pass.height;
+        float *counts = malloc(texels * sizeof *counts);
+        double sum = 0, written = 0;
+        pass.cleared = 1;
+        for (int c = 0; c < 4; ++c) pass.colour[c] = 0;
+        target = kit_texture(pass.width, pass.height, GL_RGBA32F, NULL);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
+        peer_pass_draw(&pass, pass.counter);
+        if (!counts || kit_texture_read(target, pass.width, pass.height, 1, counts)) {
+            free(counts);
+            return kit_fail(err, "%s: its fetches cannot be read", p->label);
+        }
+        for (size_t i = 0; i < texels; ++i) {
+            const size_t x = i % (size_t)pass.width * (size_t)s->frame.width / (size_t)pass.width,
+                         y = ((size_t)pass.height - 1 - i / (size_t)pass.width) * (size_t)s->frame.height
+                             / (size_t)pass.height;
+            if (!(z[y * (size_t)s->frame.width + x] > 0) || !(counts[i] > 0)) continue;
+            sum += (double)counts[i];
+            written += 1;
+        }
+        if (written > 0 && !pass.shown)
+            *fetches += sum / written * (double)texels / ((double)s->truth.width * s->truth.height);
+        free(counts);
+        glDeleteTextures(1, &target);
+    }
+    glDeleteFramebuffers(1, &framebuffer);
+    return 0;
+}
+
+static int peer_picture(kit_image *out, const peer_set *set, const peer *p, const stage *s, kit_error *err)
+{
+    const int width = s->truth.width, height = s->truth.height;
+    float *rows = malloc((size_t)width * (size_t)height * sizeof *rows);
+    int failed = rows ? kit_image_new(out, width, height, "Y", err) : kit_fail(err, "out of memory");
+    if (!failed && kit_texture_read(peer_texture_of(set, p->result)->name, width, height, 1, rows)) {
+        kit_image_free(out);
+        failed = kit_fail(err, "%s: cannot be read", p->label);
+    }
+    for (int y = 0; y < height && !failed; ++y)
+        memcpy(out->data + (size_t)y * (size_t)width, rows + (size_t)(height - 1 - y) * (size_t)width,
+               (size_t)width * sizeof *rows);
+    free(rows);
+    return failed;
+}
+
+/* ---- >>fit: the best that two numbers can do --------------------------------------------------------------------- */
+
+/* of visibility from -1 to 1; the truth's sums in each bin */
+typedef struct histogram { double count[PEER_BINS], truth[PEER_BINS], squares, pixels; } histogram;
+
+/* Of a v^b, or of 1 - a (1 - v)^b. */
+static double fit_rmse(const histogram *h, int open, const double log_ab[2])
+{
+    const double a = exp(log_ab[0]), b = exp(log_ab[1]);
+    double sum = h->squares;
+    for (int i = 0; i < PEER_BINS; ++i) {
+        const double v = 2 * (i + 0.5) / PEER_BINS - 1, x = a * pow(fmax(open ? v : 1 - v, 0), b),
+                     fitted = fmin(fmax(open ? x : 1 - x, 0), 1);
+        if (h->count[i] > 0) sum += h->count[i] * fitted * fitted - 2 * fitted * h->truth[i];
+    }
+    return sqrt(fmax(sum, 0) / h->pixels);
+}
+
+static double fit_best(const kit_image *picture, const stage *s)
+{
+    const float *z = kit_image_channel(&s->frame, "Z"), *truth = kit_image_channel(&s->truth, "Y");
+    histogram *h = calloc(1, sizeof *h);
+    double best = HUGE_VAL;
+    if (!h) return (double)NAN;
+    for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; ++i) {
+        const int bin = (int)fmin(fmax((double)(picture->data[i] + 1) * PEER_BINS / 2, 0), PEER_BINS - 1);
+        if (!(z[i] > 0)) continue;
+        h->count[bin] += 1;
+        h->truth[bin] += (double)truth[i];
+        h->squares += (double)truth[i] * (double)truth[i];
+        h->pixels += 1;
+    }
+    for (int start = 0; start < 6; ++start) {
+        double at[2] = { 0, log(0.4) + log(2.5) * (start / 2) }, here = fit_rmse(h, start % 2, at);
+        for (double step = 1; step > 1e-3;) {
+            int better = 0;
+            for (int k = 0; k < 4; ++k) {
+                double to[2] = { at[0], at[1] }, there;
+                to[k / 2] += k % 2 ? step : -step;
+                there = fit_rmse(h, start % 2, to);
+                if (there < here) { here = there; at[0] = to[0]; at[1] = to[1]; better = 1; }
+            }
+            if (!better) step /= 2;
+        }
+        best = fmin(best, here);
+    }
+    free(h);
+    return best;
+}
+
+/* ---- >>rows ------------------------------------------------------------------------------------------------------ */
+
+static void peers_free(peer_set *set)
+{
+    for (int i = 0; i < set->peers; ++i) for (int k = 0; k < set->peer[i].passes; ++k) {
+        glDeleteProgram(set->peer[i].pass[k].program);
+        glDeleteProgram(set->peer[i].pass[k].counter);
+        glDeleteFramebuffers(1, &set->peer[i].pass[k].framebuffer);
+    }
+    for (int i = 1; i < set->textures; ++i) glDeleteTextures(1, &set->texture[i].name);     /* 0 is the stage's depth */
+    set->peers = set->textures = 0;
+    glActiveTexture(GL_TEXTURE0);
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+/* Depth, normals as three.js writes them, a white picture, and normals as they are. */
+static int peers_inputs(peer_set *set, const stage *s, kit_error *err)
+{
+    static const char *const names[3] = { "N.X", "N.Y", "N.Z" };
+    static const float background[3] = { 0.184f, 0.184f, 1 };
+    const int width = s->frame.width, height = s->frame.height;
+    const size_t pixels = (size_t)width * (size_t)height;
+    const float *z = kit_image_channel(&s->frame, "Z");
+    float *normals = malloc(4 * pixels * sizeof *normals), *white = malloc(4 * pixels * sizeof *white),
+          *plain = calloc(4 * pixels, sizeof *plain);
+    for (size_t i = 0; i < pixels && normals && white && plain; ++i) {
+        const size_t to = ((size_t)height - 1 - i / (size_t)width) * (size_t)width + i % (size_t)width;
+        for (size_t c = 0; c < 4; ++c)
+            normals[4 * to + c] = c == 3     ? 1
+                                  : z[i] > 0 ? kit_image_channel(&s->frame, names[c])[i] / 2 + 0.5f
+                                             : background[c];
+        for (size_t c = 0; c < 4; ++c) white[4 * to + c] = 1;
+        for (size_t c = 0; c < 3 && z[i] > 0; ++c) plain[4 * to + c] = kit_image_channel(&s->frame, names[c])[i];
+    }
+    if (normals && white && plain) {
+        set->texture[0] = (peer_texture){ s->gbuffer.depth, width, height };
+        set->texture[1] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, normals), width, height };
+        set->texture[2] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, white), width, height };
+        set->texture[3] = (peer_texture){ kit_texture(width, height, GL_RGBA16F, plain), width, height };
+        glBindTexture(GL_TEXTURE_2D, set->texture[3].name);
+        kit_texture_linear(GL_TEXTURE_2D);
+        set->textures = 4;
+    }
+    free(normals);
+    free(white);
+    free(plain);
+    return set->textures ? 0 : kit_fail(err, "out of memory");
+}
+
+/* Rows of ambient visibility: each peer with the radius matched to the stage's, at some of its
+   qualities; with room for fewer than MOST_PEERS rows, one of each, PEERS_QUICK in all. figure[FITTED] is the share
+   after the best fit. How many there are; 0 = none, peers_note() says why; -1 = failed. Their names last until the
+   next call. */
+int peers_measure(row *rows, stage *s, int rounds, int most, kit_error *err)
+{
+    static peer_set set;
+    char what[128];
+    int failed = peers_write(s, most < MOST_PEERS, err), count;
+    if (failed <= 0) return failed;
+    memset(&set, 0, sizeof set);
+    snprintf(what, sizeof what, "%s: peers", s->name);
+    kit_progress(what, 0);
+    failed = peers_inputs(&set, s, err) || peers_read(&set, s, err);
+    count = set.peers < most ? set.peers : most;
+    for (int i = 0; i < count && !failed; ++i) {
+        kit_image picture;
+        row *r = &rows[i];
+        memset(r, 0, sizeof *r);
+        for (int k = 0; k < FIGURES; ++k) r->figure[k] = (double)NAN;
+        r->scene = s->name;
+        r->label = r->method = set.peer[i].label;
+        r->settings = set.peer[i].settings;
+        peer_draw(&set, i);
+        failed = peer_fetches(&r->fetches, &set.peer[i], s, err) || peer_picture(&picture, &set, &set.peer[i], s, err);
+        if (failed) break;
+        r->figure[FITTED] = fit_best(&picture, s);
+        for (size_t k = 0; k < (size_t)picture.width * (size_t)picture.height; ++k)
+            picture.data[k] = fminf(fmaxf(picture.data[k], 0), 1);
+        failed = score(r, s, &picture, err);
+        r->figure[FITTED] *= r->share / r->score.rmse;
+        kit_image_free(&picture);
+        kit_progress(what, (i + 1.0) / (count + 1.0));
+    }
+    kit_progress(what, 1);
+    failed = failed || clock_all(rows, s, peer_draw, &set, count, rounds, err);
+    peers_free(&set);
+    return failed ? -1 : count;
+}
+
+/* What the chart draws: the first methods of rows as they are, and the peers from there to count with the radius
+   matched, their error the fitted one. How many. */
+int peers_points(row *points, const row *rows, int methods, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        points[i] = rows[i];
+        if (i >= methods) points[i].share = rows[i].figure[FITTED];
+    }
+    return count;
+}
+
+/* For each peer: does the library, raw, in no more than its time err no more than the peer
+   after its fit? Against how many it does, and each that it does not. */
+void peers_verdict(FILE *f, const row *rows, int methods, int count)
+{
+    int all = 0, met = 0;
+    for (int i = methods; i < count; ++i) {
+        double best = HUGE_VAL;
+        for (int k = 0; k < methods; ++k) if (rows[k].relative <= rows[i].relative) best = fmin(best, rows[k].share);
+        ++all;
+        if (best <= rows[i].figure[FITTED]) ++met;
+        else
+            fprintf(f, "%s: %s (%s) errs by %.3f after its fit, the library in that time by %.3f\n", rows->scene,
+                    rows[i].label, rows[i].settings, rows[i].figure[FITTED], best);
+    }
+    if (all)
+        fprintf(f,
+                "%s: the library errs no more, raw, than %d of %d settings of " THEY " in their time after their fit\n",
+                rows->scene, met, all);
+}
+
+void peers_terms(FILE *f)
+{
+    fputs("<dl>\n<dt>three.js, n8ao, Babylon.js, PlayCanvas<dd>Other people's ambient occlusion, as their own code "
+          "draws it, denoisers included, on the same depth and normals, timed in the same rounds; what only multiplies "
+          "the picture by it is not timed. Defaults: as they come, whatever the scene's units. Else with the radius R "
+          "of ours, and with what of theirs shapes the effect chosen for the least error in these scenes.\n"
+          "<dt>fitted<dd>The share after the better of a v<sup>b</sup> and 1 &minus; a (1 &minus; v)<sup>b</sup>, "
+          "clamped, with the best a and b for that one picture, found with the truth in hand: no gain or power of "
+          "theirs comes nearer.\n</dl>\n",
+          f);
+}

@@ -1,0 +1,209 @@
+/* fit.c - fits the table of choices in ssgi.h's room >>plan to what "report fit" measured (report/plan-fit.csv), and
+   prints it, to be put there.
+
+      build/fit report/plan-fit.csv [report/plan-gpu.csv]
+
+   The second is what make bench measured on a GPU; without it that column is a model of fetches and operations.
+   A choice's squared error is a sum of terms, each times a number that is 0 or more: least squares of relative errors,
+   by coordinates. */
+#define SSGI_STATIC
+#define SSGI_IMPLEMENTATION
+#include "../../ssgi.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST_ROWS = 8192, MOST_TERMS = SSGI__PLAN_TERMS };
+/* cost: in software, and the model of a GPU's */
+typedef struct measured { char view[64]; ssgi_plan_scene scene; int choice; double error, cost[2]; } measured;
+typedef struct equation { double term[MOST_TERMS], square; } equation;
+
+static int by_value(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Weights follow the prediction, so that what is left is about the logarithm's. */
+static double solve(double x[MOST_TERMS], const equation *rows, int count, int terms)
+{
+    double residue = 0;
+    for (int k = 0; k < terms; ++k) x[k] = 0;
+    for (int round = 0; round < 5; ++round) {
+        double normal[MOST_TERMS][MOST_TERMS] = { { 0 } }, right[MOST_TERMS] = { 0 };
+        for (int i = 0; i < count; ++i) {
+            double at = 0;
+            for (int k = 0; k < terms; ++k) at += x[k] * rows[i].term[k];
+            const double w = 1 / (rows[i].square * fmax(round ? at : rows[i].square, 0.05 * rows[i].square));
+            for (int k = 0; k < terms; ++k) {
+                right[k] += w * rows[i].term[k] * rows[i].square;
+                for (int l = 0; l < terms; ++l) normal[k][l] += w * rows[i].term[k] * rows[i].term[l];
+            }
+        }
+        for (int step = 0; step < 20000; ++step)
+            for (int k = 0; k < terms; ++k) {
+                double v = right[k];
+                if (!(normal[k][k] > 0)) continue;
+                for (int l = 0; l < terms; ++l) v -= normal[k][l] * x[l];
+                x[k] = fmax(0, x[k] + v / normal[k][k]);
+            }
+    }
+    for (int i = 0; i < count; ++i) {
+        double at = 1e-12;
+        for (int k = 0; k < terms; ++k) at += x[k] * rows[i].term[k];
+        residue += pow(0.5 * log(at / rows[i].square), 2);
+    }
+    return count ? sqrt(residue / count) : 0;
+}
+
+/* ", 0.12f": at most three decimals, as C has them. */
+static void literal(double v)
+{
+    char text[32];
+    size_t n = (size_t)snprintf(text, sizeof text, "%.*f", v < 0.1 ? 3 : v < 10 ? 2 : 1, v);
+    while (n > 3 && text[n - 1] == '0' && text[n - 2] != '.') text[--n] = 0;
+    printf(v > 0 ? ", %sf" : ", 0", text + (*text == '0'));
+}
+
+/* A line of plan-fit.csv. */
+static int read_row(measured *m, int *fits, const char *line)
+{
+    ssgi_plan_scene *s = &m->scene;
+    float *const v[] = { &s->calibration.unoccluded, &s->calibration.hsao, &s->calibration.slabs, &s->survey.occlusion,
+                         &s->survey.detail, &s->survey.solid, &s->survey.slabs, &s->screen_radius, &s->albedo,
+                         &s->energy[0], &s->energy[1], &s->energy[2], &s->energy[3] };
+    int at;
+    memset(m, 0, sizeof *m);
+    if (sscanf(line, "%63[^,],%d,%d,%d,%lf,%lf,%lf%n", m->view, fits, &s->wanted, &m->choice, &m->error, &m->cost[0],
+               &m->cost[1], &at) != 7)
+        return -1;
+    for (size_t k = 0; k < sizeof v / sizeof *v; ++k) {
+        int more;
+        if (sscanf(line + at, ",%f%n", v[k], &more) != 1) return -1;
+        at += more;
+    }
+    s->calibration.known = 1;
+    return sscanf(line + at, ",%lf,%lf,%d,%f", &s->surfels, &s->splats, &s->occluders, &s->coverage) == 4 ? 0 : -1;
+}
+
+/* A calibration of some places is noisy: of these views all is known. */
+static void know(measured *row, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
+        const int balanced = r->method == SSGI_PLAN_HSAO && r->half && r->directions == 2 && r->steps == 8;
+        for (int k = 0; k < count; ++k) {
+            ssgi_calibration *c = &row[k].scene.calibration;
+            if (row[i].scene.wanted != row[k].scene.wanted || strcmp(row[i].view, row[k].view)) continue;
+            if (r->method == SSGI_PLAN_NOTHING) c->unoccluded = (float)row[i].error;
+            if (balanced && !r->thickness) c->hsao = (float)row[i].error;
+            if (balanced && r->thickness == SSGI_PLAN_SLABS) c->slabs = (float)row[i].error;
+        }
+    }
+}
+
+static measured row[MOST_ROWS];
+static equation equations[MOST_ROWS];
+
+/* What splats cost, in both columns: a constant, which rows have, times their texels, times the surfels. */
+static void fit_splats(int count, double base[2])
+{
+    double x[MOST_TERMS];
+    for (int c = 0; c < 2; ++c) {
+        int n = 0;
+        for (int i = 0; i < count; ++i) {
+            const ssgi__plan_row *r = &ssgi__plan_rows[row[i].choice];
+            const double larger = r->size > 0 ? 0.015 / (double)r->size : 0;
+            if (r->method != SSGI_PLAN_SURFELS) continue;
+            equations[n].square = row[i].cost[c];
+            equations[n].term[0] = 1;
+            equations[n].term[1] = row[i].scene.splats * sqrt(larger);
+            equations[n++].term[2] = row[i].scene.surfels * larger * larger;
+        }
+        const double spread = solve(x, equations, n, 3);
+        base[c] = x[0];
+        fprintf(stderr, "splats, column %d: %.4g %.4g %.4g, spread %.3f of %d\n", c, x[0], x[1], x[2], 2 * spread, n);
+    }
+}
+
+/* What a survey alone tells of a calibration of visibility, without slabs and with. */
+static void fit_survey(int count)
+{
+    static const char *const names[3] = { "nothing", "hsao", "slabs" };
+    double x[MOST_TERMS];
+    for (int with = 0; with < 2; ++with)
+        for (int of = 0; of < 3; ++of) {
+            int n = 0;
+            for (int i = 0; i < count; ++i) {
+                const ssgi_plan_scene *s = &row[i].scene;
+                const float known[3] = { s->calibration.unoccluded, s->calibration.hsao, s->calibration.slabs },
+                            v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
+                if (s->wanted || (i && !strcmp(row[i - 1].view, row[i].view))) continue;
+                equations[n].square = (double)known[of] * (double)known[of];
+                for (int k = 0; k < 4; ++k) equations[n].term[k] = k < 3 + with ? (double)v[k] * (double)v[k] : 0;
+                ++n;
+            }
+            const double spread = solve(x, equations, n, 4);
+            fprintf(stderr, "survey %s slabs, %s: %.4g %.4g %.4g %.4g, spread %.3f of %d\n", with ? "with" : "without",
+                    names[of], x[0], x[1], x[2], x[3], spread, n);
+        }
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const wanted[] = { "VISIBILITY", "LIGHT", "BOUNCE", "OBJECTS" },
+                             *const method[] = { "NOTHING", "HSAO", "SSDO", "S3HO", "SURFELS", "FIELD" },
+                             *const behind[] = { "CONSTANT", "SOLID", "BACK", "SLABS" };
+    double x[MOST_TERMS], costs[2][MOST_ROWS], base[2];
+    char line[1024];
+    int count = 0, fits;
+    double gpu[SSGI_PLAN_CHOICES] = { 0 }, ratio;
+    FILE *f = argc == 2 || argc == 3 ? fopen(argv[1], "r") : NULL;
+    FILE *measured_gpu = argc == 3 ? fopen(argv[2], "r") : NULL;
+    if (!f || (argc == 3 && !measured_gpu)) {
+        fprintf(stderr, argc < 2 ? "usage: fit plan-fit.csv [plan-gpu.csv]\n" : "fit: %s: cannot be read\n",
+                argv[f ? argc - 1 : argc > 1]);
+        return 2;
+    }
+    for (int c; measured_gpu && fscanf(measured_gpu, "%d,%lf", &c, &ratio) == 2;)
+        if (c >= 0 && c < SSGI_PLAN_CHOICES) gpu[c] = ratio;
+    if (measured_gpu) fclose(measured_gpu);
+    for (int k = 1; count < MOST_ROWS && fgets(line, sizeof line, f); ++k) {
+        if (read_row(&row[count], &fits, line)) {
+            fprintf(stderr, "fit: %s: line %d is not a measured choice\n", argv[1], k);
+            return 2;
+        }
+        count += fits && row[count].choice >= 0 && row[count].choice < SSGI_PLAN_CHOICES;
+    }
+    fclose(f);
+    know(row, count);
+    fit_splats(count, base);
+    fit_survey(count);
+    for (int c = 0; c < SSGI_PLAN_CHOICES; ++c) {
+        const ssgi__plan_row *r = &ssgi__plan_rows[c];
+        int n = 0;
+        for (int i = 0; i < count; ++i) {
+            if (row[i].choice != c) continue;
+            for (int k = 0; k < 2; ++k) costs[k][n] = row[i].cost[k];
+            equations[n].square = row[i].error * row[i].error;
+            ssgi__plan_terms(equations[n].term, r, &row[i].scene);
+            /* a row's error follows the calibration of its own thickness model */
+            if (!r->thickness && r->method != SSGI_PLAN_SURFELS) equations[n].term[SSGI__PLAN_SLABS_ERROR] = 0;
+            if (r->thickness == SSGI_PLAN_SLABS) equations[n].term[SSGI__PLAN_HSAO_ERROR] = 0;
+            ++n;
+        }
+        const double spread = n ? solve(x, equations, n, MOST_TERMS) : 0;
+        for (int k = 0; k < MOST_TERMS && !n; ++k) x[k] = (double)r->term[k];
+        printf("    SSGI__ROW(%s, %s, %s, %d, %d, %d, %d, %d, %d, ", wanted[r->wanted], method[r->method],
+               behind[r->thickness], r->half, r->directions, r->steps, r->bands, r->history, r->resolution);
+        printf(r->size > 0 ? "%gf" : "%g", (double)r->size);
+        for (int k = 0; k < 2; ++k) {
+            qsort(costs[k], (size_t)n, sizeof **costs, by_value);
+            literal(k && gpu[c] > 0 ? gpu[c] : r->method == SSGI_PLAN_SURFELS ? floor(10 * base[k] + 0.5) / 10
+                    : r->method == SSGI_PLAN_FIELD || !n ? (double)r->cost[k] : costs[k][n / 2]);
+        }
+        for (int k = 0; k < MOST_TERMS; ++k) literal(x[k] < 1e-3 ? 0 : x[k]);
+        puts(c + 1 < SSGI_PLAN_CHOICES ? ")," : ")");
+        fprintf(stderr, "choice %d: %d rows, spread %.3f\n", c, n, spread);
+    }
+    return 0;
+}

@@ -1,0 +1,243 @@
+/* manifest.c - the manifest beside the texts of make glsl, from what the library says of itself. Declared in
+   manifest.h. */
+#include "tools/glsl/manifest.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const endings[SSGI_GL_STAGES + 1] = { "vert", "frag", "tesc", "tese", "geom", "glsl" };
+
+/* Lines of the manifest, each once: an entry's number stands for it. */
+enum { MOST = 1 << 14, BUCKETS = 1 << 15 };
+typedef struct table { char *line[MOST]; int count, bucket[BUCKETS]; } table;
+static table rows, lists, variants, functions;
+static const char *fetch[2] = { "", "" };       /* what CUSTOM variants have; those for Vulkan */
+
+/* The number of a line, which is added unless it is there; key: the part of it that tells it from others. Without a
+   line: of the one with that key, or -1. */
+static int number_of(table *t, const char *key, const char *line)
+{
+    uint64_t h = kit_hash(KIT_HASH, key, strlen(key));
+    for (;; ++h) {
+        int *b = &t->bucket[h % BUCKETS];
+        if (!*b && !line) return -1;
+        if (!*b) {
+            if (t->count == MOST || !(t->line[t->count] = strdup(line))) abort();
+            *b = ++t->count;
+        }
+        if (strstr(t->line[*b - 1], key)) return *b - 1;
+    }
+}
+
+static void put_string(FILE *f, const char *s)
+{
+    fputc('"', f);
+    for (; *s; ++s) {
+        if (*s == '"' || *s == '\\') fputc('\\', f);
+        if ((unsigned char)*s < 32) fprintf(f, "\\u%04x", (unsigned)(unsigned char)*s); else fputc(*s, f);
+    }
+    fputc('"', f);
+}
+
+/* Word i of those that a field's values have; at the empty end of them when there are fewer. */
+static const char *word_at(const ssgi_gl_choice *c, int i, int *length)
+{
+    const char *s = c->values;
+    for (; i > 0 && *s; --i) s += strcspn(s, " ") + (strchr(s, ' ') != NULL);
+    *length = (int)strcspn(s, " ");
+    return s;
+}
+
+/* The fields that are not 0, and the pass; enums by their words. */
+static void put_desc(FILE *f, const ssgi_gl_desc *d)
+{
+    const ssgi_gl_choice *c;
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        int value, n;
+        memcpy(&value, (const char *)d + c->offset, sizeof value);
+        const char *word = word_at(c, value, &n);
+        if (!value && i) continue;
+        fprintf(f, "%s\"%s\": ", i ? ", " : "{ ", c->name);
+        if (n) fprintf(f, "\"%.*s\"", n, word); else fprintf(f, "%d", value);
+    }
+    fputs(" }", f);
+}
+
+static int row_number(const ssgi_gl_io *io)
+{
+    static const char *const kinds[] = { "TEXTURE", "PARAM", "OUTPUT", "CONSTANT", "ATTRIBUTE", "CAPTURE" };
+    char *line = NULL;
+    size_t size;
+    FILE *f = open_memstream(&line, &size);
+    if (!f) abort();
+    fprintf(f, "{ \"name\": \"%s\", \"kind\": \"%s\", \"type\": \"%s\", \"slot\": %d, \"offset\": %zu, \"format\": ",
+            io->name, kinds[io->kind], io->type, io->slot, io->offset);
+    put_string(f, io->format);
+    fputs(" }", f);
+    fclose(f);
+    const int number = number_of(&rows, line, line);
+    free(line);
+    return number;
+}
+
+void manifest_variant(const ssgi_gl_desc *d, const char *const files[SSGI_GL_STAGES])
+{
+    ssgi_gl_io io[SSGI_GL_MAX_IO];
+    char *line = NULL, *list = NULL, *names = NULL;
+    const char *between = "\"files\": { ";
+    size_t size;
+    FILE *f = open_memstream(&names, &size);
+    if (!f) abort();
+    for (int s = 0; s < SSGI_GL_STAGES; ++s) {
+        if (!files[s]) continue;
+        fprintf(f, "%s\"%s\": \"%s\"", between, endings[s], files[s]);
+        between = ", ";
+    }
+    fputs(" }", f);
+    fclose(f);
+    if (number_of(&variants, names, NULL) >= 0) { free(names); return; }
+    f = open_memstream(&list, &size);
+    if (!f) abort();
+    const int n = ssgi_gl_reflect(d, io, SSGI_GL_MAX_IO);
+    for (int i = 0; i < n; ++i) fprintf(f, "%s%d", i ? ", " : "[", row_number(&io[i]));
+    fputc(']', f);
+    fclose(f);
+    f = open_memstream(&line, &size);
+    if (!f) abort();
+    fputs("{ \"desc\": ", f);
+    put_desc(f, d);
+    if (d->fetch) fetch[d->dialect == SSGI_GL_VULKAN] = d->fetch;
+    fprintf(f, ",%s %s, \"rows\": %d }", d->fetch ? " \"fetch\": true," : "", names, number_of(&lists, list, list));
+    fclose(f);
+    number_of(&variants, names, line);
+    free(list);
+    free(names);
+    free(line);
+}
+
+void manifest_functions(const char *file)
+{
+    char line[256];
+    snprintf(line, sizeof line, "\"%s\"", file);
+    number_of(&functions, line, line);
+}
+
+static void put_table(FILE *f, const char *name, const table *t)
+{
+    fprintf(f, ",\n\"%s\": [", name);
+    for (int i = 0; i < t->count; ++i) fprintf(f, "%s%s", i ? ",\n" : "\n", t->line[i]);
+    fputs("\n]", f);
+}
+
+/* Bytes of a member in std140, which is the struct. */
+static size_t bytes_of(const char *type)
+{
+    static const struct { const char *name; size_t bytes; } types[] = { { "float", 4 }, { "int", 4 }, { "vec2", 8 },
+        { "ivec2", 8 }, { "vec4", 16 }, { "mat3", 48 }, { "mat4", 64 } };
+    const size_t n = strcspn(type, "[");
+    for (size_t i = 0; i < sizeof types / sizeof *types; ++i)
+        if (strlen(types[i].name) == n && !memcmp(types[i].name, type, n))
+            return types[i].bytes * (type[n] ? strtoul(type + n + 1, NULL, 10) : 1);
+    abort();
+}
+
+static void put_block(FILE *f, const char *name, int block, const char *prefix, size_t size)
+{
+    const ssgi_gl_io *m;
+    const char *between = "";
+    fprintf(f, ",\n\"%s\": { \"size\": %zu, \"members\": [", name, size);
+    for (int i = 0; (m = ssgi_gl_member_at(i)) != NULL; ++i) {
+        if (m->slot != block) continue;
+        fprintf(f, "%s\n{ \"name\": \"%s\", \"glsl\": \"%s\", \"type\": \"%s\", \"offset\": %zu, \"bytes\": %zu, "
+                   "\"units\": ", between, m->name + strlen(prefix), m->name, m->type, m->offset, bytes_of(m->type));
+        put_string(f, m->format);
+        fputs(" }", f);
+        between = ",";
+    }
+    fputs("\n] }", f);
+}
+
+int manifest_write(const char *path, kit_error *err)
+{
+    static const char *const about[] = {
+        "variants: each set of files that belongs together. desc: the fields of ssgi_gl_desc that are not 0, enums by "
+        "their words (fields has them in order from 0); fetch: true: with this manifest's fetch (vulkan: "
+        "fetch_vulkan) as desc.fetch; files by "
+        "stage; rows: a number in row_lists.",
+        "row_lists: numbers in rows. rows: ssgi_gl_io, what a program reads and writes, in the order of its text.",
+        "frame, views: ssgi_gl_frame, ssgi_gl_views, the blocks of the same layout (std140); a mat3 has 3 columns of "
+        "4 floats. desc: ssgi_gl_desc, in C; the offsets of ints are the same on every machine, most is the greatest "
+        "value, 0 the least. defaults: what the zeros of a desc of that pass mean (ssgi_gl_resolve).",
+        "functions: files without a main, for shaders of your own (ssgi_gl_field, ssgi_gl_sh).",
+        "Python: the field pass is a keyword there: setattr(desc, 'pass', ..), getattr. cffi takes what gcc -E -P "
+        "'-D__attribute__(x)=' makes of ssgi_gl.h.",
+        "Rust: bindgen ssgi_gl.h -- --target=x86_64-pc-windows-msvc -ffreestanding gives constants the fields' type, "
+        "i32, on any 64-bit machine; without it they are u32."
+    };
+    const ssgi_gl_choice *c;
+    const char *name;
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    if (!f) return kit_fail(err, "%s: out of memory", path);
+    fprintf(f, "{ \"ssgi\": \"%d.%d\",\n\"about\": [", SSGI_VERSION_MAJOR, SSGI_VERSION_MINOR);
+    for (size_t i = 0; i < sizeof about / sizeof *about; ++i) {
+        fputs(i ? ",\n" : "\n", f);
+        put_string(f, about[i]);
+    }
+    fprintf(f, "\n],\n\"desc\": { \"size\": %zu, \"pointer\": %zu, \"strings\": [\n"
+               "{ \"name\": \"version\", \"offset\": %zu }, { \"name\": \"fetch\", \"offset\": %zu }\n], \"fields\": [",
+            sizeof(ssgi_gl_desc), sizeof(char *), offsetof(ssgi_gl_desc, version), offsetof(ssgi_gl_desc, fetch));
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        fprintf(f, "%s\n{ \"name\": \"%s\", \"offset\": %zu, \"most\": %d, \"values\": [", i ? "," : "", c->name,
+                c->offset, c->most);
+        for (int k = 0, n; *c->values && k <= c->most; ++k) {
+            const char *word = word_at(c, k, &n);
+            fprintf(f, "%s\"%.*s\"", k ? ", " : "", n, word);
+        }
+        fputs("], \"sentence\": ", f);
+        put_string(f, c->sentence);
+        fputs(" }", f);
+    }
+    fputs("\n] },\n\"defaults\": {", f);
+    for (int pass = 0; (name = ssgi_gl_pass_name(pass)) != NULL; ++pass) {
+        ssgi_gl_desc d;
+        memset(&d, 0, sizeof d);
+        d.pass = pass;
+        d = ssgi_gl_resolve(&d);
+        fprintf(f, "%s\n\"%s\": ", pass ? "," : "", name);
+        put_desc(f, &d);
+    }
+    fputs("\n}", f);
+    put_block(f, "frame", 0, "u_ssgi_", sizeof(ssgi_gl_frame));
+    put_block(f, "views", 1, "u_ssgi_view_", sizeof(ssgi_gl_views));
+    put_table(f, "rows", &rows);
+    put_table(f, "row_lists", &lists);
+    put_table(f, "variants", &variants);
+    put_table(f, "functions", &functions);
+    fprintf(f, ",\n\"fetch\": ");
+    put_string(f, fetch[0]);
+    fprintf(f, ",\n\"fetch_vulkan\": ");
+    put_string(f, fetch[1]);
+    fputs(" }\n", f);
+    fclose(f);
+    const int bad = kit_file_write(path, text, size, err);
+    free(text);
+    return bad;
+}
+
+void manifest_types(void)
+{
+    const ssgi_gl_choice *c;
+    puts("/** The fields of ssgi_gl_desc: 0 is each one's default. */\nexport interface Desc {");
+    for (int i = 0; (c = ssgi_gl_choice_at(i)) != NULL; ++i) {
+        printf("  /** %s */\n  %s?: ", c->sentence, c->name);
+        for (int k = 0, n; *c->values && k <= c->most; ++k) {
+            const char *word = word_at(c, k, &n);
+            printf("'%.*s' | ", n, word);
+        }
+        puts("number;");
+    }
+    puts("  /** the first line(s) in place of \"#version ..\" */\n  version?: string;\n"
+         "  /** GLSL of CUSTOM choices */\n  fetch?: string;\n}");
+}

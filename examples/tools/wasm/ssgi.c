@@ -1,0 +1,135 @@
+/* ssgi.c - the headers as WebAssembly, without a C library: make wasm builds build/wasm/ssgi.wasm, ssgi.mjs loads it.
+
+   What a page needs is exported by name; the linker drops the rest. For more (surfels, fields, lights, plans) add lines
+   of EXPORT. Memory is the page's: from __heap_base on nothing here touches what it does not get a pointer to. */
+#include "../../../ssgi_gl.h"
+
+#define EXPORT(function) extern __typeof__(function) function __attribute__((export_name(#function)))
+EXPORT(ssgi_view_from_projection);
+EXPORT(ssgi_gl_choice_at);
+EXPORT(ssgi_gl_check);
+EXPORT(ssgi_gl_preset);
+EXPORT(ssgi_gl_resolve);
+EXPORT(ssgi_gl_emit);
+EXPORT(ssgi_gl_key);
+EXPORT(ssgi_gl_pass_name);
+EXPORT(ssgi_gl_dialect_name);
+EXPORT(ssgi_gl_reflect);
+EXPORT(ssgi_gl_member_at);
+EXPORT(ssgi_gl_frame_init);
+EXPORT(ssgi_gl_frame_history);
+EXPORT(ssgi_gl_phase);
+EXPORT(ssgi_gl_harmonics_set);
+EXPORT(ssgi_gl_steps);
+EXPORT(ssgi_environment_map);
+EXPORT(ssgi_environment_cone);
+EXPORT(ssgi_sh_project_equirect);
+EXPORT(ssgi_sh_residual);
+EXPORT(ssgi_trace_size);
+EXPORT(ssgi_trace_build);
+EXPORT(ssgi_trace_closest);
+EXPORT(ssgi_trace_any);
+
+/* Sizes and places of members by name, for ssgi.mjs: the i-th; NULL past the last. */
+typedef struct place { const char *name; int32_t value; } place;
+const place *ssgi_wasm_place_at(int i) __attribute__((export_name("ssgi_wasm_place_at")));
+const place *ssgi_wasm_place_at(int i)
+{
+#define SIZE(of) { #of, (int32_t)sizeof(of) }
+#define AT(of, member) { #of "." #member, (int32_t)offsetof(of, member) }
+#define CHAIN(member) AT(ssgi_gl_chain, member)
+#define STEP(member) AT(ssgi_gl_step, member)
+#define INPUT(member) AT(ssgi_gl_input, member)
+#define OUTPUT(member) AT(ssgi_gl_output, member)
+    static const place places[] = {
+        { "major", SSGI_VERSION_MAJOR }, { "minor", SSGI_VERSION_MINOR },
+        { "meanings", SSGI_GL_YOURS },
+        SIZE(ssgi_view), SIZE(ssgi_gl_desc), SIZE(ssgi_gl_frame), SIZE(ssgi_gl_io), SIZE(ssgi_gl_chain),
+        SIZE(ssgi_gl_step), SIZE(ssgi_gl_input), SIZE(ssgi_gl_output), SIZE(ssgi_trace), SIZE(ssgi_hit),
+        AT(ssgi_gl_desc, version), AT(ssgi_gl_desc, fetch),
+        AT(ssgi_gl_choice, name), AT(ssgi_gl_choice, values), AT(ssgi_gl_choice, sentence), AT(ssgi_gl_choice, offset),
+        AT(ssgi_gl_choice, most),
+        AT(ssgi_gl_io, name), AT(ssgi_gl_io, kind), AT(ssgi_gl_io, type), AT(ssgi_gl_io, slot), AT(ssgi_gl_io, offset),
+        AT(ssgi_gl_io, format),
+        CHAIN(desc), CHAIN(lights), CHAIN(width), CHAIN(height), CHAIN(blur), CHAIN(history), CHAIN(vectors),
+        CHAIN(reuse), CHAIN(vpls), CHAIN(direct), CHAIN(surfels), CHAIN(hidden_sky), CHAIN(unsmoothed), CHAIN(precise),
+        STEP(desc), STEP(size), STEP(width), STEP(height), STEP(inputs), STEP(outputs), STEP(input), STEP(output),
+        STEP(frame), STEP(primitive), STEP(vertices), STEP(instances), STEP(blend), STEP(clear), STEP(clear_to),
+        INPUT(name), INPUT(type), INPUT(unit), INPUT(target), INPUT(meaning), INPUT(texture), INPUT(last),
+        INPUT(format), INPUT(width), INPUT(height),
+        OUTPUT(name), OUTPUT(texture), OUTPUT(format), OUTPUT(slices), OUTPUT(slice), OUTPUT(kept), OUTPUT(result),
+        AT(ssgi_gl_format, name), AT(ssgi_gl_format, internal), AT(ssgi_gl_format, format), AT(ssgi_gl_format, type),
+        AT(ssgi_gl_format, bytes)
+    };
+    return i >= 0 && i < (int)(sizeof places / sizeof *places) ? &places[i] : NULL;
+}
+
+#define SSGI_IMPLEMENTATION
+#define SSGI_GL_IMPLEMENTATION
+#include "../../../ssgi.h"
+#include "../../../ssgi_gl.h"
+
+/* ---- libc/string.h; the Makefile's -fno-builtin keeps these loops from becoming calls to themselves */
+
+void *memcpy(void *to, const void *from, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) ((char *)to)[i] = ((const char *)from)[i];
+    return to;
+}
+
+void *memset(void *to, int byte, size_t n)
+{
+    for (size_t i = 0; i < n; ++i) ((char *)to)[i] = (char)byte;
+    return to;
+}
+
+int memcmp(const void *a, const void *b, size_t n)
+{
+    const unsigned char *s = a, *t = b;
+    for (; n; --n, ++s, ++t) if (*s != *t) return *s - *t;
+    return 0;
+}
+
+void *memchr(const void *s, int byte, size_t n)
+{
+    for (const unsigned char *at = s; n; --n, ++at) if (*at == (unsigned char)byte) return (void *)(uintptr_t)at;
+    return NULL;
+}
+
+size_t strlen(const char *s)
+{
+    const char *end = s;
+    while (*end) ++end;
+    return (size_t)(end - s);
+}
+
+int strncmp(const char *a, const char *b, size_t n)
+{
+    for (; n; --n, ++a, ++b) if (*a != *b || !*a) return (unsigned char)*a - (unsigned char)*b;
+    return 0;
+}
+
+int strcmp(const char *a, const char *b)
+{
+    return strncmp(a, b, SIZE_MAX);
+}
+
+char *strchr(const char *s, int c)
+{
+    while (*s && *s != (char)c) ++s;
+    return *s == (char)c ? (char *)(uintptr_t)s : NULL;
+}
+
+char *strstr(const char *s, const char *part)
+{
+    const size_t n = strlen(part);
+    while (*s && strncmp(s, part, n)) ++s;
+    return *s || !n ? (char *)(uintptr_t)s : NULL;
+}
+
+size_t strcspn(const char *s, const char *stop)
+{
+    size_t n = 0;
+    while (s[n] && !strchr(stop, s[n])) ++n;
+    return n;
+}
