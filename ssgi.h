@@ -80,26 +80,28 @@ extern "C" {
 
 typedef enum ssgi_result {
     SSGI_OK = 0,
-    SSGI_BAD_ARGUMENT,      /* the sentence names it */
-    SSGI_TOO_SMALL,         /* the memory given does not suffice; the size query tells how much does */
-    SSGI_CANCELLED          /* your progress callback said so */
+    SSGI_BAD_ARGUMENT, /* the sentence names it */
+    SSGI_TOO_SMALL,    /* the memory given does not suffice; the size query tells how much does */
+    SSGI_CANCELLED     /* your progress callback said so */
 } ssgi_result;
 
 /* ==== >>view =================================================================================================== */
 
 /* How a projection's clip z becomes window depth. */
-enum { SSGI_CLIP_GL = 0,    /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-       SSGI_CLIP_ZERO };    /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+enum {
+    SSGI_CLIP_GL = 0, /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
+    SSGI_CLIP_ZERO
+}; /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
 
 /* The camera parameters that the passes use; made by ssgi_view_from_projection, read-only for you. */
 typedef struct ssgi_view {
-    float unproject[4];     /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
-    float project[4];       /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
-    float depth[2];         /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
-    float clear;            /* the window depth of the background: 1, or 0 when the projection is reversed */
-    int   orthographic;     /* 0 or 1 */
-    int   width, height;    /* pixels of the frame */
-    float oblique[2];       /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
+    float unproject[4]; /* view xy = (pixel * [0,1] + [2,3]) * view depth; orthographic: without "* view depth" */
+    float project[4];   /* pixel = view xy / view depth * [0,1] + [2,3];   orthographic: without "/ view depth" */
+    float depth[2];     /* 1 / view depth = [0] + [1] * window depth;      orthographic: view depth = ... */
+    float clear;        /* the window depth of the background: 1, or 0 when the projection is reversed */
+    int orthographic;   /* 0 or 1 */
+    int width, height;  /* pixels of the frame */
+    float oblique[2];   /* depth[] decodes window depth + pixel * this: 0 but for oblique near planes */
 } ssgi_view;
 
 /* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
@@ -119,12 +121,12 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
    infinity) gives SSGI_FAR. Where view->oblique is not 0 it depends on the pixel. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
-#define SSGI_FAR 1e18f      /* the view depth of the background: beyond any scene, its square a finite float */
+#define SSGI_FAR 1e18f /* the view depth of the background: beyond any scene, its square a finite float */
 
 /* The view-space point seen at a pixel position (centres at .5) at a view depth; and back: the pixel position of a
    view-space point, with its depth [limit: > 0 when perspective] in out[2]. GLSL twins: ssgi_position, ssgi_project. */
-SSGI_DEF void  ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
-SSGI_DEF void  ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
+SSGI_DEF void ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
+SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
 /* View depth of the near plane that the projection implies [units: view]; where that is oblique, its least. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
@@ -157,7 +159,7 @@ SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
 /* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not yet known. */
-SSGI_DEF void  ssgi_r2(uint32_t i, float out[2]);
+SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
      sets       [limit: 1..4096] independent sets (interleave them over pixels)
@@ -176,7 +178,7 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 #define SSGI_SH_MAX_BANDS 6
 
 /* The basis at a unit direction: bands^2 values [limit: bands 0..SSGI_SH_MAX_BANDS, more are taken as that many]. */
-SSGI_DEF void  ssgi_sh_basis(float *out, int bands, const float direction[3]);
+SSGI_DEF void ssgi_sh_basis(float *out, int bands, const float direction[3]);
 
 /* Factor of band l from radiance to irradiance [RAM01]: pi, 2 pi/3, pi/4, 0, -pi/24; else 0. */
 SSGI_DEF float ssgi_sh_cosine(int l);
@@ -192,18 +194,20 @@ SSGI_DEF ssgi_result ssgi_sh_project_cube(float *out, int bands, const float *co
 
 /* Windows: factors of the bands that reduce a narrow light's ringing. Beside each, for a sun in 4 bands that gives a
    facing surface irradiance 1: the series' peak; its least irradiance; how far occlusion takes it below 0. */
-enum { SSGI_SH_WINDOW_NONE = 0,     /* 1.20, -0.037, 0.20    1: sharpest, rings most */
-       SSGI_SH_WINDOW_HANN,         /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
-       /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
-       SSGI_SH_WINDOW_POSITIVE };
+enum {
+    SSGI_SH_WINDOW_NONE = 0, /* 1.20, -0.037, 0.20    1: sharpest, rings most */
+    SSGI_SH_WINDOW_HANN,     /* 0.68, -0.027, 0.035   (1 + cos(pi l / bands)) / 2 [SLO08, S3HO12] */
+    /* 0.52,  0.020, 0       the bands of ((1 + cos)/2)^(bands-1): nowhere below 0, widest */
+    SSGI_SH_WINDOW_POSITIVE
+};
 
 /* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
-SSGI_DEF void  ssgi_sh_window(float *out, int bands, int window);
+SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
 /* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
    sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
    ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an unoccluded point. */
-SSGI_DEF void  ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
+SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
      coefficients, out  channels * bands^2, [channels * i + c]; out may be coefficients
@@ -232,8 +236,8 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z; decoding gives a
    unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
-SSGI_DEF void  ssgi_octahedral_encode(const float direction[3], float out[2]);
-SSGI_DEF void  ssgi_octahedral_decode(const float e[2], float out[3]);
+SSGI_DEF void ssgi_octahedral_encode(const float direction[3], float out[2]);
+SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
 
 /* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x +
    0.5, y + 0.5) / size * 2 - 1.
@@ -256,8 +260,8 @@ SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rg
                                            const char **why);
 
 typedef struct ssgi_sun {
-    float direction[3];     /* unit, to the light */
-    float irradiance[3];    /* on a surface that faces it */
+    float direction[3];  /* unit, to the light */
+    float irradiance[3]; /* on a surface that faces it */
 } ssgi_sun;
 
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
@@ -275,11 +279,11 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
    unoccluded surfaces exact.
      size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
-                                     int count, const char **why);
+                                      int count, const char **why);
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
-    float intensity[3];     /* radiant intensity along the normal; intensity * cos theta beside it */
+    float intensity[3]; /* radiant intensity along the normal; intensity * cos theta beside it */
 } ssgi_vpl;
 
 /* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
@@ -304,15 +308,15 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
       if (ssgi_trace_any(&trace, origin, direction, 0.0f, 1.0f)) puts("something is in between");      */
 
 typedef struct ssgi_trace {
-    const void *nodes, *blocks;       /* in the memory given to ssgi_trace_build */
-    uint32_t    node_count;           /* 0: nothing can be hit */
-    uint32_t    block_count;          /* four triangles each */
-    uint32_t    triangles, skipped;   /* as given, and how many of them were degenerate or out of range */
+    const void *nodes, *blocks;  /* in the memory given to ssgi_trace_build */
+    uint32_t node_count;         /* 0: nothing can be hit */
+    uint32_t block_count;        /* four triangles each */
+    uint32_t triangles, skipped; /* as given, and how many of them were degenerate or out of range */
 } ssgi_trace;
 
 typedef struct ssgi_hit {
-    float    t;                       /* origin + t * direction is the point hit */
-    float    u, v;                    /* weights of the triangle's second and third corner, in [0,1] */
+    float t;    /* origin + t * direction is the point hit */
+    float u, v; /* weights of the triangle's second and third corner, in [0,1] */
     uint32_t triangle;
 } ssgi_hit;
 
@@ -350,32 +354,32 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
-    float position[3], radius;      /* view space */
-    float normal[3], seed;          /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;        /* source colour until lit; then outgoing radiance for a bounce, irradiance for
-                                       scattering; not read for occlusion */
+    float position[3], radius; /* view space */
+    float normal[3], seed;     /* unit. seed: in [0,1), what chooses its sub-buffers */
+    float colour[3], unused;   /* source colour until lit; then outgoing radiance for a bounce, irradiance for
+                                  scattering; not read for occlusion */
 } ssgi_surfel;
 
 typedef struct ssgi_surfel_desc {
-    float size;     /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    int   splits;   /* [limit: 0..32] [default: 8] most parts of an edge, of triangles beyond level 64 */
+    float size; /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
+    int splits; /* [limit: 0..32] [default: 8] most parts of an edge, of triangles beyond level 64 */
     float offscreen_growth; /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance
-                       outside the frustum, where no visible pixel is close; 1e-6: none, as published */
-    int   keep_small;  /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
-                       r^2), radius unchanged: cost does not grow with mesh detail; 1: keep all, as published */
+                               outside the frustum, where no visible pixel is close; 1e-6: none, as published */
+    int keep_small;     /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
+                           r^2), radius unchanged: cost does not grow with mesh detail; 1: keep all, as published */
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the
-                       radius of occlusion, for instance */
+                           radius of occlusion, for instance */
 } ssgi_surfel_desc;
 
 /* Triangles; strides in bytes, 0 = three floats, tightly. */
 typedef struct ssgi_surfel_source {
-    const float *position;          /* x y z a vertex */
-    const float *normal;            /* the same of normals, any length; NULL: the triangle's own */
-    const float *colour;            /* the same of what goes to ssgi_surfel.colour; NULL: 1 1 1 */
+    const float *position; /* x y z a vertex */
+    const float *normal;   /* the same of normals, any length; NULL: the triangle's own */
+    const float *colour;   /* the same of what goes to ssgi_surfel.colour; NULL: 1 1 1 */
     size_t position_stride, normal_stride, colour_stride;
-    const uint32_t *index;          /* 3 a triangle; NULL: vertices in their order */
+    const uint32_t *index; /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
-    float  to_view[16];             /* [limit: finite, invertible] mesh to view space */
+    float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
 /* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, offscreen_growth,
@@ -403,8 +407,9 @@ typedef struct ssgi_splat {
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int   levels;       /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
+    int levels;         /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
 } ssgi_splat;
+
 enum { SSGI_SPLAT_LEVELS = 7 };
 
 /* Texels along x and y of one level in the shuffled layout: width and height [limit: 1..65536] rounded up to 2^(levels
@@ -413,10 +418,11 @@ SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int lev
 
 /* The cost of a frame before anything is drawn. */
 typedef struct ssgi_surfel_cost {
-    size_t surfels;                         /* how many */
-    int    splits;                          /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
-    double pixels[SSGI_SPLAT_LEVELS];       /* texels that the splats of each level cover, each overlap counted */
+    size_t surfels;                   /* how many */
+    int splits;                       /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
+    double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
+
 /* Predicts it: counts exactly, pixels from one surfel at the centre of each part of a triangle (within 1.4 % of all
    surfels' where tested). desc, view, source as for ssgi_surfels; splat: zeros are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
@@ -426,7 +432,10 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
 
 /* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
    ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
-typedef struct ssgi_dipole { double z_r[3], z_v[3], sigma_tr[3], albedo[3]; } ssgi_dipole;
+typedef struct ssgi_dipole {
+    double z_r[3], z_v[3], sigma_tr[3], albedo[3];
+} ssgi_dipole;
+
 /* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
@@ -450,39 +459,39 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 
 /* How a field is baked. Zero is the default everywhere. */
 typedef struct ssgi_field_desc {
-    int   resolution;   /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
-    int   radii;        /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int   rays;         /* [limit: 0, 16..65536] [default: 128] a sample */
-    float reach;        /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
+    int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
+    int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
+    int rays;       /* [limit: 0, 16..65536] [default: 128] a sample */
+    float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
-    int  (*hit)(void *user, const float origin[3], const float direction[3]);
+    int (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
     void (*parallel)(void *user, int count, void (*job)(void *context, int i), void *context);
     /* Called now and then on the caller's thread, done in [0,1]; not 0 gives up: SSGI_CANCELLED. */
-    int  (*progress)(void *user, float done);
-    void *user;         /* handed to the three; hit must be reentrant if parallel has threads */
+    int (*progress)(void *user, float done);
+    void *user; /* handed to the three; hit must be reentrant if parallel has threads */
 } ssgi_field_desc;
 
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
-    const uint32_t *texels; /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
-                               border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
-                               first: three logarithms of the distance function, the hull's distance, the characteristic
-                               centre's x y z, the covered share of the cap. Upload as RG32UI */
-    int   resolution;       /* texels along a side of a face */
-    int   radii;            /* distances that were sampled along each direction */
-    float centre[3], radius;/* of the bounding sphere that the field is around; the centre lies in the convex hull */
-    float reach;            /* [units: the mesh's] the field's end, from the centre */
-    float inside;           /* A_0: the mean occlusion in the hull, of points that are not walled in */
-    float low[8], span[8];  /* what 0 and 255 of each component stand for: low, low + span */
-    float median, p95, max_error;/* errors of occlusion, as stored, without ramp, at validation receivers: directions
-                               between texels, radii between samples, random normals */
+    const uint32_t *texels;  /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
+                                border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
+                                first: three logarithms of the distance function, the hull's distance, the characteristic
+                                centre's x y z, the covered share of the cap. Upload as RG32UI */
+    int resolution;          /* texels along a side of a face */
+    int radii;               /* distances that were sampled along each direction */
+    float centre[3], radius; /* of the bounding sphere that the field is around; the centre lies in the convex hull */
+    float reach;             /* [units: the mesh's] the field's end, from the centre */
+    float inside;            /* A_0: the mean occlusion in the hull, of points that are not walled in */
+    float low[8], span[8];   /* what 0 and 255 of each component stand for: low, low + span */
+    float median, p95, max_error; /* errors of occlusion, as stored, without ramp, at validation receivers: directions
+                                     between texels, radii between samples, random normals */
 } ssgi_field;
 
 /* How a field fades out, and occlusion inside the convex hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;      /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
-    float inside, power;    /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
+    float ramp, reach;   /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
+    float inside, power; /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
 } ssgi_field_limits;
 
 /* Bytes of texels; of a bake's work memory, not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
@@ -541,17 +550,25 @@ SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t
       if (ssgi_plan_make(&plan, &s, &why) == SSGI_OK) puts(plan.why);
       ssgi_gl_plan(&desc, &plan, NULL);                                of ssgi_gl.h: sets a desc                   */
 
-enum { SSGI_PLAN_VISIBILITY = 0,  /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
-       SSGI_PLAN_LIGHT,           /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
-       SSGI_PLAN_BOUNCE,          /* and one diffuse bounce within the radius. RMSE of both together over their mean */
-       SSGI_PLAN_OBJECTS };       /* ambient visibility between rigid objects, at any distance */
+enum {
+    SSGI_PLAN_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
+    SSGI_PLAN_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
+    SSGI_PLAN_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their mean */
+    SSGI_PLAN_OBJECTS
+}; /* ambient visibility between rigid objects, at any distance */
+
 /* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };     /* plan.thickness, desc.thickness */
-enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU };     /* whose costs */
+
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS }; /* plan.thickness, desc.thickness */
+
+enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU }; /* whose costs */
+
 /* RMS over the pixels with a surface: of 1 - visibility (slabs', where drawn), best - hsao (detail), solid - hsao,
    slabs - hsao. occlusion 0: no survey; slabs 0: not drawn. */
-typedef struct ssgi_survey { float occlusion, detail, solid, slabs; } ssgi_survey;
+typedef struct ssgi_survey {
+    float occlusion, detail, solid, slabs;
+} ssgi_survey;
 
 /* From full-size pictures of pass HSAO by slices, filtered, count floats each, one radius: preset BALANCED; BEST;
    BALANCED with desc.thickness SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
@@ -562,7 +579,10 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 /* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices at
    the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with thickness SLABS, 0 = not
    known. known: 0 = no calibration. */
-typedef struct ssgi_calibration { int known; float unoccluded, hsao, slabs; } ssgi_calibration;
+typedef struct ssgi_calibration {
+    int known;
+    float unoccluded, hsao, slabs;
+} ssgi_calibration;
 
 /* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
    variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
@@ -572,42 +592,42 @@ typedef struct ssgi_calibration { int known; float unoccluded, hsao, slabs; } ss
      hsao, slabs        ambient visibility in the frame at those points; slabs: may be NULL
      rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
-                                   float radius, const char **why);
+                                         const float *normal, const float *hsao, const float *slabs, size_t count,
+                                         int rays, float radius, const char **why);
 
 typedef struct ssgi_plan_scene {
-    int   wanted;           /* SSGI_PLAN_VISIBILITY .. */
-    int   device;           /* whose costs: SSGI_PLAN_SOFTWARE (llvmpipe's, measured), SSGI_PLAN_GPU (a model: 8 for a
-                               texel fetched and 1 for an operation, a pixel; not measured yet) */
-    float error;            /* [limit: >= 0] 0: the least that the budget buys */
-    float budget;           /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float screen_radius;    /* the radius over the frame's height: radius * project / (depth * height), mean over
-                               visible pixels [limit: >= 0] [default: 0.15] */
+    int wanted;          /* SSGI_PLAN_VISIBILITY .. */
+    int device;          /* whose costs: SSGI_PLAN_SOFTWARE (llvmpipe's, measured), SSGI_PLAN_GPU (a model: 8 for a
+                            texel fetched and 1 for an operation, a pixel; not measured yet) */
+    float error;         /* [limit: >= 0] 0: the least that the budget buys */
+    float budget;        /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
+    float screen_radius; /* the radius over the frame's height: radius * project / (depth * height), mean over
+                            visible pixels [limit: >= 0] [default: 0.15] */
     ssgi_survey survey;
-    ssgi_calibration calibration;   /* OBJECTS: only unoccluded is read */
-    float energy[4];        /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
-    int   map;              /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
-    float albedo;           /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int   thickness;           /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
-    float depth_pass;       /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
-    int   history;          /* 1: frames may be averaged: the camera's motion is known, a trail may show */
-    double surfels;         /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
-                               frame's pixels; 0: none may be made */
-    double splats;          /* texels of their splats, all levels, over the frame's pixels [default: 170] */
-    int   occluders;        /* OBJECTS: with fields */
-    float coverage;         /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
+    ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
+    float energy[4];  /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    int map;          /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
+    float albedo;     /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
+    int thickness;    /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
+    float depth_pass; /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
+    int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
+    double surfels;   /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
+                         frame's pixels; 0: none may be made */
+    double splats;    /* texels of their splats, all levels, over the frame's pixels [default: 170] */
+    int occluders;    /* OBJECTS: with fields */
+    float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
-    int   method;           /* SSGI_PLAN_NOTHING .. */
+    int method; /* SSGI_PLAN_NOTHING .. */
     /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
-    int   thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
-    float size;             /* ssgi_surfel_desc.size */
-    float cost;             /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
-                               makes surfels and fields */
-    float error;            /* predicted */
-    int   meets;            /* 1: error <= 1.05 x that asked for, cost within the budget; 0 if no error was asked for */
-    char  why[160];         /* one sentence */
+    int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
+    float size;    /* ssgi_surfel_desc.size */
+    float cost;    /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
+                      makes surfels and fields */
+    float error;   /* predicted */
+    int meets;     /* 1: error <= 1.05 x that asked for, cost within the budget; 0 if no error was asked for */
+    char why[160]; /* one sentence */
 } ssgi_plan;
 
 /* Where nothing meets the error: the nearest, with meets 0, and `why` begins "cannot be met". Bad input:
@@ -618,6 +638,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scen
    empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
    wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
+
 enum { SSGI_PLAN_CHOICES = 46 };
 
 #ifdef __cplusplus
@@ -654,16 +675,35 @@ SSGI__FN ssgi_result ssgi__bad(const char **why, const char *sentence)
 }
 
 /* Argument checks of functions with a parameter `why`. */
-#define SSGI__CHECK(good, sentence)    do { if (!(good)) return ssgi__bad(why, sentence); } while (0)
-#define SSGI__RANGE(n, least, most)    SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
-#define SSGI__ZERO_OR(n, name, a, b)   SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
-#define SSGI__SIZE(width, height)      SSGI__RANGE(width, 1, 65536); SSGI__RANGE(height, 1, 65536)
-#define SSGI__THERE(a)                 SSGI__CHECK(a, #a ": must not be NULL")
-#define SSGI__THERE2(a, b)             SSGI__THERE(a); SSGI__THERE(b)
-#define SSGI__THERE3(a, b, c)          SSGI__THERE(a); SSGI__THERE(b); SSGI__THERE(c)
+#define SSGI__CHECK(good, sentence) \
+    do { \
+        if (!(good)) return ssgi__bad(why, sentence); \
+    } while (0)
+#define SSGI__RANGE(n, least, most) SSGI__CHECK((n) >= least && (n) <= most, #n ": must be " #least ".." #most)
+#define SSGI__ZERO_OR(n, name, a, b) SSGI__CHECK(!(n) || ((n) >= a && (n) <= b), name ": must be 0 or " #a ".." #b)
+#define SSGI__SIZE(width, height) \
+    SSGI__RANGE(width, 1, 65536); \
+    SSGI__RANGE(height, 1, 65536)
+#define SSGI__THERE(a) SSGI__CHECK(a, #a ": must not be NULL")
+#define SSGI__THERE2(a, b) \
+    SSGI__THERE(a); \
+    SSGI__THERE(b)
+#define SSGI__THERE3(a, b, c) \
+    SSGI__THERE(a); \
+    SSGI__THERE(b); \
+    SSGI__THERE(c)
 #define SSGI__ENOUGH(size, least, sentence) \
-    do { if ((size) < (least)) { ssgi__bad(why, sentence); return SSGI_TOO_SMALL; } } while (0)
-#define SSGI__TRY(call)                do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+    do { \
+        if ((size) < (least)) { \
+            ssgi__bad(why, sentence); \
+            return SSGI_TOO_SMALL; \
+        } \
+    } while (0)
+#define SSGI__TRY(call) \
+    do { \
+        const ssgi_result r_ = (call); \
+        if (r_ != SSGI_OK) return r_; \
+    } while (0)
 
 /* By the bits: -ffast-math lets a compiler assume that x - x == 0. */
 static int ssgi__finite(float x)
@@ -677,21 +717,24 @@ static int ssgi__finite(float x)
 SSGI__FN int ssgi__finites(const float *v, int count)
 {
     if (!v) return 0;
-    while (count > 0 && ssgi__finite(*v)) { ++v; --count; }
+    while (count > 0 && ssgi__finite(*v)) {
+        ++v;
+        --count;
+    }
     return count == 0;
 }
 
 /* Whether all are finite and 0 or more. */
 SSGI__FN int ssgi__positive(const float *v, int count)
 {
-    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) { ++v; --count; }
+    while (count > 0 && ssgi__finite(*v) && *v >= 0.0f) {
+        ++v;
+        --count;
+    }
     return count == 0;
 }
 
-SSGI__FN int ssgi__within(float x, float least, float most)
-{
-    return ssgi__finite(x) && x >= least && x <= most;
-}
+SSGI__FN int ssgi__within(float x, float least, float most) { return ssgi__finite(x) && x >= least && x <= most; }
 
 /* A choice whose 0 means its default. */
 SSGI__FN int ssgi__zero_or(float x, float least, float most)
@@ -715,8 +758,11 @@ SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, doubl
 }
 
 static float ssgi__min(float a, float b) { return a < b ? a : b; }
+
 static float ssgi__max(float a, float b) { return a > b ? a : b; }
+
 static float ssgi__abs(float a) { return ssgi__max(a, -a); }
+
 SSGI__FN int ssgi__clamp(int a, int least, int most) { return a < least ? least : a > most ? most : a; }
 
 SSGI__FN double ssgi__dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -785,14 +831,16 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         return ssgi__bad(why, "projection: elements 0 and 5 must not be 0");
     if (perspective ? projection[14] == 0.0f : projection[10] == 0.0f)
         return ssgi__bad(why, "projection: depth must vary (element 14, orthographic 10)");
-    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0;       /* NDC z = scale * window depth + shift */
+    scale = clip == SSGI_CLIP_GL ? 2.0 : 1.0; /* NDC z = scale * window depth + shift */
     shift = clip == SSGI_CLIP_GL ? -1.0 : 0.0;
     if (perspective ? m[11] > 0.0 : (m[14] - shift) / m[10] <= 0.0 && (m[14] - shift - scale) / m[10] <= 0.0)
-        for (int i = 8; i < 12; ++i) m[i] = -m[i];  /* left-handed: of z negated it is right-handed */
+        for (int i = 8; i < 12; ++i) m[i] = -m[i]; /* left-handed: of z negated it is right-handed */
 
     /* NDC x = m0 x/z - m8 (perspective, z the view depth) or m0 x + m12; pixel = (NDC/2 + 1/2) size. The same for y. */
     memset(&v, 0, sizeof v);
-    v.width = width; v.height = height; v.orthographic = !perspective;
+    v.width = width;
+    v.height = height;
+    v.orthographic = !perspective;
     for (int i = 0; i < 2; ++i) {
         double size = i ? height : width, gain = m[i * 5], centre = perspective ? -m[8 + i] : m[12 + i];
         v.project[i] = (float)(gain * 0.5 * size);
@@ -802,11 +850,11 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
         v.oblique[i] = (float)(-2.0 * m[2 + 4 * i] / (size * gain * scale));
         skew -= m[2 + 4 * i] * (1.0 + centre) / gain;
     }
-    if (perspective) {                              /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
+    if (perspective) { /* NDC z = m14/z - m10, and m2 x/z + m6 y/z where it is oblique */
         v.depth[0] = (float)((shift + m[10] - skew) / m[14]);
         v.depth[1] = (float)(scale / m[14]);
-        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f;  /* nearness grows with window depth: reversed */
-    } else {                                        /* NDC z = -m10 z + m14, and m2 x + m6 y */
+        v.clear = v.depth[1] > 0.0f ? 0.0f : 1.0f; /* nearness grows with window depth: reversed */
+    } else {                                       /* NDC z = -m10 z + m14, and m2 x + m6 y */
         v.depth[0] = (float)((m[14] - shift + skew) / m[10]);
         v.depth[1] = (float)(-scale / m[10]);
         v.clear = v.depth[1] > 0.0f ? 1.0f : 0.0f;
@@ -867,10 +915,10 @@ SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
     const double z = -point[2];
     double most = (double)ssgi_view_near(view) - z;
     if (!(most > 0.0)) most = 0.0;
-    for (int k = 0; k < 4; ++k) {                   /* left, right, lower, upper */
+    for (int k = 0; k < 4; ++k) { /* left, right, lower, upper */
         const int axis = k / 2, side = k % 2;
         const double pixel = side ? (double)(axis ? view->height : view->width) : 0.0;
-        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis];  /* per depth */
+        const double edge = pixel * (double)view->unproject[axis] + (double)view->unproject[2 + axis]; /* per depth */
         const double sign = (side != 0) == (view->unproject[axis] > 0.0f) ? 1.0 : -1.0;
         const double d = view->orthographic ? sign * (point[axis] - edge)
                                             : sign * (point[axis] - edge * z) / sqrt(1.0 + edge * edge);
@@ -883,7 +931,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double cos40 = 0.76604444311897803520;        /* half of 100 degrees: sine and cosine change places */
+    const double cos40 = 0.76604444311897803520; /* half of 100 degrees: sine and cosine change places */
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
@@ -900,7 +948,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
-    for (int k = 0; k < 3; ++k) {               /* the main eye stands at minus the translation, in its own axes */
+    for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
@@ -939,8 +987,10 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
 
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3])
 {
-    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f }, { 1.62760f, 0.68404f, -1.06031f },
-                                     { 0.0f, 1.93185f, -1.48236f }, { 0.0f, 1.53209f, -3.28558f } };
+    static const float all[4][3] = { { -1.62760f, 0.68404f, -1.06031f },
+                                     { 1.62760f, 0.68404f, -1.06031f },
+                                     { 0.0f, 1.93185f, -1.48236f },
+                                     { 0.0f, 1.53209f, -3.28558f } };
     memcpy(out, all[i & 3], sizeof all[0]);
 }
 
@@ -950,8 +1000,11 @@ SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i)
 {
     double f = 1.0, r = 0.0;
     if (base < 2) return 0.0f;
-    for (; i; i /= base) { f /= (double)base; r += f * (double)(i % base); }
-    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2);      /* 0.99999999 rounds up to 1 */
+    for (; i; i /= base) {
+        f /= (double)base;
+        r += f * (double)(i % base);
+    }
+    return ssgi__min((float)r, 1.0f - FLT_EPSILON / 2); /* 0.99999999 rounds up to 1 */
 }
 
 SSGI__FN float ssgi__fract(double x)
@@ -968,7 +1021,11 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2])
 
 SSGI__FN int ssgi__gcd(int a, int b)
 {
-    while (b) { int c = a % b; a = b; b = c; }
+    while (b) {
+        int c = a % b;
+        a = b;
+        b = c;
+    }
     return a;
 }
 
@@ -1005,12 +1062,12 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
-    static const double norm[] = {
-        0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009, 0.36418281019735976,
-        0.18209140509867988, 0.74635266518023080, 0.30469719964297729, 0.09635371475468515, 0.03933623932844291,
-        0.84628437532163450, 0.26761861742291570, 0.06307831305050400, 0.01685838828361839, 0.00596034033761120,
-        0.93560257962738880, 0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
-        0.00069458418713245 };
+    static const double norm[] = { 0.28209479177387814, 0.48860251190291992, 0.48860251190291992, 0.63078313050504009,
+                                   0.36418281019735976, 0.18209140509867988, 0.74635266518023080, 0.30469719964297729,
+                                   0.09635371475468515, 0.03933623932844291, 0.84628437532163450, 0.26761861742291570,
+                                   0.06307831305050400, 0.01685838828361839, 0.00596034033761120, 0.93560257962738880,
+                                   0.24157154730437160, 0.04565273128546023, 0.00931882475114763, 0.00219646805807518,
+                                   0.00069458418713245 };
     double real = 1.0, imaginary = 0.0, top = 1.0;
     for (int m = 0; m < bands; ++m) {
         double q = top, before = 0.0, turned;
@@ -1120,11 +1177,19 @@ SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
     ssgi__normalise(out);
 }
 
-SSGI__FN int ssgi__cube_place(float at[2], const float w[3])      /* the face, at in [-1,1] */
+SSGI__FN int ssgi__cube_place(float at[2], const float w[3]) /* the face, at in [-1,1] */
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
-    if (x >= y && x >= z) { at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x; at[1] = -w[1] / x; return w[0] < 0.0f; }
-    if (y >= z) { at[0] = w[0] / y; at[1] = (w[1] < 0.0f ? -w[2] : w[2]) / y; return 2 + (w[1] < 0.0f); }
+    if (x >= y && x >= z) {
+        at[0] = (w[0] < 0.0f ? w[2] : -w[2]) / x;
+        at[1] = -w[1] / x;
+        return w[0] < 0.0f;
+    }
+    if (y >= z) {
+        at[0] = w[0] / y;
+        at[1] = (w[1] < 0.0f ? -w[2] : w[2]) / y;
+        return 2 + (w[1] < 0.0f);
+    }
     at[0] = (w[2] < 0.0f ? -w[0] : w[0]) / z;
     at[1] = -w[1] / z;
     return 4 + (w[2] < 0.0f);
@@ -1161,7 +1226,7 @@ SSGI_DEF void ssgi_sh_window(float *out, int bands, int window)
     for (int l = 0; l < bands; ++l) {
         const double hann = 0.5 + 0.5 * cos(SSGI__PI * l / bands);
         out[l] = (float)(window == SSGI_SH_WINDOW_HANN ? hann : window == SSGI_SH_WINDOW_POSITIVE ? positive : 1.0);
-        positive *= (bands - 1.0 - l) / (bands + 1.0 + l);      /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
+        positive *= (bands - 1.0 - l) / (bands + 1.0 + l); /* p!(p+1)! / ((p-l)!(p+l+1)!), p = bands - 1 */
     }
 }
 
@@ -1373,7 +1438,7 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     return SSGI_OK;
 }
 
-#define SSGI__STEEP 1e30f       /* no ramp */
+#define SSGI__STEEP 1e30f /* no ramp */
 
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why)
@@ -1395,7 +1460,10 @@ SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rg
                                    half > 0.0f ? 0.5f / half : SSGI__STEEP, why);
 }
 
-typedef struct ssgi__region { int lower[2], upper[2]; double energy; } ssgi__region;    /* columns, rows */
+typedef struct ssgi__region {
+    int lower[2], upper[2];
+    double energy;
+} ssgi__region; /* columns, rows */
 
 #define SSGI__REGION_BINS 256
 
@@ -1423,7 +1491,7 @@ SSGI__FN void ssgi__region_split(ssgi__region *region, ssgi__region *rest, const
     ssgi__equirect_row(polar, 0.5 * (part.lower[1] + part.upper[1]), width, height);
     axis = rows > 1 && (columns < 2 || 2.0 * columns * polar[0] / width <= (double)rows / height);
     while ((part.upper[axis] - part.lower[axis] - 1) >> shift >= SSGI__REGION_BINS) ++shift;
-    for (;; shift = 0) {                            /* sides of more than 256: first the bin, then the line within it */
+    for (;; shift = 0) { /* sides of more than 256: first the bin, then the line within it */
         ssgi__region_bins(bin, &part, axis, shift, rgb, width, height);
         last = (part.upper[axis] - part.lower[axis] - 1) >> shift;
         for (b = 0; b < last && before + bin[b] < half; ++b) before += bin[b];
@@ -1474,14 +1542,15 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
     SSGI__THERE(out);
     SSGI__RANGE(count, 1, 1024);
     SSGI__TRY(ssgi__equirect_bad(rgb, width, height, why));
-    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height);      /* all in one bin */
+    ssgi__region_bins(bin, &region[0], 0, 16, rgb, width, height); /* all in one bin */
     region[0].energy = bin[0];
     for (n = 1; n < count; ++n) {
         int most = -1;
         for (int i = 0; i < n; ++i) {
             const ssgi__region *r = &region[i];
             if ((r->upper[0] - r->lower[0] > 1 || r->upper[1] - r->lower[1] > 1)
-                && (most < 0 || r->energy > region[most].energy)) most = i;
+                && (most < 0 || r->energy > region[most].energy))
+                most = i;
         }
         if (most < 0) break;
         ssgi__region_split(&region[most], &region[n], rgb, width, height);
@@ -1492,7 +1561,7 @@ SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float
 }
 
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
-                                     int count, const char **why)
+                                      int count, const char **why)
 {
     SSGI__THERE(map);
     SSGI__RANGE(size, 8, 256);
@@ -1554,37 +1623,40 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
    multiple of four triangles. Every leaf but the last is then full, which bounds the memory: with L leaves there are at
    most 2 L / 3 + 1 nodes, as a node with fewer than four children has only leaves. */
 
-#define SSGI__TRACE_LIMIT  1e12f                  /* products of three such lengths stay finite */
-#define SSGI__TRACE_LEAF   0x80000000u
-#define SSGI__TRACE_NONE   0xffffffffu
-#define SSGI__TRACE_DEEP   32                     /* binary levels split in the middle; at most 30 more by count */
-#define SSGI__TRACE_STACK  (3 * (SSGI__TRACE_DEEP + 30) + 4)
+#define SSGI__TRACE_LIMIT 1e12f /* products of three such lengths stay finite */
+#define SSGI__TRACE_LEAF 0x80000000u
+#define SSGI__TRACE_NONE 0xffffffffu
+#define SSGI__TRACE_DEEP 32 /* binary levels split in the middle; at most 30 more by count */
+#define SSGI__TRACE_STACK (3 * (SSGI__TRACE_DEEP + 30) + 4)
 
 typedef struct ssgi__trace_node {
-    float    bound[2][3][4];                      /* lower and upper; axis; child */
-    uint32_t child[4];                            /* node, or block + LEAF */
+    float bound[2][3][4]; /* lower and upper; axis; child */
+    uint32_t child[4];    /* node, or block + LEAF */
 } ssgi__trace_node;
 
 typedef struct ssgi__trace_block {
-    float    corner[3][3][4];                     /* corner; axis; triangle */
+    float corner[3][3][4]; /* corner; axis; triangle */
     uint32_t triangle[4];
 } ssgi__trace_block;
 
-typedef struct ssgi__trace_item { float lower[3], upper[3]; uint32_t triangle; } ssgi__trace_item;
+typedef struct ssgi__trace_item {
+    float lower[3], upper[3];
+    uint32_t triangle;
+} ssgi__trace_item;
 
-typedef struct ssgi__trace_range {                /* items to become one child */
+typedef struct ssgi__trace_range { /* items to become one child */
     uint32_t first, count, depth;
-    float    lower[3], upper[3], clower[3], cupper[3];      /* bounds; bounds of the centres, times two */
+    float lower[3], upper[3], clower[3], cupper[3]; /* bounds; bounds of the centres, times two */
 } ssgi__trace_range;
 
 typedef struct ssgi__trace_job {
-    ssgi__trace_node  *nodes;
+    ssgi__trace_node *nodes;
     ssgi__trace_block *blocks;
-    ssgi__trace_item  *items;
-    uint32_t           node_count;
-    const char        *position;
-    size_t             stride;
-    const uint32_t    *index;
+    ssgi__trace_item *items;
+    uint32_t node_count;
+    const char *position;
+    size_t stride;
+    const uint32_t *index;
 } ssgi__trace_job;
 
 /* finite and within the limit, by the bits: -ffast-math may drop any comparison */
@@ -1719,7 +1791,7 @@ SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_rang
     ssgi__trace_block *block = job->blocks + range->first / 4;
     for (uint32_t k = 0; k < 4; k++)
         id[k] = k < range->count ? job->items[range->first + k].triangle : SSGI__TRACE_NONE;
-    memset(block, 0, sizeof *block);                /* a triangle of zeros has no area: never hit */
+    memset(block, 0, sizeof *block); /* a triangle of zeros has no area: never hit */
     for (uint32_t k = 0; k < 4; k++) {
         block->triangle[k] = id[k];
         for (uint32_t c = 0; k < range->count && c < 3; c++)
@@ -1738,7 +1810,10 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
         float most = 0.0f;
         for (int k = 0; k < count; k++) {
             const float area = ssgi__trace_area(range[k].lower, range[k].upper);
-            if (range[k].count > 4 && (widest < 0 || area > most)) { widest = k; most = area; }
+            if (range[k].count > 4 && (widest < 0 || area > most)) {
+                widest = k;
+                most = area;
+            }
         }
         if (widest < 0) break;
         for (int k = count++; k > widest + 1; k--) range[k] = range[k - 1];
@@ -1747,7 +1822,7 @@ SSGI__FN uint32_t ssgi__trace_node_set(ssgi__trace_job *job, const ssgi__trace_r
     }
     for (int k = 0; k < 4; k++) {
         ssgi__trace_node *node = job->nodes + self;
-        for (int i = 0; i < 3; i++) {                   /* an empty child's box is inside out: never entered */
+        for (int i = 0; i < 3; i++) { /* an empty child's box is inside out: never entered */
             node->bound[0][i][k] = k < count ? range[k].lower[i] : 2.0f * SSGI__TRACE_LIMIT;
             node->bound[1][i][k] = k < count ? range[k].upper[i] : -2.0f * SSGI__TRACE_LIMIT;
         }
@@ -1801,8 +1876,8 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
 }
 
 typedef struct ssgi__trace_ray {
-    float origin[3], slope[2];                    /* x, y, z permuted so that z is the direction's longest axis */
-    int   axis[3];
+    float origin[3], slope[2]; /* x, y, z permuted so that z is the direction's longest axis */
+    int axis[3];
 } ssgi__trace_ray;
 
 /* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
@@ -1852,7 +1927,12 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)trace->nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)trace->blocks;
-    struct { uint32_t child; float t; } stack[SSGI__TRACE_STACK];
+
+    struct {
+        uint32_t child;
+        float t;
+    } stack[SSGI__TRACE_STACK];
+
     const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
     ssgi__trace_ray ray;
     float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
@@ -1860,7 +1940,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
     for (int i = 0; i < 3; i++) size += ssgi__abs(o[i]) + ssgi__abs(d[i]);
     longest = ssgi__max(ssgi__abs(d[0]), ssgi__max(ssgi__abs(d[1]), ssgi__abs(d[2])));
     if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
-    for (int i = 0; i < 3; i++) {                   /* no infinity: 0 * infinity would be NaN on the face of a box */
+    for (int i = 0; i < 3; i++) { /* no infinity: 0 * infinity would be NaN on the face of a box */
         const float least = longest * 1e-12f;
         sign[i] = d[i] < 0.0f;
         inverse[i] = 1.0f / (sign[i] ? ssgi__min(d[i], -least) : ssgi__max(d[i], least));
@@ -1896,7 +1976,7 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
             const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
             const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
             const int base = top;
-            for (int k = 0; k < 4; k++) {               /* the slack covers the rounding of both ends [Ize 2013] */
+            for (int k = 0; k < 4; k++) { /* the slack covers the rounding of both ends [Ize 2013] */
                 const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
                             ez = (z0[k] - o[2]) * inverse[2];
                 const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
@@ -1949,7 +2029,7 @@ SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
     place[(side + 2) % 3] = 0;
 }
 
-SSGI__FN uint32_t ssgi__hash(uint32_t x)                  /* PCG's [O'Neill 2014] */
+SSGI__FN uint32_t ssgi__hash(uint32_t x) /* PCG's [O'Neill 2014] */
 {
     x = x * 747796405u + 2891336453u;
     x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
@@ -1976,13 +2056,13 @@ typedef struct ssgi__surfel_maker {
     const ssgi_view *view;
     const ssgi_surfel_source *source;
     ssgi_surfel_desc desc;
-    double scale[2], normals[3][3], side;       /* side: -1 where the mesh is mirrored */
+    double scale[2], normals[3][3], side; /* side: -1 where the mesh is mirrored */
 } ssgi__surfel_maker;
 
 typedef struct ssgi__patch {
     double at[3][3], normal[3][3], colour[3][3];
-    double face[3], area, radius;       /* face: the triangle's own unit normal, as its corners turn */
-    int    level, alive, count;         /* alive: bits of a triangle's three points at level 1; count: of surfels */
+    double face[3], area, radius; /* face: the triangle's own unit normal, as its corners turn */
+    int level, alive, count;      /* alive: bits of a triangle's three points at level 1; count: of surfels */
     uint32_t key;
 } ssgi__patch;
 
@@ -2082,12 +2162,12 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     aside = ssgi__surfel_outside(p, m, middle, &extent);
     if (m->desc.max_distance > 0.0f && aside - extent > (double)m->desc.max_distance) return 0;
     wanted = ssgi__surfel_radius(m->scale, m->view->orthographic, -middle[2])
-             + (double)m->desc.offscreen_growth * aside;
+           + (double)m->desc.offscreen_growth * aside;
     p->key = whole->key + (uint32_t)part * 0x85ebca6bu;
     p->level = ssgi__tess_level(p->area, wanted);
     share = p->area / (3.0 * SSGI__PI * wanted * wanted);
     if (m->desc.keep_small || share > 1.0) share = 1.0;
-    p->alive = 0;       /* by the golden ratio: even along the order of indices, which is mostly spatial */
+    p->alive = 0; /* by the golden ratio: even along the order of indices, which is mostly spatial */
     for (int c = 0; c < 3; ++c)
         if ((double)((p->key + (uint32_t)c) * 0x9e3779b9u >> 8) / 16777216.0 < share) p->alive |= 1 << c;
     if (!p->alive) return 0;
@@ -2119,7 +2199,8 @@ SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, 
     ssgi__surfel_mix(at, p->at, w);
     ssgi__surfel_mix(normal, p->normal, w);
     ssgi__surfel_mix(colour, p->colour, w);
-    if (!(ssgi__normalise(normal) > 0.0)) for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
+    if (!(ssgi__normalise(normal) > 0.0))
+        for (int i = 0; i < 3; ++i) normal[i] = m->side * p->face[i];
     ssgi__floats(out->position, at);
     ssgi__floats(out->normal, normal);
     ssgi__floats(out->colour, colour);
@@ -2133,8 +2214,7 @@ SSGI__FN ssgi_result ssgi__surfel_desc(ssgi_surfel_desc *out, const ssgi_surfel_
 {
     SSGI__THERE(desc);
     SSGI__CHECK(view && view->width > 0 && view->height > 0, "view: must come from ssgi_view_from_projection");
-    SSGI__CHECK(ssgi__zero_or(desc->size, 1e-4f, 1.0f),
-                "desc.size: must be 1e-4..1, or 0 for the default");
+    SSGI__CHECK(ssgi__zero_or(desc->size, 1e-4f, 1.0f), "desc.size: must be 1e-4..1, or 0 for the default");
     SSGI__CHECK(desc->splits >= 0 && desc->splits <= 32, "desc.splits: must be 0..32");
     SSGI__CHECK(desc->keep_small >= 0 && desc->keep_small <= 1, "desc.keep_small: must be 0 or 1");
     SSGI__CHECK(ssgi__within(desc->offscreen_growth, 0.0f, 1.0f), "desc.offscreen_growth: must be 0..1");
@@ -2199,7 +2279,10 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
         const int splits = ssgi__surfel_triangle(&whole, &m, t) ? ssgi__surfel_splits(&whole, &m, m.desc.splits) : 0;
         for (int part = 0; part < splits * splits; ++part) {
             if (!ssgi__surfel_part(&p, &m, &whole, splits, part)) continue;
-            if (n >= capacity) { n += (size_t)p.count; continue; }
+            if (n >= capacity) {
+                n += (size_t)p.count;
+                continue;
+            }
             for (int ring = 0; 2 * ring <= p.level; ++ring) {
                 const int segments = p.level - 2 * ring, points = segments ? 3 * segments : 1;
                 for (int i = 0; i < points; ++i) {
@@ -2216,7 +2299,11 @@ SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *cou
     return SSGI_OK;
 }
 
-typedef struct ssgi__divider { ssgi__surfel_maker maker; float *out; size_t capacity, count; } ssgi__divider;
+typedef struct ssgi__divider {
+    ssgi__surfel_maker maker;
+    float *out;
+    size_t capacity, count;
+} ssgi__divider;
 
 SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth)
 {
@@ -2239,7 +2326,7 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
         ++d->count;
         return;
     }
-    for (int c = 0; c < 4; ++c) {       /* a corner and its edges' midpoints, or the three midpoints */
+    for (int c = 0; c < 4; ++c) { /* a corner and its edges' midpoints, or the three midpoints */
         float child[27];
         for (int i = 0; i < 27; ++i) {
             const int k = i / 9, a = c < 3 ? c : k, b = c < 3 ? (c + k) % 3 : (k + 1) % 3;
@@ -2302,7 +2389,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e;         /* of the tangent's point, over |c|^2 / t */
+            const double e = side ? r : -r, depth = z * t - x * e; /* of the tangent's point, over |c|^2 / t */
             /* where it meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
@@ -2323,8 +2410,7 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
 SSGI__FN ssgi_result ssgi__splat_open(ssgi_splat *s, const ssgi_splat *splat, const ssgi_view *view, const char **why)
 {
     SSGI__THERE2(splat, view);
-    SSGI__CHECK(ssgi__zero_or(splat->epsilon, 1e-6f, 1.0f),
-                "splat.epsilon: must be 1e-6..1, or 0 for the default");
+    SSGI__CHECK(ssgi__zero_or(splat->epsilon, 1e-6f, 1.0f), "splat.epsilon: must be 1e-6..1, or 0 for the default");
     SSGI__CHECK(ssgi__positive(&splat->max_distance, 1), "splat.max_distance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->max_radiance, 1), "splat.max_radiance: must be 0 or more and finite");
     SSGI__CHECK(ssgi__positive(&splat->near_depth, 1), "splat.near_depth: must be 0 or more and finite");
@@ -2426,8 +2512,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 
 /* ==== >>field (implementation) ================================================================================= */
 
-#define SSGI__FIELD_FEW      128     /* corners that approximate the hull */
-#define SSGI__FIELD_HELD     512     /* validation positions, with four normals each */
+#define SSGI__FIELD_FEW 128  /* corners that approximate the hull */
+#define SSGI__FIELD_HELD 512 /* validation positions, with four normals each */
 
 /* ---- samples */
 
@@ -2449,7 +2535,8 @@ SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
 {
     double side[3] = { 0.0, 0.0, 0.0 }, up[3];
     int least = 0;
-    for (int i = 1; i < 3; ++i) if (fabs(axis[i]) < fabs(axis[least])) least = i;
+    for (int i = 1; i < 3; ++i)
+        if (fabs(axis[i]) < fabs(axis[least])) least = i;
     side[least] = 1.0;
     ssgi__cross(up, axis, side);
     ssgi__normalise(up);
@@ -2509,7 +2596,12 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
 
 /* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
    equations: a += J J^T, b -= J residual); an error that is not below the last one, NaN included, is a step too far. */
-typedef struct ssgi__field_data { const double *radii, *values, *w; int count, chord; double most; } ssgi__field_data;
+typedef struct ssgi__field_data {
+    const double *radii, *values, *w;
+    int count, chord;
+    double most;
+} ssgi__field_data;
+
 typedef double (*ssgi__field_error)(const ssgi__field_data *data, const double u[3], double a[3][3], double b[3]);
 
 SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, ssgi__field_error f, double stop)
@@ -2548,7 +2640,8 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
 {
     const double first = data->radii[0], length = data->radii[data->count - 1] - first;
     double q[3], sum = 0.0;
-    for (int i = 0; i < 3; ++i) if (!(fabs(u[i]) < 60.0)) return 1e300;
+    for (int i = 0; i < 3; ++i)
+        if (!(fabs(u[i]) < 60.0)) return 1e300;
     ssgi__field_bernstein(q, u, data->most);
     for (int i = 0; i < data->count; ++i) {
         const double t = (data->radii[i] - first) / length, c0 = (1.0 - t) * (1.0 - t), c1 = 2.0 * t * (1.0 - t),
@@ -2601,7 +2694,7 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
         cosine = ssgi__dot(v, y);
         residual = 1.0 - cosine;
         sum += data->chord ? 2.0 * residual : residual * residual;
-        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) {      /* a row a residual: of v - y, or of 1 - cosine */
+        for (int n = 0; a && n < (data->chord ? 3 : 1); ++n) { /* a row a residual: of v - y, or of 1 - cosine */
             double d[3], r = data->chord ? v[n] - y[n] : residual;
             for (int k = 0; k < 3; ++k)
                 d[k] = (data->chord ? (k == n ? 1.0 : 0.0) - v[n] * v[k] : cosine * v[k] - y[k]) / length;
@@ -2621,7 +2714,7 @@ SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double 
     double at[3] = { 0.0, 0.0, 0.0 }, error, best;
     memset(c, 0, sizeof at);
     best = ssgi__field_centre_error(&data, c, NULL, NULL);
-    if (!(best > flat)) return best;            /* all point at the centre already: undetermined */
+    if (!(best > flat)) return best; /* all point at the centre already: undetermined */
     for (int polish = 0; polish < 2; ++polish) {
         data.chord = !polish;
         ssgi__field_descend(at, &data, ssgi__field_centre_error, 1e-16);
@@ -2648,7 +2741,12 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
-    struct { uint32_t child; double most; } stack[SSGI__TRACE_STACK];
+
+    struct {
+        uint32_t child;
+        double most;
+    } stack[SSGI__TRACE_STACK];
+
     double best = -1e300, p[3];
     int top = 0;
     stack[top].child = 0;
@@ -2662,7 +2760,10 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
                 for (int c = 0; c < 3; ++c) {
                     for (int i = 0; i < 3; ++i) p[i] = (double)block->corner[c][i][k] - m->centre[i];
                     const double s = ssgi__dot(n, p);
-                    if (s > best) { best = s; memcpy(out, p, sizeof p); }
+                    if (s > best) {
+                        best = s;
+                        memcpy(out, p, sizeof p);
+                    }
                 }
         } else {
             const ssgi__trace_node *node = nodes + child;
@@ -2670,7 +2771,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
             for (int k = 0; k < 4; ++k) {
                 double most = 0.0;
                 int j;
-                if (node->bound[0][0][k] > node->bound[1][0][k]) continue;      /* empty */
+                if (node->bound[0][0][k] > node->bound[1][0][k]) continue; /* empty */
                 for (int i = 0; i < 3; ++i) most += n[i] * ((double)node->bound[n[i] > 0.0][i][k] - m->centre[i]);
                 if (most <= best) continue;
                 for (j = top++; j > base && stack[j - 1].most > most; --j) stack[j] = stack[j - 1];
@@ -2683,7 +2784,9 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
 }
 
 /* A triangle of hull corners that the ray from the centre crosses: it leaves on the plane normal . x = distance. */
-typedef struct ssgi__field_portal { double corner[3][3], normal[3], distance; } ssgi__field_portal;
+typedef struct ssgi__field_portal {
+    double corner[3][3], normal[3], distance;
+} ssgi__field_portal;
 
 SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 {
@@ -2702,7 +2805,7 @@ SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 *
    occluders have one: the farthest corner along the portal's normal splits it, until none is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
-    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0);      /* an odd number of mirrors */
+    const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of mirrors */
     memset(p, 0, sizeof *p);
     for (int i = 0; i < 3; ++i)
         p->corner[turned && i < 2 ? 1 - i : i][i] = w[i] < 0.0 ? -1e-3 * m->radius : 1e-3 * m->radius;
@@ -2712,7 +2815,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
         int best = 0;
         ssgi__field_portal_plane(p);
         if (!(ssgi__field_farthest(m, p->normal, farthest) > p->distance + 1e-7 * m->radius)) break;
-        for (int i = 0; i < 3; ++i) {           /* the part of three that holds the ray by the largest margin */
+        for (int i = 0; i < 3; ++i) { /* the part of three that holds the ray by the largest margin */
             double least = 1e300;
             split[i] = *p;
             memcpy(split[i].corner[i], farthest, sizeof farthest);
@@ -2722,7 +2825,10 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
                 s = ssgi__dot(side, w);
                 if (s < least) least = s;
             }
-            if (least > inside) { inside = least; best = i; }
+            if (least > inside) {
+                inside = least;
+                best = i;
+            }
         }
         *p = split[best];
     }
@@ -2730,7 +2836,7 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)     /* even over the sphere */
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n) /* even over the sphere */
 {
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
@@ -2747,7 +2853,7 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         for (int k = 0; k < 3; ++k) centre[k] += m->few[n][k] / SSGI__FIELD_FEW;
     }
     for (int k = 0; k < 3; ++k) {
-        volatile float rounded = (float)centre[k];      /* gcc 12's vectoriser drops (double)(float) */
+        volatile float rounded = (float)centre[k]; /* gcc 12's vectoriser drops (double)(float) */
         m->centre[k] = (double)rounded;
     }
     for (int n = 0; n < SSGI__FIELD_FEW; ++n) ssgi__along(m->few[n], m->few[n], -1.0, m->centre);
@@ -2769,7 +2875,7 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius;       /* a margin for the directions between */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* a margin for the directions between */
     return 1;
 }
 
@@ -2802,8 +2908,8 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    float *fine, *coarse;           /* eight components a texel, six faces; of twice the resolution, and of it */
-    float *error;                   /* at validation receivers; reuses fine */
+    float *fine, *coarse; /* eight components a texel, six faces; of twice the resolution, and of it */
+    float *error;         /* at validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
 
@@ -2855,7 +2961,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
         ssgi__field_look(sum, NULL, NULL, point, b, w, radii[i], &portal, b->desc->rays, (uint32_t)(texel * 64 + i));
         length = ssgi__normalise(sum + 1);
         values[i] = length < SSGI__PI ? length : SSGI__PI;
-        if (sum[0] > 0.0) {     /* covered share of the cap with this vector irradiance and solid angle */
+        if (sum[0] > 0.0) { /* covered share of the cap with this vector irradiance and solid angle */
             const double edge = 2.0 * length / sum[0] > 1.0 ? 2.0 * length / sum[0] - 1.0 : 0.0,
                          share = length / (SSGI__PI * (1.0 - edge * edge));
             fill += sum[0] * (edge < 0.9999 && share < 1.0 ? share : 1.0);
@@ -2868,8 +2974,9 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     ssgi__field_centre(c, w, radii, directions, b->desc->radii,
                        0.0625 * b->desc->radii / ((double)b->desc->rays * b->desc->rays));
     length = sqrt(ssgi__dot(c, c));
-    if (length > b->occluder.radius) for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
-    q[1] += sqrt(q[0] * q[2]);  /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
+    if (length > b->occluder.radius)
+        for (int k = 0; k < 3; ++k) c[k] = c[k] * b->occluder.radius / length;
+    q[1] += sqrt(q[0] * q[2]); /* positive if q > 0 on [0,1]; blends of logarithms stay positive */
     for (int k = 0; k < 3; ++k) out[k] = ssgi__min((float)(log(q[k]) * 1.44269504088896341), 20.0f);
     out[3] = (float)hull;
     ssgi__floats(out + 4, c);
@@ -2913,7 +3020,7 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
         for (int y = -1; y <= size; ++y)
             for (int x = -1; x <= size; ++x, texels += 2) {
                 const int xi = ssgi__clamp(x, 0, size - 1), yi = ssgi__clamp(y, 0, size - 1);
-                const int corner = x != xi && y != yi;  /* three meet there: the border holds their mean [GL 8.14] */
+                const int corner = x != xi && y != yi; /* three meet there: the border holds their mean [GL 8.14] */
                 const float *a = b->coarse + 8 * ssgi__cube_texel(face, x, corner ? yi : y, size),
                             *up = b->coarse + 8 * ssgi__cube_texel(face, xi, y, size),
                             *own = b->coarse + 8 * ssgi__cube_texel(face, xi, yi, size);
@@ -2957,10 +3064,11 @@ SSGI__FN void ssgi__field_held(void *context, int i)
     ssgi__field_portal portal;
     ssgi__field_spiral(w, i, SSGI__FIELD_HELD);
     hull = ssgi__field_exit(&b->occluder, w, &portal) + ssgi__field_slack(&b->occluder);
-    for (int n = 0; n < 4; ++n) {                   /* none faces straight away, where occlusion is 0 */
+    for (int n = 0; n < 4; ++n) { /* none faces straight away, where occlusion is 0 */
         ssgi__polar(normal[n], 2.0 * ssgi__field_turn((uint32_t)(8 * i + n)) - 1.0,
                     2.0 * SSGI__PI * ssgi__field_turn((uint32_t)(8 * i + n + 4)));
-        if (ssgi__dot(normal[n], w) > 0.5) for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
+        if (ssgi__dot(normal[n], w) > 0.5)
+            for (int k = 0; k < 3; ++k) normal[n][k] = -normal[n][k];
     }
     ssgi__field_look(sum, occlusion, normal, point, b, w, hull * pow((double)b->field->reach / hull, share), &portal,
                      1024, (uint32_t)i ^ 0x55555555u);
@@ -2973,7 +3081,8 @@ SSGI__FN void ssgi__field_held(void *context, int i)
 SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job)(void *, int), void *context)
 {
     if (desc->parallel) desc->parallel(desc->user, count, job, context);
-    else for (int i = 0; i < count; ++i) job(context, i);
+    else
+        for (int i = 0; i < count; ++i) job(context, i);
 }
 
 /* The error that this share of the validation receivers does not exceed. */
@@ -3016,7 +3125,7 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-SSGI__FN size_t ssgi__field_floats(int resolution)        /* of both maps, and of the errors */
+SSGI__FN size_t ssgi__field_floats(int resolution) /* of both maps, and of the errors */
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3084,9 +3193,12 @@ SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
     const float pi = 3.14159265f;
     float h = solid_angle > 0.0f ? solid_angle / (2.0f * pi) : 0.0f, c = ssgi__max(-1.0f, ssgi__min(cosine, 1.0f));
     float s, x, w, a;
-    const int large = h > 1.0f;         /* more than a hemisphere: the complement is a cap, too */
-    if (large) { h = h < 2.0f ? 2.0f - h : 0.0f; c = -c; }
-    s = h * (2.0f - h);                 /* squared sine of its radius; (1 - k)(1 + k) would cancel */
+    const int large = h > 1.0f; /* more than a hemisphere: the complement is a cap, too */
+    if (large) {
+        h = h < 2.0f ? 2.0f - h : 0.0f;
+        c = -c;
+    }
+    s = h * (2.0f - h); /* squared sine of its radius; (1 - k)(1 + k) would cancel */
     if (!(s > 0.0f)) a = 0.0f;
     else if (c * c >= s) a = c > 0.0f ? s * c : 0.0f;
     else {
@@ -3133,7 +3245,11 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     float direction[3], c[8], r, hull, t, q0, q1, q2, q, s;
     for (int k = 0; k < 3; ++k) w[k] = ssgi__finite(point[k]) ? (double)point[k] - (double)field->centre[k] : 0.0;
     r = (float)ssgi__normalise(w);
-    if (!(r > 0.0f && r < 1e18f)) { w[0] = w[1] = 0.0; w[2] = 1.0; r = r > 1.0f ? 1e18f : 0.0f; }
+    if (!(r > 0.0f && r < 1e18f)) {
+        w[0] = w[1] = 0.0;
+        w[2] = 1.0;
+        r = r > 1.0f ? 1e18f : 0.0f;
+    }
     ssgi__floats(direction, w);
     ssgi__field_fetch(c, field, direction);
     hull = c[3];
@@ -3142,12 +3258,13 @@ SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], flo
     q2 = exp2f(c[2]);
     q1 = exp2f(c[1]) - sqrtf(q0 * q2);
     q = q0 * (1.0f - t) * (1.0f - t) + 2.0f * q1 * t * (1.0f - t) + q2 * t * t;
-    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f;         /* vector irradiance over pi */
+    s = q * most > 1.0f ? 1.0f / (q * most) : 1.0f; /* vector irradiance over pi */
     *fill = ssgi__max(c[7], s);
     s /= *fill;
     *solid_angle = 6.2831853f * s / (1.0f + sqrtf(1.0f - s));
     for (int k = 0; k < 3; ++k) v[k] = (double)c[4 + k] - (double)(r > hull ? r : hull) * w[k];
-    if (!(ssgi__normalise(v) > 0.0)) for (int k = 0; k < 3; ++k) v[k] = -w[k];
+    if (!(ssgi__normalise(v) > 0.0))
+        for (int k = 0; k < 3; ++k) v[k] = -w[k];
     ssgi__floats(axis, v);
     return r / hull;
 }
@@ -3175,9 +3292,9 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
 
 /* ---- files: 32-bit words, lowest byte first */
 
-#define SSGI__FIELD_HEAD    29              /* words before the texels; after them two of checksum */
-#define SSGI__FIELD_MAGIC   0x69677373u     /* "ssgi" */
-#define SSGI__FIELD_VERSION 0x32464f41u     /* "AOF2" */
+#define SSGI__FIELD_HEAD 29             /* words before the texels; after them two of checksum */
+#define SSGI__FIELD_MAGIC 0x69677373u   /* "ssgi" */
+#define SSGI__FIELD_VERSION 0x32464f41u /* "AOF2" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3190,7 +3307,7 @@ SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
          | (uint32_t)in[4 * i + 3] << 24;
 }
 
-SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)        /* FNV-1a */
+SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size) /* FNV-1a */
 {
     uint64_t h = 14695981039346656037u;
     for (; size; --size) h = (h ^ *data++) * 1099511628211u;
@@ -3208,7 +3325,7 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)field->resolution);
     ssgi__field_put(bytes, 3, (uint32_t)field->radii);
-    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number);      /* centre .. most */
+    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number); /* centre .. most */
     for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     const uint64_t h = ssgi__field_checksum(bytes, size - 8);
@@ -3290,8 +3407,8 @@ SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, cons
 }
 
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
-                                   const float *normal, const float *hsao, const float *slabs, size_t count, int rays,
-                                   float radius, const char **why)
+                                         const float *normal, const float *hsao, const float *slabs, size_t count,
+                                         int rays, float radius, const char **why)
 {
     const float *const shown[3] = { NULL, hsao, slabs };
     double square[3] = { 0.0, 0.0, 0.0 };
@@ -3310,7 +3427,8 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
         for (int k = 0; k < 3; ++k) from[k] = position[3 * i + (size_t)k] + 5e-3f * radius * (float)along[k];
         for (int k = 0; k < 2 * (rays / 2); ++k) {
             const double u = ((k >> 1) + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1))) / (rays / 2);
-            const double turn = (2.0 * SSGI__PI) * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
+            const double turn = (2.0 * SSGI__PI)
+                              * ((double)ssgi_radical_inverse(2, (uint32_t)k >> 1)
                                  + ssgi__field_turn((uint32_t)(2 * i) + (uint32_t)(k & 1) + 0x9e3779b9u));
             const float x = (float)(sqrt(u) * cos(turn)), y = (float)(sqrt(u) * sin(turn)), z = (float)sqrt(1.0 - u);
             for (int c = 0; c < 3; ++c) d[c] = axes[0][c] * x + axes[1][c] * y + axes[2][c] * z;
@@ -3333,8 +3451,18 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
 /* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
    (examples/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
    and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
-enum { SSGI__PLAN_UNOCCLUDED, SSGI__PLAN_HSAO_ERROR, SSGI__PLAN_SLABS_ERROR, SSGI__PLAN_COARSE, SSGI__PLAN_COARSER,
-       SSGI__PLAN_UNEVEN, SSGI__PLAN_LEFT_OUT, SSGI__PLAN_BOUNCED, SSGI__PLAN_CONSTANT_ERROR, SSGI__PLAN_TERMS };
+enum {
+    SSGI__PLAN_UNOCCLUDED,
+    SSGI__PLAN_HSAO_ERROR,
+    SSGI__PLAN_SLABS_ERROR,
+    SSGI__PLAN_COARSE,
+    SSGI__PLAN_COARSER,
+    SSGI__PLAN_UNEVEN,
+    SSGI__PLAN_LEFT_OUT,
+    SSGI__PLAN_BOUNCED,
+    SSGI__PLAN_CONSTANT_ERROR,
+    SSGI__PLAN_TERMS
+};
 
 /* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
@@ -3342,6 +3470,7 @@ typedef struct ssgi__plan_row {
     float size, cost[2], term[SSGI__PLAN_TERMS];
 } ssgi__plan_row;
 
+/* clang-format off */
 #define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
                   unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
     { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, resolution, \
@@ -3395,12 +3524,14 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 4, 0, .05f, .05f, .016f, 0, 0, 0, 0, 0, 0, 0, 0),
     SSGI__ROW(OBJECTS, FIELD, CONSTANT, 0, 0, 0, 0, 0, 8, 0, .05f, .05f, .012f, 0, 0, 0, 0, 0, 0, 0, .45f)
 };
+/* clang-format on */
 
-static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };      /* energies of the built-in sky */
+static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f }; /* energies of the built-in sky */
 /* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/fit.c) */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
-    { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } } };
+    { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } }
+};
 /* What splats cost beside a choice's own: per texel a pixel, per surfel a pixel; in software, on a GPU */
 static const float ssgi__plan_splats[2][2] = { { 0.13f, 63.0f }, { 0.22f, 6.9f } };
 
@@ -3451,10 +3582,10 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
 /* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
-    const int m = row->method, given = m == SSGI_PLAN_SSDO ? s->map : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
-                                     : m != SSGI_PLAN_FIELD || s->occluders > 0;
-    if (row->wanted != s->wanted || !given || row->thickness > s->thickness || row->history > s->history)
-        return 0;
+    const int m = row->method, given = m == SSGI_PLAN_SSDO    ? s->map
+                                     : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
+                                                              : m != SSGI_PLAN_FIELD || s->occluders > 0;
+    if (row->wanted != s->wanted || !given || row->thickness > s->thickness || row->history > s->history) return 0;
     /* skip directional methods when the energy above band 0 is negligible */
     return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
         || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
@@ -3478,8 +3609,11 @@ SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const ssgi_plan settings = { row->method, row->thickness, row->half, row->directions, row->steps, row->bands,
-                                 row->history, 0, row->directions > 0, row->resolution, row->size, 0.0f, 0.0f, 0, "" };
+    const ssgi_plan settings = {
+        row->method, row->thickness,      row->half,       row->directions, row->steps, row->bands, row->history,
+        0,           row->directions > 0, row->resolution, row->size,       0.0f,       0.0f,       0,
+        ""
+    };
     double term[SSGI__PLAN_TERMS], square = 0.0;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
@@ -3496,7 +3630,8 @@ SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
     if (row->method == SSGI_PLAN_SURFELS)
         for (plan->levels = 1; plan->levels < SSGI_SPLAT_LEVELS
-             && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s);) ++plan->levels;
+                               && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s);)
+            ++plan->levels;
     return 1;
 }
 
@@ -3514,12 +3649,14 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
-    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS && s->history >= 0
-                && s->history <= 1 && s->occluders >= 0, "scene.device, .thickness, .history, .occluders: must be 0..1, "
+    SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS
+                    && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
+                "scene.device, .thickness, .history, .occluders: must be 0..1, "
                 "0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
-                && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
-                && ssgi__positive(&s->coverage, 1), "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
+                    && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
+                    && ssgi__positive(&s->coverage, 1),
+                "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
                 ".coverage: must be finite and 0 or more");
     SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
                 "scene.surfels, .splats: must be finite and 0 or more");
@@ -3527,7 +3664,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(ssgi__finite(s->calibration.unoccluded + s->calibration.hsao + s->calibration.slabs),
                 "scene.calibration: must be finite");
     SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
-                && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
+                    && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
                 "scene.survey: must be finite and 0 or more");
     memset(&best, 0, sizeof best);
     for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
@@ -3535,7 +3672,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {       /* the cheapest within 5 % of the goal */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest within 5 % of the goal */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
@@ -3544,16 +3681,19 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     }
     figure[0] = best.meets || !(s->error > 0.0f) ? best.error : s->error;
     figure[1] = best.meets ? s->error : best.error;
-    words = best.meets ? "*: errs by #.####, the cheapest of all choices within 5 % of #.####"
+    words = best.meets      ? "*: errs by #.####, the cheapest of all choices within 5 % of #.####"
           : s->error > 0.0f ? "cannot be met: #.####; the nearest: *: errs by #.####"
-          : "*: errs by #.####, the least that may be had";
-    for (at = best.why; *words; ++words) {              /* digits by hand: no stdio.h, no locale */
+                            : "*: errs by #.####, the least that may be had";
+    for (at = best.why; *words; ++words) { /* digits by hand: no stdio.h, no locale */
         const float x = figure[digit / 5];
         const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
         const char *const said[3] = { method[best.method], extra[0][best.thickness], extra[1][best.history] };
-        for (int k = 0; k < 3 && *words == '*'; ++k) for (const char *m = said[k]; *m; ++m) *at++ = *m;
-        if (*words == '#') { *at++ = (char)('0' + n / ten[digit % 5] % 10); ++digit; }
-        else if (*words != '*') *at++ = *words;
+        for (int k = 0; k < 3 && *words == '*'; ++k)
+            for (const char *m = said[k]; *m; ++m) *at++ = *m;
+        if (*words == '#') {
+            *at++ = (char)('0' + n / ten[digit % 5] % 10);
+            ++digit;
+        } else if (*words != '*') *at++ = *words;
     }
     *plan = best;
     return SSGI_OK;

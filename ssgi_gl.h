@@ -138,18 +138,18 @@ enum {
 
 /* desc.depth: what the depth texture holds. A CUSTOM one's layer 0 is the visible surface. */
 enum {
-    SSGI_GL_DEPTH_WINDOW = 0,   /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
-    SSGI_GL_DEPTH_LINEAR,       /* positive view depth; <= 0, inf or NaN is background */
-    SSGI_GL_DEPTH_CUSTOM,       /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
+    SSGI_GL_DEPTH_WINDOW = 0, /* hardware depth, any layout that ssgi_view decodes: float ssgi_decode(float) */
+    SSGI_GL_DEPTH_LINEAR,     /* positive view depth; <= 0, inf or NaN is background */
+    SSGI_GL_DEPTH_CUSTOM,     /* desc.fetch: float ssgi_custom_depth(ivec2 texel, int layer); may call ssgi_decode */
 };
 
 /* desc.normal: source and packing of normals. */
 enum {
-    SSGI_GL_NORMAL_SIGNED = 0,  /* xyz in [-1,1] (any float or snorm texture), need not be unit */
-    SSGI_GL_NORMAL_UNSIGNED,    /* xyz * 0.5 + 0.5 (unorm texture) */
-    SSGI_GL_NORMAL_OCTAHEDRAL,  /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
-    SSGI_GL_NORMAL_FROM_DEPTH,  /* no texture: from the nearer depth neighbours, 4 more fetches */
-    SSGI_GL_NORMAL_CUSTOM,      /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
+    SSGI_GL_NORMAL_SIGNED = 0, /* xyz in [-1,1] (any float or snorm texture), need not be unit */
+    SSGI_GL_NORMAL_UNSIGNED,   /* xyz * 0.5 + 0.5 (unorm texture) */
+    SSGI_GL_NORMAL_OCTAHEDRAL, /* xy in [-1,1], octahedral map (RG16_SNORM, RG16F) */
+    SSGI_GL_NORMAL_FROM_DEPTH, /* no texture: from the nearer depth neighbours, 4 more fetches */
+    SSGI_GL_NORMAL_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_normal(ivec2 texel), view space */
 };
 
 /* desc.noise: the pattern that decorrelates neighbouring pixels. */
@@ -160,18 +160,18 @@ enum {
 
 /* desc.search: where a gather looks for what occludes. */
 enum {
-    SSGI_GL_SLICES = 0,         /* planes through the view direction, walked both ways [TLG23] */
-    SSGI_GL_POINTS,             /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
-    SSGI_GL_MARCH,              /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
+    SSGI_GL_SLICES = 0, /* planes through the view direction, walked both ways [TLG23] */
+    SSGI_GL_POINTS,     /* ssdo, s3ho: points along directions, as published [SSDO09 3, S3HO12 2.1] */
+    SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
 /* desc.thickness: how far visible surfaces reach, away from the viewer. */
 enum {
     SSGI_GL_THICKNESS_CONSTANT = 0, /* frame.thickness */
-    SSGI_GL_THICKNESS_SOLID,    /* without end */
-    SSGI_GL_THICKNESS_BACK,     /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); of sheets,
-                                   and where there is none, frame.thickness */
-    SSGI_GL_THICKNESS_SLABS,    /* and from the next front face behind that to its back face: two more, peeled */
+    SSGI_GL_THICKNESS_SOLID,        /* without end */
+    SSGI_GL_THICKNESS_BACK,  /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); of sheets,
+                                and where there is none, frame.thickness */
+    SSGI_GL_THICKNESS_SLABS, /* and from the next front face behind that to its back face: two more, peeled */
 };
 
 /* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions. */
@@ -184,15 +184,15 @@ enum {
 /* desc.fade: an occluder's weight over the distance d, in radii, of the surface that the depth buffer shows. */
 enum {
     SSGI_GL_FADE_NONE = 0,
-    SSGI_GL_FADE_SMOOTH,        /* from 1 at frame.fade to 0 at the radius */
-    SSGI_GL_FADE_LAMBDA,        /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
+    SSGI_GL_FADE_SMOOTH, /* from 1 at frame.fade to 0 at the radius */
+    SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
 };
 
 /* desc.environment: where the light of the environment comes from. */
 enum {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,     /* frame.harmonics: all directions for the price of the visibility */
-    SSGI_GL_ENVIRONMENT_MAP,    /* world space, a look-up a direction: ssgi_environment_map */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions for the price of the visibility */
+    SSGI_GL_ENVIRONMENT_MAP, /* world space, a look-up a direction: ssgi_environment_map */
 };
 
 /* desc.bounce: estimator of what an occluded direction receives. */
@@ -221,47 +221,47 @@ enum {
 /* desc.transfer: what the coefficients of s3ho hold. */
 enum {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
-    SSGI_GL_TRANSFER_BOTH,      /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-    SSGI_GL_TRANSFER_REFLECTED, /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
+    SSGI_GL_TRANSFER_BOTH,       /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
+    SSGI_GL_TRANSFER_REFLECTED,  /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
 };
 
 /* desc.shading: how the coefficients are shaded. */
 enum {
     SSGI_GL_SHADING_HARMONICS = 0, /* dot product with frame.harmonics [S3HO12 2.2] */
-    SSGI_GL_SHADING_BENT_NORMAL, /* ambient visibility times irradiance along the mean unoccluded direction */
-    SSGI_GL_SHADING_BENT_CONE,  /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
-    SSGI_GL_SHADING_BENT,       /* no light: that direction, view space, unit; cosine of the cone's half-angle */
+    SSGI_GL_SHADING_BENT_NORMAL,   /* ambient visibility times irradiance along the mean unoccluded direction */
+    SSGI_GL_SHADING_BENT_CONE,     /* the same, from a cone as wide as the unoccluded directions [SSBN11] */
+    SSGI_GL_SHADING_BENT,          /* no light: that direction, view space, unit; cosine of the cone's half-angle */
 };
 
 /* desc.objects: which object a pixel shows, so that no occluder shades itself; NONE: all in reach are darkened. */
 enum {
     SSGI_GL_OBJECTS_NONE = 0,
-    SSGI_GL_OBJECTS_TEXTURE,    /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
-    SSGI_GL_OBJECTS_CUSTOM,     /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
+    SSGI_GL_OBJECTS_TEXTURE, /* your texture of numbers, 0 = none; an occluder spares pixels of its own number */
+    SSGI_GL_OBJECTS_CUSTOM,  /* desc.fetch: uint ssgi_custom_object(ivec2 texel) */
 };
 
 /* desc.effect: what surfels do to pixels. */
 enum {
     SSGI_GL_EFFECT_OCCLUSION = 0, /* ambient visibility; within frame.radius, by 1 - distance/radius unless hard */
-    SSGI_GL_EFFECT_LIGHT,       /* unoccluded irradiance over pi, less what surfels block of the environment */
-    SSGI_GL_EFFECT_BOUNCE,      /* irradiance over pi from what surfels send */
-    SSGI_GL_EFFECT_SPECULAR,    /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
-    SSGI_GL_EFFECT_SCATTER,     /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
+    SSGI_GL_EFFECT_LIGHT,         /* unoccluded irradiance over pi, less what surfels block of the environment */
+    SSGI_GL_EFFECT_BOUNCE,        /* irradiance over pi from what surfels send */
+    SSGI_GL_EFFECT_SPECULAR,      /* radiance of a lobe, cos^frame.exponent about the mirrored view, normalised */
+    SSGI_GL_EFFECT_SCATTER,       /* radiance that leaves a translucent surface: frame.dipole, over what surfels get */
 };
 
 /* desc.sends: what surfels send, as ssgi_surfel.colour has it afterwards. */
 enum {
-    SSGI_GL_SENDS_COLOUR = 0,   /* the colour that they had */
-    SSGI_GL_SENDS_LIGHTS,       /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
-                                   the environment, open, if desc.environment */
-    SSGI_GL_SENDS_CUSTOM,       /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
+    SSGI_GL_SENDS_COLOUR = 0, /* the colour that they had */
+    SSGI_GL_SENDS_LIGHTS,     /* times irradiance over pi: t_ssgi_lights, shadowed if desc.shadow is MAP or FILL;
+                                 the environment, open, if desc.environment */
+    SSGI_GL_SENDS_CUSTOM,     /* desc.fetch: vec3 ssgi_custom_surfel(vec3 position, vec3 normal, vec3 colour) */
 };
 
 /* desc.colour: what blur and history filter. */
 enum {
-    SSGI_GL_GREY = 0,           /* ambient visibility */
-    SSGI_GL_COLOUR,             /* light, three channels */
-    SSGI_GL_COEFFICIENTS,       /* of s3ho */
+    SSGI_GL_GREY = 0,     /* ambient visibility */
+    SSGI_GL_COLOUR,       /* light, three channels */
+    SSGI_GL_COEFFICIENTS, /* of s3ho */
 };
 
 /* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE. */
@@ -282,8 +282,8 @@ enum {
 
 /* desc.filter: how a neighbour is weighted. */
 enum {
-    SSGI_GL_BILATERAL = 0,      /* a box over a tile, by its distance to the tangent plane */
-    SSGI_GL_GAUSSIAN,           /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
+    SSGI_GL_BILATERAL = 0, /* a box over a tile, by its distance to the tangent plane */
+    SSGI_GL_GAUSSIAN,      /* the paper's, by the inverse of the depth difference [HSAO08 4.1.3] */
 };
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
@@ -291,84 +291,84 @@ enum {
    but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the field that is not. */
 typedef struct ssgi_gl_desc {
     /* every pass */
-    int pass;            /* SSGI_GL_SSAO .. */
-    int dialect;         /* SSGI_GL_330 .. */
-    int orthographic;    /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
-    int depth;           /* SSGI_GL_DEPTH_WINDOW .. */
-    int normal;          /* SSGI_GL_NORMAL_SIGNED .. */
-    int world_normals;   /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;            /* gathers, shade, history   1: a pixel of every 2x2, rounded up; blur   1: to full size */
-    int lines;           /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
-    int left_handed;     /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
-    int oblique;         /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
-    int multisampled;    /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
-                            read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
-    int array;           /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
-                            with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
+    int pass;          /* SSGI_GL_SSAO .. */
+    int dialect;       /* SSGI_GL_330 .. */
+    int orthographic;  /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
+    int depth;         /* SSGI_GL_DEPTH_WINDOW .. */
+    int normal;        /* SSGI_GL_NORMAL_SIGNED .. */
+    int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
+    int half;          /* gathers, shade, history   1: a pixel of every 2x2, rounded up; blur   1: to full size */
+    int lines;         /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
+    int left_handed;   /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
+    int oblique;       /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
+    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
+                          read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
+    int array;         /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
+                          with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
 
     /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
-    int noise;           /* SSGI_GL_NOISE_GRADIENT .. */
-    int search;          /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
-    int directions;      /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int samples;         /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
-    int steps;           /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
-    int thickness;       /* SSGI_GL_THICKNESS_CONSTANT .. */
-    int falloff;         /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
-    int kernel;          /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
-    int fade;            /* points   SSGI_GL_FADE_NONE .. */
-    int range;           /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int layers;          /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
-                            the next; an odd last one as thickness says */
-    int views;           /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
-                            front of its depth; occluded if none does and one finds it inside a solid */
-    int view_layers;     /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
-    int receiver;        /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
-    int normal_rays;     /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
-    int hard;            /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
+    int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
+    int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
+    int directions;  /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
+    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
+    int steps;       /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
+    int thickness;   /* SSGI_GL_THICKNESS_CONSTANT .. */
+    int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
+    int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
+    int fade;        /* points   SSGI_GL_FADE_NONE .. */
+    int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
+    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
+                        the next; an odd last one as thickness says */
+    int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
+                        front of its depth; occluded if none does and one finds it inside a solid */
+    int view_layers; /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
+    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
+    int normal_rays; /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
+    int hard;        /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
 
     /* ssdo, and lights */
-    int environment;     /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;          /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
-    int restore;         /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; until blur with this desc
-                            and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
-    int two_sided;       /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
-                            the other. splat   surfels occlude from both sides: for sheets and leaves */
-    int radiance;        /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int shadow;          /* lights   SSGI_GL_SHADOW_SEGMENT .. */
-    int accumulate;      /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
+    int environment; /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
+    int bounce;      /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
+    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; until blur with this desc
+                        and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
+    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
+                        the other. splat   surfels occlude from both sides: for sheets and leaves */
+    int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
+    int shadow;      /* lights   SSGI_GL_SHADOW_SEGMENT .. */
+    int accumulate;  /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
 
     /* s3ho, shade, blur of coefficients */
-    int bands;           /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
-    int packed;          /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
-    int transfer;        /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing
-                            is restored, since it has no unoccluded light */
-    int shaded;          /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
-    int residual;        /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
-                            visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
-    int shading;         /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;          /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a
-                            POINT is a sphere of radius min_distance */
-    int albedo;          /* shade   1: writes outgoing radiance; 0: irradiance over pi */
+    int bands;    /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
+    int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
+    int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing
+                     is restored, since it has no unoccluded light */
+    int shaded;   /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
+    int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
+                     visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
+    int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
+    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a
+                     POINT is a sphere of radius min_distance */
+    int albedo;   /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
     /* field; surfels, shuffle, splat, unshuffle, smooth, sum */
-    int objects;         /* field   SSGI_GL_OBJECTS_NONE .. */
-    int effect;          /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;          /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
-    int tessellate;      /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
-    int sends;           /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;            /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
-                            is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
-    int near_samples;    /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
-                            its centre alone, as published, which finds half at 1/3 radius from a wall */
-    int axis;            /* smooth   0: along x; 1: along y */
+    int objects;      /* field   SSGI_GL_OBJECTS_NONE .. */
+    int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
+    int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
+    int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
+    int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
+    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
+                         is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
+    int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
+                         its centre alone, as published, which finds half at 1/3 radius from a wall */
+    int axis;         /* smooth   0: along x; 1: along y */
 
     /* blur, history, compose */
-    int colour;          /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
-    int motion;          /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
-    int onto;            /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..; what they write */
-    int filter;          /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;   /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
-    int filter_normals;  /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
+    int colour;         /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
+    int motion;         /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
+    int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..; what they write */
+    int filter;         /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
+    int filter_radius;  /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
+    int filter_normals; /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
 
     /* your own text */
     const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
@@ -386,6 +386,7 @@ typedef struct ssgi_gl_desc {
    All else stays, desc.thickness, too: set BACK or SLABS where solids are closed and you can draw those passes. Passes
    without such settings are left as they are. Bad input leaves desc as it is. */
 enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
+
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
 /* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
@@ -399,8 +400,13 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
 /* An int of ssgi_gl_desc (version and fetch are the only fields that are none): 0 .. most. values: an enum's words, in
    order from 0, blanks between; the sentence has the prefix that makes enumerators of them. Other fields': "". */
-typedef struct ssgi_gl_choice { const char *name, *values, *sentence; size_t offset; int most; } ssgi_gl_choice;
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);  /* the i-th; NULL past the last */
+typedef struct ssgi_gl_choice {
+    const char *name, *values, *sentence;
+    size_t offset;
+    int most;
+} ssgi_gl_choice;
+
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i); /* the i-th; NULL past the last */
 
 /* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text.
      desc   [limit: not NULL, passes ssgi_gl_check] */
@@ -429,8 +435,8 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
    GL_EXT_samplerless_texture_functions : require". Like snprintf; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass);         /* "hsao"; NULL past the last */
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect);   /* "330", "vulkan"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
 /* ssgi_gl_io.kind. CAPTURE: a varying for transform feedback */
@@ -438,14 +444,14 @@ enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL
 
 /* One input or output of a pass: the very row that its declaration was printed from. */
 typedef struct ssgi_gl_io {
-    const char *name;    /* exactly as in the text: "t_ssgi_depth" */
-    int         kind;
-    const char *type;    /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
-    int         slot;    /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
-                            OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
-                            PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
-    size_t      offset;     /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
-    const char *format;  /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
+    const char *name; /* exactly as in the text: "t_ssgi_depth" */
+    int kind;
+    const char *type;   /* GLSL: "sampler2D", "vec4"; VULKAN: "texture2D" */
+    int slot;           /* TEXTURE: unit, 0..15, the same in every variant of the pass (and binding; VULKAN: less 2).
+                           OUTPUT, ATTRIBUTE: location. CAPTURE: place in the interleaved buffer. CONSTANT: its value.
+                           PARAM: its block's binding: 0 ssgi_frame, 1 ssgi_views */
+    size_t offset;      /* PARAM: byte in ssgi_gl_frame or ssgi_gl_views = byte in the std140 block. Else 0 */
+    const char *format; /* TEXTURE, OUTPUT: what the texture is. PARAM: units */
 } ssgi_gl_io;
 
 #define SSGI_GL_MAX_IO 48
@@ -477,36 +483,60 @@ typedef struct ssgi_gl_chain {
 } ssgi_gl_chain;
 
 /* What a texture of yours is: ssgi_gl_input.meaning. */
-enum { SSGI_GL_YOUR_DEPTH = 0, SSGI_GL_YOUR_LAYERS, SSGI_GL_YOUR_BACK, SSGI_GL_YOUR_VIEWS, SSGI_GL_YOUR_NORMAL,
-       SSGI_GL_YOUR_ALBEDO, SSGI_GL_YOUR_LAYER_NORMALS, SSGI_GL_YOUR_LAYER_ALBEDOS, SSGI_GL_YOUR_DIRECT,
-       SSGI_GL_YOUR_NOISE, SSGI_GL_YOUR_KERNEL, SSGI_GL_YOUR_ENVIRONMENT, SSGI_GL_YOUR_IRRADIANCE, SSGI_GL_YOUR_LIGHTS,
-       SSGI_GL_YOUR_SHADOW, SSGI_GL_YOUR_OCCLUDERS, SSGI_GL_YOUR_FIELDS, SSGI_GL_YOUR_OBJECTS, SSGI_GL_YOUR_MOTION,
-       SSGI_GL_YOUR_AMBIENT, SSGI_GL_YOURS /* how many */ };
+enum {
+    SSGI_GL_YOUR_DEPTH = 0,
+    SSGI_GL_YOUR_LAYERS,
+    SSGI_GL_YOUR_BACK,
+    SSGI_GL_YOUR_VIEWS,
+    SSGI_GL_YOUR_NORMAL,
+    SSGI_GL_YOUR_ALBEDO,
+    SSGI_GL_YOUR_LAYER_NORMALS,
+    SSGI_GL_YOUR_LAYER_ALBEDOS,
+    SSGI_GL_YOUR_DIRECT,
+    SSGI_GL_YOUR_NOISE,
+    SSGI_GL_YOUR_KERNEL,
+    SSGI_GL_YOUR_ENVIRONMENT,
+    SSGI_GL_YOUR_IRRADIANCE,
+    SSGI_GL_YOUR_LIGHTS,
+    SSGI_GL_YOUR_SHADOW,
+    SSGI_GL_YOUR_OCCLUDERS,
+    SSGI_GL_YOUR_FIELDS,
+    SSGI_GL_YOUR_OBJECTS,
+    SSGI_GL_YOUR_MOTION,
+    SSGI_GL_YOUR_AMBIENT,
+    SSGI_GL_YOURS /* how many */
+};
 
 /* The numbers that glTexImage2D takes. */
-typedef struct ssgi_gl_format { const char *name; unsigned internal, format, type; int bytes; } ssgi_gl_format;
+typedef struct ssgi_gl_format {
+    const char *name;
+    unsigned internal, format, type;
+    int bytes;
+} ssgi_gl_format;
 
 typedef struct ssgi_gl_input {
-    const char *name, *type; /* as in the text: "t_ssgi_depth", "sampler2D" */
-    int unit;            /* of the sampler: ssgi_gl_io.slot */
-    unsigned target;     /* GL_TEXTURE_2D .. */
-    int meaning;         /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
-    int texture, last;   /* its number, -1: yours; 1: as the last frame left it */
-    const ssgi_gl_format *format;  /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
-    int width, height;   /* of the steps' textures; of yours the least */
+    const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
+    int unit;                     /* of the sampler: ssgi_gl_io.slot */
+    unsigned target;              /* GL_TEXTURE_2D .. */
+    int meaning;                  /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
+    int texture, last;            /* its number, -1: yours; 1: as the last frame left it */
+    const ssgi_gl_format *format; /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
+    int width, height;            /* of the steps' textures; of yours the least */
 } ssgi_gl_input;
 
 typedef struct ssgi_gl_output {
     const char *name;
-    int texture;         /* number, from 0 in the order of first use; -1: your picture */
+    int texture; /* number, from 0 in the order of first use; -1: your picture */
     const ssgi_gl_format *format;
-    int slices, slice;   /* 0: GL_TEXTURE_2D; else an array texture of so many layers, drawn into layer `slice` */
-    int kept;            /* 1: there are two of it, which change places each frame: history */
-    int result;          /* SSGI_GL_RESULT_NONE .. */
+    int slices, slice; /* 0: GL_TEXTURE_2D; else an array texture of so many layers, drawn into layer `slice` */
+    int kept;          /* 1: there are two of it, which change places each frame: history */
+    int result;        /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
+
 /* LIGHT: or ambient visibility, or bent normals. A chain has one of it, or of BOUNCE, or both; on your picture neither
    is asked for. */
 enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT, SSGI_GL_RESULT_BOUNCE };
+
 enum { SSGI_GL_SIZE_FULL = 0, SSGI_GL_SIZE_HALF, SSGI_GL_SIZE_LEVELS };
 
 /* One draw. Text of each stage: ssgi_gl_emit of desc. */
@@ -516,12 +546,12 @@ typedef struct ssgi_gl_step {
     int inputs, outputs;
     ssgi_gl_input input[16];
     ssgi_gl_output output[6];
-    int frame;           /* uniform block: 0 yours; 1 + 2v that of extra camera v (its G-buffer, too); 2 + 2v the same,
-                            rotation from its view space to yours; 9 yours, lights being the virtual point lights */
-    unsigned primitive;  /* GL_TRIANGLES ..; of SURFELS captured, rasteriser discarded */
+    int frame;          /* uniform block: 0 yours; 1 + 2v that of extra camera v (its G-buffer, too); 2 + 2v the same,
+                           rotation from its view space to yours; 9 yours, lights being the virtual point lights */
+    unsigned primitive; /* GL_TRIANGLES ..; of SURFELS captured, rasteriser discarded */
     int vertices, instances; /* 0: as many as you have: surfels, occluders, three a triangle */
-    unsigned blend[3];   /* equation, source, destination; 0: off */
-    int clear;           /* 1: the targets are cleared first, to clear_to in each component */
+    unsigned blend[3];       /* equation, source, destination; 0: off */
+    int clear;               /* 1: the targets are cleared first, to clear_to in each component */
     float clear_to;
 } ssgi_gl_step;
 
@@ -532,7 +562,11 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
 
 /* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
    nothing; filter: GL_TEXTURE_MIN_FILTER; compare: GL_TEXTURE_COMPARE_MODE. */
-typedef struct ssgi_gl_bound { unsigned target, format; int width, height; unsigned filter, compare; } ssgi_gl_bound;
+typedef struct ssgi_gl_bound {
+    unsigned target, format;
+    int width, height;
+    unsigned filter, compare;
+} ssgi_gl_bound;
 
 /* What would be drawn wrong, in a sentence that names step, texture and unit; like snprintf, 0: nothing. For debug
    builds: units of 16, targets of step->outputs, NULL = not looked at. */
@@ -542,43 +576,43 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
 /* ==== >>frame ================================================================================================== */
 /* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140). */
 typedef struct ssgi_gl_frame {
-    float   project[4];  /* from ssgi_view */
-    float   unproject[4];
-    float   decode[4];   /* depth[0], depth[1], clear, 0 */
-    int32_t origin[2];   /* [units: texels]  first texel of the image in the G-buffer's textures */
-    int32_t size[2];     /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
-                            (but senders, and what lights them) to the inner rectangle and what their filters read */
-    int32_t target[2];   /* [units: texels]  first texel of the image in what passes write; half of it in half size */
-    float   radius;      /* [units: view] [limit: > 0]  farthest occluder */
-    float   offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
-    float   thickness;   /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness has
-                            no other; 1 radius suits ssao, 0.5 march, 0.4 light */
-    float   phase;       /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float   fade;        /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
-    float   distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
-    float   gain;        /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float   max_slope;   /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
-    int32_t lights;      /* how many rows of t_ssgi_lights */
-    float   lambda;      /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float   rotation[12]; /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
-    float   harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
-    float   surfel[4];   /* surfels, smooth: ssgi_gl_surfels_set */
-    float   mesh[16];    /* surfels: mesh to view space, column-major; identity by default */
-    float   dipole[16];  /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float   keep_small;  /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float   near_depth;  /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
-                            plane]: the last frame's minimum, for instance, culls most of what is around the eye */
-    float   sent;        /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: radiance that counts as bright:
-                            ssgi_gl_sent_set makes the result linear in the light */
-    float   epsilon;     /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
-                            it sends over `sent` (times the lobe's peak) */
-    float   exponent;    /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float   history;     /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
-    int32_t level[2];    /* [units: texels]  of one level: ssgi_splat_size */
-    float   window[4];   /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
-    float   last_to[16]; /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float   last_from[16]; /* and back: ssgi_gl_frame_history */
-    float   oblique[2];  /* desc.oblique: from ssgi_view */
+    float project[4]; /* from ssgi_view */
+    float unproject[4];
+    float decode[4];   /* depth[0], depth[1], clear, 0 */
+    int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
+    int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
+                          (but senders, and what lights them) to the inner rectangle and what their filters read */
+    int32_t target[2]; /* [units: texels]  first texel of the image in what passes write; half of it in half size */
+    float radius;      /* [units: view] [limit: > 0]  farthest occluder */
+    float offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
+    float thickness; /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness has
+                        no other; 1 radius suits ssao, 0.5 march, 0.4 light */
+    float phase;     /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
+    float fade;      /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
+    float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
+    float gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
+    float max_slope;      /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
+    int32_t lights;       /* how many rows of t_ssgi_lights */
+    float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
+    float rotation[12];   /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
+    float harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
+    float surfel[4];      /* surfels, smooth: ssgi_gl_surfels_set */
+    float mesh[16];       /* surfels: mesh to view space, column-major; identity by default */
+    float dipole[16];     /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float keep_small;     /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
+    float near_depth;     /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
+                             plane]: the last frame's minimum, for instance, culls most of what is around the eye */
+    float sent;           /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: radiance that counts as bright:
+                             ssgi_gl_sent_set makes the result linear in the light */
+    float epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
+                             it sends over `sent` (times the lobe's peak) */
+    float exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
+    float history;        /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
+    int32_t level[2];     /* [units: texels]  of one level: ssgi_splat_size */
+    float window[4];      /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float last_from[16];  /* and back: ssgi_gl_frame_history */
+    float oblique[2];     /* desc.oblique: from ssgi_view */
     int32_t slice, unused; /* desc.array: the layer of your array textures; fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
@@ -588,7 +622,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 /* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
    kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-    const float main_world_to_view[16], const float last_world_to_view[16], const char **why);
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why);
 
 /* frame.phase of frame number k, in [0,1): the noise of any few frames in a row is spread evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
@@ -609,32 +644,34 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
 /* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Hardware depths in slices of one array
    texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
 typedef struct ssgi_gl_views {
-    float   to[4][16];   /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
-    float   from[4][16]; /* back */
-    float   decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float   size[4][4];  /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
-                            the open, at depth 1 when perspective; 0 */
+    float to[4][16];    /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
+    float from[4][16];  /* back */
+    float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
+    float size[4][4];   /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
+                           the open, at depth 1 when perspective; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). An oblique
    view is refused. */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why);
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why);
 
 /* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
    members is a light without a shadow map. A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of
    them are a point light with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
+
 typedef struct ssgi_gl_light {
-    float at[3], kind;   /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
+    float at[3], kind; /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
     float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its
-                               normal. min_distance: clamp of the distance in 1/d^2; of a SUN with several maps
-                               (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
+                                      normal. min_distance: clamp of the distance in 1/d^2; of a SUN with several maps
+                                      (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
     float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
                                when perspective: 2 tan(angle/2) / texels */
-    float map[3][4];     /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
-    float decode[4];     /* of its ssgi_view: depth[0], [1], clear, orthographic */
-    float tile[4];       /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
+    float map[3][4];        /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
+    float decode[4];        /* of its ssgi_view: depth[0], [1], clear, orthographic */
+    float tile[4];          /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
 /* Gives a light its shadow map, drawn by a camera with the projection of `view`. Sets map, patch, decode, tile. An
@@ -642,22 +679,24 @@ typedef struct ssgi_gl_light {
      x, y       [units: texels] [limit: >= 0] the map's first texel in t_ssgi_shadow
      matrices   [limit: rigid, finite] world to the main camera's view space, and to the light's */
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-    const float main_world_to_view[16], const float light_world_to_view[16], const char **why);
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why);
 
 /* Sets frame->sent for surfels under lights (their rows; SPOT within its map; unshadowed) and sky, the mean radiance of
    the environment: half of all radiance sent comes from surfels that send as much or more, in their largest component.
    Unchanged where nothing is sent. surfels: colour as yet unshaded.
      sky    [limit: >= 0, finite]; NULL = black */
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why);
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why);
 
 /* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
-    float at[3], radius; /* the sphere that it darkens, view space */
-    float to_field[3][4]; /* view space to the occluder's coordinates about the field's centre: rows */
-    float ramp, reach, inside, power;     /* ssgi_field_limits */
+    float at[3], radius;              /* the sphere that it darkens, view space */
+    float to_field[3][4];             /* view space to the occluder's coordinates about the field's centre: rows */
+    float ramp, reach, inside, power; /* ssgi_field_limits */
     float low[8], span[8], resolution;
-    float slice, baked_reach, object;     /* of t_ssgi_fields; ssgi_field.reach; number for desc.objects, 0 = none */
+    float slice, baked_reach, object; /* of t_ssgi_fields; ssgi_field.reach; number for desc.objects, 0 = none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder where it stands now.
@@ -666,7 +705,8 @@ typedef struct ssgi_gl_occluder {
      mesh_to_view  [limit: rotation, translation, uniform scale; may mirror] from the bake's coordinates to the pass's
      object        [limit: 0..16777215] */
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why);
+                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                          int object, const char **why);
 
 #ifdef __cplusplus
 }
@@ -691,8 +731,13 @@ extern "C" {
    resolves them, and none reaches the text. An entry is kept where its name occurs in what is kept after it; main_* are
    named by >>passes. Entries of one name exclude each other. Your textures are fetched at ", p + u_ssgi_origin, 0":
    where they are arrays (desc.array) the emitter puts the slice in. */
-typedef struct ssgi_gl__code { const char *name; int line; const char *text; } ssgi_gl__code;
+typedef struct ssgi_gl__code {
+    const char *name;
+    int line;
+    const char *text;
+} ssgi_gl__code;
 
+/* clang-format off */
 static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
@@ -3079,12 +3124,19 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 };
 
+/* clang-format on */
+
 /* ==== >>rows: inputs and outputs ================================================================================== */
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
    of captures, count up in this order. bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
-typedef struct ssgi_gl__row { const char *when; size_t bytes; ssgi_gl_io io; } ssgi_gl__row;
+typedef struct ssgi_gl__row {
+    const char *when;
+    size_t bytes;
+    ssgi_gl_io io;
+} ssgi_gl__row;
 
+/* clang-format off */
 #define SSGI_GL__C(name, of) { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
 #define SSGI_GL__IN(block, prefix, of, member, type, units) \
     { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
@@ -3205,16 +3257,27 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
     SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
     SSGI_GL__K("surfel2", "vec4", "colour") };
 
+/* clang-format on */
+
 /* ==== >>passes: the main function of each stage =================================================================== */
-typedef struct ssgi_gl__pass { int pass; const char *name, *when, *mains[SSGI_GL_STAGES]; } ssgi_gl__pass;
+typedef struct ssgi_gl__pass {
+    int pass;
+    const char *name, *when, *mains[SSGI_GL_STAGES];
+} ssgi_gl__pass;
 
 #define SSGI_GL__WHEN(pass, name, when, main) \
-    { SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } }
+    { \
+        SSGI_GL_##pass, name, when, { "main_triangle", main, NULL, NULL, NULL } \
+    }
 #define SSGI_GL__ALWAYS(pass, name, main) SSGI_GL__WHEN(pass, name, NULL, main)
 #define SSGI_GL__SPLAT(when, fragment) \
     { SSGI_GL_SPLAT, "splat", "!tessellate && " when, { "main_quad", fragment, NULL, NULL, NULL } }, \
-    { SSGI_GL_SPLAT, "splat", "tessellate && " when, \
-      { "main_patch", fragment, "main_levels", "main_points", "main_strip" } }
+    { \
+        SSGI_GL_SPLAT, "splat", "tessellate && " when, \
+        { \
+            "main_patch", fragment, "main_levels", "main_points", "main_strip" \
+        } \
+    }
 
 static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__ALWAYS(SSAO, "ssao", "main_occlusion"),
@@ -3242,77 +3305,142 @@ static const ssgi_gl__pass ssgi_gl__passes[] = {
     SSGI_GL__WHEN(BLUR, "blur", "colour == COEFFICIENTS", "main_blur_coefficients"),
     SSGI_GL__ALWAYS(HISTORY, "history", "main_history"),
     SSGI_GL__WHEN(COMPOSE, "compose", "colour == GREY", "main_compose_grey"),
-    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light") };
+    SSGI_GL__WHEN(COMPOSE, "compose", "colour != GREY", "main_compose_light")
+};
 
-enum { SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
-       SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
-       SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes) };
+enum {
+    SSGI_GL__CODES = (int)(sizeof ssgi_gl__library / sizeof *ssgi_gl__library),
+    SSGI_GL__ROWS = (int)(sizeof ssgi_gl__rows / sizeof *ssgi_gl__rows),
+    SSGI_GL__VARIANTS = (int)(sizeof ssgi_gl__passes / sizeof *ssgi_gl__passes)
+};
 
 /* ==== >>desc (implementation) ===================================================================================== */
-static ssgi_result ssgi_gl__bad(const char **why, const char *sentence) {
+static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
+{
     if (why) *why = sentence;
     return SSGI_BAD_ARGUMENT;
 }
 
 /* Argument checks of functions with a parameter `why`. */
-#define SSGI_GL__CHECK(good, sentence) do { if (!(good)) return ssgi_gl__bad(why, sentence); } while (0)
-#define SSGI_GL__THERE(a)              SSGI_GL__CHECK(a, #a ": must not be NULL")
+#define SSGI_GL__CHECK(good, sentence) \
+    do { \
+        if (!(good)) return ssgi_gl__bad(why, sentence); \
+    } while (0)
+#define SSGI_GL__THERE(a) SSGI_GL__CHECK(a, #a ": must not be NULL")
 #define SSGI_GL__VIEW(v) \
     SSGI_GL__CHECK((v) && (v)->width > 0 && (v)->height > 0, "view: must come from ssgi_view_from_projection")
-#define SSGI_GL__TRY(call)             do { const ssgi_result r_ = (call); if (r_ != SSGI_OK) return r_; } while (0)
+#define SSGI_GL__TRY(call) \
+    do { \
+        const ssgi_result r_ = (call); \
+        if (r_ != SSGI_OK) return r_; \
+    } while (0)
 
 /* Names and values are those of #if lines, too. */
-#define SSGI_GL__I(field, n) { #field, "", "desc." #field ": must be 0.." #n, offsetof(ssgi_gl_desc, field), n }
-#define SSGI_GL__B(field) { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
+#define SSGI_GL__I(field, n) \
+    { \
+#field, "", "desc." #field ": must be 0.." #n, offsetof(ssgi_gl_desc, field), n \
+    }
+#define SSGI_GL__B(field) \
+    { \
+#field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 \
+    }
 #define SSGI_GL__N(field, last, prefix, values) \
-    { #field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), last }
+    { \
+#field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), last \
+    }
 #define SSGI_GL__E(field, KIND, LAST, values) SSGI_GL__N(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, values)
 static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL", "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
+    SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
+               "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
                "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE"),
     SSGI_GL__N(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
     SSGI_GL__E(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"), SSGI_GL__B(orthographic),
-    SSGI_GL__B(world_normals), SSGI_GL__B(half), SSGI_GL__B(lines), SSGI_GL__B(left_handed), SSGI_GL__B(oblique),
-    SSGI_GL__B(multisampled), SSGI_GL__B(array), SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64), SSGI_GL__I(steps, 64), SSGI_GL__E(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
-    SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"), SSGI_GL__B(kernel),
-    SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"), SSGI_GL__B(range), SSGI_GL__I(layers, 8),
-    SSGI_GL__I(views, 4), SSGI_GL__I(view_layers, 8), SSGI_GL__I(receiver, 7),
-    SSGI_GL__N(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"), SSGI_GL__I(directions, 32),
-    SSGI_GL__I(normal_rays, 8), SSGI_GL__B(hard), SSGI_GL__E(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
+    SSGI_GL__B(orthographic),
+    SSGI_GL__B(world_normals),
+    SSGI_GL__B(half),
+    SSGI_GL__B(lines),
+    SSGI_GL__B(left_handed),
+    SSGI_GL__B(oblique),
+    SSGI_GL__B(multisampled),
+    SSGI_GL__B(array),
+    SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
+    SSGI_GL__I(samples, 64),
+    SSGI_GL__I(steps, 64),
+    SSGI_GL__E(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"),
+    SSGI_GL__B(kernel),
+    SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
+    SSGI_GL__B(range),
+    SSGI_GL__I(layers, 8),
+    SSGI_GL__I(views, 4),
+    SSGI_GL__I(view_layers, 8),
+    SSGI_GL__I(receiver, 7),
+    SSGI_GL__N(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
+    SSGI_GL__I(directions, 32),
+    SSGI_GL__I(normal_rays, 8),
+    SSGI_GL__B(hard),
+    SSGI_GL__E(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
     SSGI_GL__E(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__E(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"), SSGI_GL__B(two_sided),
+    SSGI_GL__E(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
+    SSGI_GL__B(two_sided),
     SSGI_GL__E(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__E(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"), SSGI_GL__B(accumulate), SSGI_GL__I(bands, 4),
-    SSGI_GL__B(packed), SSGI_GL__E(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"), SSGI_GL__B(shaded),
-    SSGI_GL__B(residual), SSGI_GL__E(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__B(lights), SSGI_GL__B(albedo), SSGI_GL__E(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
-    SSGI_GL__E(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"), SSGI_GL__I(levels, 7),
-    SSGI_GL__B(tessellate), SSGI_GL__E(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"), SSGI_GL__I(span, 64),
-    SSGI_GL__I(near_samples, 16), SSGI_GL__B(axis),
+    SSGI_GL__E(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
+    SSGI_GL__B(accumulate),
+    SSGI_GL__I(bands, 4),
+    SSGI_GL__B(packed),
+    SSGI_GL__E(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
+    SSGI_GL__B(shaded),
+    SSGI_GL__B(residual),
+    SSGI_GL__E(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
+    SSGI_GL__B(lights),
+    SSGI_GL__B(albedo),
+    SSGI_GL__E(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+    SSGI_GL__E(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
+    SSGI_GL__I(levels, 7),
+    SSGI_GL__B(tessellate),
+    SSGI_GL__E(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
+    SSGI_GL__I(span, 64),
+    SSGI_GL__I(near_samples, 16),
+    SSGI_GL__B(axis),
     SSGI_GL__N(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
-    SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"), SSGI_GL__I(filter_radius, 4),
-    SSGI_GL__B(filter_normals), SSGI_GL__B(motion),
-    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT") };
+    SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"),
+    SSGI_GL__I(filter_radius, 4),
+    SSGI_GL__B(filter_normals),
+    SSGI_GL__B(motion),
+    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
+};
+
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
 /* head: after the version, be it ours or not. set: before bindings, NULL where there are none; textures: their first */
-typedef struct ssgi_gl__dialect { const char *name, *version, *head, *set; int textures; } ssgi_gl__dialect;
+typedef struct ssgi_gl__dialect {
+    const char *name, *version, *head, *set;
+    int textures;
+} ssgi_gl__dialect;
+
 #define SSGI_GL__ES \
     "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler2DArray;\n" \
     "precision highp usampler2D;\nprecision highp usampler2DArray;\n"
 static const ssgi_gl__dialect ssgi_gl__dialects[] = {
-    { "330", "#version 330 core\n", "", NULL, 0 }, { "410", "#version 410 core\n", "", NULL, 0 },
-    { "450", "#version 450 core\n", "", "", 0 }, { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
-    { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 }, { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
-    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 } };
-static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset) {
+    { "330", "#version 330 core\n", "", NULL, 0 },
+    { "410", "#version 410 core\n", "", NULL, 0 },
+    { "450", "#version 450 core\n", "", "", 0 },
+    { "300es", "#version 300 es\n", SSGI_GL__ES, NULL, 0 },
+    { "310es", "#version 310 es\n", SSGI_GL__ES, "", 0 },
+    { "320es", "#version 320 es\n", SSGI_GL__ES, "", 0 },
+    { "vulkan", "#version 450\n", "#extension GL_EXT_samplerless_texture_functions : require\n", "set = 0, ", 2 }
+};
+
+static int ssgi_gl__get(const ssgi_gl_desc *d, size_t offset)
+{
     int value;
     memcpy(&value, (const char *)d + offset, sizeof value);
     return value;
 }
+
 static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
+
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
 /* What does not go together, as in #if lines. */
@@ -3323,13 +3451,16 @@ static const char *const ssgi_gl__rules[][2] = {
       "desc.search: only hsao marches; ssdo and s3ho are SSGI_GL_SLICES or _POINTS" },
     { "pass == HSAO && search == SLICES && normal_rays",
       "desc.normal_rays: only SSGI_GL_MARCH has them; slices see above the horizon" },
-    { SSGI_GL__SLICED "layers > 1", "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
+    { SSGI_GL__SLICED "layers > 1",
+      "desc.layers: slices read what is seen and its slabs (desc.thickness); hidden layers "
       "need SSGI_GL_POINTS or _MARCH" },
-    { SSGI_GL__SLICED "views", "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
+    { SSGI_GL__SLICED "views",
+      "desc.views: slices read what is seen and its slabs (desc.thickness); extra cameras need "
       "SSGI_GL_POINTS or _MARCH" },
     { "pass == SSDO && search == SLICES && bounce == PATCH",
       "desc.bounce: patches are those of SSGI_GL_POINTS; slices have SOLID_ANGLE" },
-    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)", "desc.thickness: back faces are "
+    { "(thickness == BACK || thickness == SLABS) && pass < SENDERS && (layers > 1 || views)",
+      "desc.thickness: back faces are "
       "those of one layer and camera; layers and views want SSGI_GL_THICKNESS_CONSTANT or _SOLID" },
     { "world_normals && normal == FROM_DEPTH", "desc.world_normals: normals from depth are in view space" },
     { "half && pass == BLUR && filter == GAUSSIAN", "desc.filter: only SSGI_GL_BILATERAL brings half size to full" },
@@ -3349,9 +3480,11 @@ static const char *const ssgi_gl__rules[][2] = {
     { "pass == SURFELS && dialect == VULKAN",
       "desc.pass: surfels needs transform feedback; for SSGI_GL_VULKAN ssgi_surfels makes them on the CPU" },
     { "tessellate && (pass == SURFELS || pass == SPLAT) && dialect != 410 && dialect != 450 && dialect < 320ES",
-      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" } };
+      "desc.tessellate: needs tessellation shaders: SSGI_GL_410, _450, _320ES or _VULKAN" }
+};
 
-SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why)
+{
     SSGI_GL__THERE(desc);
     for (int i = 0; i < SSGI_GL__FIELDS; ++i) {
         const int value = ssgi_gl__get(desc, ssgi_gl__fields[i].offset);
@@ -3360,30 +3493,42 @@ SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why) {
     for (size_t i = 0; i < sizeof ssgi_gl__rules / sizeof *ssgi_gl__rules; ++i)
         SSGI_GL__CHECK(!ssgi_gl__holds(ssgi_gl__rules[i][0], desc), ssgi_gl__rules[i][1]);
     SSGI_GL__CHECK(!desc->receiver || desc->receiver < desc->layers, "desc.receiver: must be below desc.layers");
-    SSGI_GL__CHECK(desc->fetch || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
-                                                  "sends == CUSTOM", desc),
+    SSGI_GL__CHECK(desc->fetch
+                       || !ssgi_gl__holds("depth == CUSTOM || normal == CUSTOM || objects == CUSTOM || "
+                                          "sends == CUSTOM",
+                                          desc),
                    "desc.fetch: must hold ssgi_custom_depth, _normal, _object, _surfel: what is CUSTOM");
     return SSGI_OK;
 }
 
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i) {
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
+{
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why) {
-    static const struct counts { unsigned char half, samples, directions, steps, rays, faded; } table[5][3] = {
+SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
+{
+    static const struct counts {
+        unsigned char half, samples, directions, steps, rays, faded;
+    } table[5][3] = {
         /* of ssao; slices; march; ssdo and s3ho, whose points along a direction miss less than single ones; lights */
         { { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 }, { 0, 32, 0, 1, 0, 0 } },
         { { 1, 0, 1, 4, 0, 0 }, { 1, 0, 2, 8, 0, 0 }, { 0, 0, 2, 10, 0, 0 } },
         { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
         { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
-        { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } } };
+        { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } }
+    };
+
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
-        return SSGI_OK;                 /* these have no quality settings in the shader */
-    const struct counts *c = table[desc->pass == SSGI_GL_SSAO ? 0 : desc->pass == SSGI_GL_LIGHTS ? 4
-                                 : desc->search == SSGI_GL_SLICES ? 1 : desc->search == SSGI_GL_MARCH ? 2 : 3] + preset;
+        return SSGI_OK; /* these have no quality settings in the shader */
+    const struct counts *c = table[desc->pass == SSGI_GL_SSAO       ? 0
+                                   : desc->pass == SSGI_GL_LIGHTS   ? 4
+                                   : desc->search == SSGI_GL_SLICES ? 1
+                                   : desc->search == SSGI_GL_MARCH  ? 2
+                                                                    : 3]
+                           + preset;
     desc->half = c->half;
     desc->steps = c->steps;
     if (c->samples) {
@@ -3401,7 +3546,8 @@ SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char *
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why)
+{
     static const int passes[] = { 0, SSGI_GL_HSAO, SSGI_GL_SSDO, SSGI_GL_S3HO, SSGI_GL_SPLAT, SSGI_GL_FIELD };
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(plan && plan->method > SSGI_PLAN_NOTHING && plan->method <= SSGI_PLAN_FIELD,
@@ -3424,7 +3570,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
 }
 
 /* So that #if lines need not ask for the pass: s3ho has its transfer's bounce, harmonics where it keeps what is open */
-SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
+SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
+{
     ssgi_gl_desc d = *desc;
     const int pass = d.pass, ssdo = pass == SSGI_GL_SSDO, s3ho = pass == SSGI_GL_S3HO, shade = pass == SSGI_GL_SHADE;
     const int points = pass == SSGI_GL_SSAO || ssdo || s3ho, blur = pass == SSGI_GL_BLUR, splat = pass == SSGI_GL_SPLAT;
@@ -3433,7 +3580,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
     const int reflected = (s3ho || reads) && d.transfer == SSGI_GL_TRANSFER_REFLECTED;
     const int averages = blur || pass == SSGI_GL_HISTORY;
     const int restores = averages && d.colour == SSGI_GL_COLOUR && d.restore && (d.environment || !d.bounce)
-        && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
+                      && d.transfer != SSGI_GL_TRANSFER_REFLECTED;
     if (!d.samples) d.samples = pass == SSGI_GL_LIGHTS ? 8 : 16;
     if (!d.directions) d.directions = d.search == SSGI_GL_MARCH ? 6 : 1;
     if (!d.steps) d.steps = pass == SSGI_GL_HSAO || slices ? 6 : 1;
@@ -3462,7 +3609,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
         || !(shade || restores || (s3ho && d.shaded) || (ssdo && d.environment)))
         d.residual = 0;
     if (!(shade || (restores && !d.shaded)) || d.shading == SSGI_GL_SHADING_BENT) d.lights = 0;
-    if (d.shading && !d.lights && d.bands > 2) d.bands = 2;                 /* a mean direction needs two bands */
+    if (d.shading && !d.lights && d.bands > 2) d.bands = 2; /* a mean direction needs two bands */
     if (surfels && d.shadow == SSGI_GL_SHADOW_FILL) d.shadow = SSGI_GL_SHADOW_MAP;
     if (surfels && d.shadow == SSGI_GL_SHADOW_SEGMENT) d.shadow = SSGI_GL_SHADOW_NONE;
     if (!slices && ((!splat && pass != SSGI_GL_SUM) || d.effect > SSGI_GL_EFFECT_BOUNCE)) d.span = 0;
@@ -3472,32 +3619,45 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc) {
 
 /* ==== >>emit (implementation) ===================================================================================== */
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
-static int ssgi_gl__letter(char c) {
+static int ssgi_gl__letter(char c)
+{
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
-static size_t ssgi_gl__word(const char **s) {           /* after blanks; *s is at its first letter */
+
+static size_t ssgi_gl__word(const char **s)
+{ /* after blanks; *s is at its first letter */
     size_t n = 0;
     while (**s == ' ') ++*s;
     while (ssgi_gl__letter((*s)[n])) ++n;
     return n;
 }
-static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length) {
+
+static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t length)
+{
     for (int i = 0; i < SSGI_GL__FIELDS; ++i)
         if (!strncmp(ssgi_gl__fields[i].name, name, length) && !ssgi_gl__fields[i].name[length])
             return &ssgi_gl__fields[i];
     return NULL;
 }
-static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length) {       /* -1: there is none */
+
+static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
+{ /* -1: there is none */
     const char *s = field->values;
     size_t n;
     int value = 0;
-    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n) if (n == length && !memcmp(s, name, n)) return value;
+    for (; (n = ssgi_gl__word(&s)) != 0; ++value, s += n)
+        if (n == length && !memcmp(s, name, n)) return value;
     for (value = 0; length && *name >= '0' && *name <= '9'; --length) value = 10 * value + *name++ - '0';
     return length ? -1 : value;
 }
-static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
+
+static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d)
+{
     size_t n = ssgi_gl__word(s);
-    if (**s == '!') { ++*s; return !ssgi_gl__operand(s, d); }
+    if (**s == '!') {
+        ++*s;
+        return !ssgi_gl__operand(s, d);
+    }
     if (**s == '(') {
         const int inner = (++*s, ssgi_gl__any(s, d));
         ssgi_gl__word(s);
@@ -3517,7 +3677,9 @@ static int ssgi_gl__operand(const char **s, const ssgi_gl_desc *d) {
     *s += n;
     return sign == '=' ? value == other : sign == '!' ? value != other : sign == '<' ? value < other : value > other;
 }
-static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
+
+static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
+{
     int any = 0, all = ssgi_gl__operand(s, d);
     for (;;) {
         const char sign = (char)(ssgi_gl__word(s), **s);
@@ -3529,10 +3691,16 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d) {
 }
 
 /* ---- the lines of a function that a desc keeps; state: of each #if around: '+' kept, '-' not yet, '.' no more */
-typedef struct ssgi_gl__reader { const char *at; const ssgi_gl_desc *d; int line, depth; char state[8];
+typedef struct ssgi_gl__reader {
+    const char *at;
+    const ssgi_gl_desc *d;
+    int line, depth;
+    char state[8];
 } ssgi_gl__reader;
+
 /* The next line that is kept, without its newline and guard; NULL after the last. */
-static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
+static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
+{
     while (*r->at) {
         const char *line = r->at, *end = strchr(line, '\n'), *guard, *s;
         char *state = &r->state[r->depth ? r->depth - 1 : 0];
@@ -3541,7 +3709,7 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
         if (*line != '#') {
             if (r->depth && *state != '+') continue;
             guard = (const char *)memchr(line, '#', (size_t)(end - line));
-            if (guard) {                        /* ".. // #if" */
+            if (guard) { /* ".. // #if" */
                 s = guard + 3;
                 if (!ssgi_gl__any(&s, r->d)) continue;
                 end = guard - 4;
@@ -3549,13 +3717,12 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
             *length = (size_t)(end - line);
             return line;
         }
-        if (line[1] == 'i') {                   /* #if */
+        if (line[1] == 'i') { /* #if */
             const int kept = !r->depth || *state == '+';
             s = line + 3;
             r->state[r->depth++] = kept ? ssgi_gl__any(&s, r->d) ? '+' : '-' : '.';
-        } else if (line[2] == 'n') --r->depth;  /* #endif */
-        else {                                  /* #elif, #else */
-            s = line + 5;
+        } else if (line[2] == 'n') --r->depth; /* #endif */
+        else { /* #elif, #else */ s = line + 5;
             *state = *state != '-' ? '.' : line[3] == 's' || ssgi_gl__any(&s, r->d) ? '+' : '-';
         }
     }
@@ -3563,24 +3730,36 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length) {
 }
 
 /* ---- linking: what is named in what is kept */
-typedef struct ssgi_gl__names { const char *at[512]; unsigned char length[512], custom; } ssgi_gl__names;
-static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add) {
+typedef struct ssgi_gl__names {
+    const char *at[512];
+    unsigned char length[512], custom;
+} ssgi_gl__names;
+
+static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
+{
     uint32_t h = 2166136261u;
     size_t i;
     for (i = 0; i < length; ++i) h = (h ^ (unsigned char)s[i]) * 16777619u;
     for (h ^= h >> 15;; ++h) {
         const char **at = &names->at[h % 512];
-        if (!*at && add) { *at = s; names->length[h % 512] = (unsigned char)length; }
+        if (!*at && add) {
+            *at = s;
+            names->length[h % 512] = (unsigned char)length;
+        }
         if (!*at) return 0;
         if (names->length[h % 512] == length && !memcmp(*at, s, length)) return 1;
     }
 }
 
 /* Adds our names in a line of GLSL: ssgi_*, SSGI_*, and u_ssgi_* and the like; not those in comments. */
-static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end) {
+static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
+{
     while (s < end && !(s[0] == '/' && s[1] == '/')) {
         const char *from = s;
-        if (!ssgi_gl__letter(*s)) { ++s; continue; }
+        if (!ssgi_gl__letter(*s)) {
+            ++s;
+            continue;
+        }
         while (ssgi_gl__letter(*s)) ++s;
         if (s - from < 6 || (memcmp(from, "ssgi_", 5) && memcmp(from, "SSGI_", 5) && memcmp(from + 1, "_ssgi", 5)))
             continue;
@@ -3589,9 +3768,13 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
     }
 }
 
-typedef struct ssgi_gl__stage { unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch; } ssgi_gl__stage;
+typedef struct ssgi_gl__stage {
+    unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch;
+} ssgi_gl__stage;
+
 /* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
-static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots) {
+static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
+{
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
     ssgi_gl__names names;
     size_t n;
@@ -3611,14 +3794,19 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
         if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
-    stage->fetch = (unsigned char)(names.custom << decodes);        /* 2: your text calls ssgi_decode */
+    stage->fetch = (unsigned char)(names.custom << decodes); /* 2: your text calls ssgi_decode */
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
-typedef struct ssgi_gl__program { ssgi_gl_desc d; const ssgi_gl__pass *pass; ssgi_gl__stage stage[SSGI_GL_STAGES];
+typedef struct ssgi_gl__program {
+    ssgi_gl_desc d;
+    const ssgi_gl__pass *pass;
+    ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
+
 /* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
-static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage) {
+static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
+{
     memset(p, 0, sizeof *p);
     p->d = ssgi_gl_resolve(desc);
     for (const ssgi_gl__pass *pass = ssgi_gl__passes; pass < ssgi_gl__passes + SSGI_GL__VARIANTS; ++pass)
@@ -3630,18 +3818,23 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
 }
 
 /* What Vulkan calls otherwise: a word, or the word itself. */
-static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length) {
-    static const char *const words[][2] = {
-        { "gl_InstanceID", "gl_InstanceIndex" }, { "sampler2DArray", "texture2DArray" }, { "usampler2D", "utexture2D" },
-        { "gl_VertexID", "gl_VertexIndex" }, { "sampler2D", "texture2D" }, { "usampler2DArray", "utexture2DArray" },
-        { "sampler2DMS", "texture2DMS" } };
+static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
+{
+    static const char *const words[][2] = { { "gl_InstanceID", "gl_InstanceIndex" },
+                                            { "sampler2DArray", "texture2DArray" },
+                                            { "usampler2D", "utexture2D" },
+                                            { "gl_VertexID", "gl_VertexIndex" },
+                                            { "sampler2D", "texture2D" },
+                                            { "usampler2DArray", "utexture2DArray" },
+                                            { "sampler2DMS", "texture2DMS" } };
     for (size_t i = 0; i < sizeof words / sizeof *words && dialect == SSGI_GL_VULKAN; ++i)
         if (!strncmp(words[i][0], word, length) && !words[i][0][length]) return words[i][1];
     return word;
 }
 
 /* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
-static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity) {
+static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
+{
     int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
     for (int i = 0; i < SSGI_GL__ROWS && stage < SSGI_GL_STAGES; ++i)
         if (p->stage[stage].row[i] && ssgi_gl__rows[i].io.kind == SSGI_GL_PARAM) block[ssgi_gl__rows[i].io.slot] = 1;
@@ -3650,12 +3843,14 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
         int used = 0;
         for (int s = 0; s < SSGI_GL_STAGES; ++s) used |= p->stage[s].row[i];
         if (!used) continue;
-        if (io.kind == SSGI_GL_CONSTANT) { io.slot = ssgi_gl__get(&p->d, io.offset); io.offset = 0; }
-        else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
+        if (io.kind == SSGI_GL_CONSTANT) {
+            io.slot = ssgi_gl__get(&p->d, io.offset);
+            io.offset = 0;
+        } else if (io.kind != SSGI_GL_PARAM && io.kind != SSGI_GL_TEXTURE) io.slot = slots[io.kind]++;
         else if (io.kind == SSGI_GL_TEXTURE && ssgi_gl__rows[i].bytes && p->d.array)
             io.type = *io.type == 'u' ? "usampler2DArray" : "sampler2DArray";
         if (io.kind == SSGI_GL_CAPTURE && p->pass->mains[SSGI_GL_GEOMETRY] && stage >= SSGI_GL_GEOMETRY)
-            continue;                           /* between stages: captured is what leaves the last */
+            continue; /* between stages: captured is what leaves the last */
         if (stage < SSGI_GL_STAGES && !(io.kind == SSGI_GL_PARAM ? block[io.slot] : p->stage[stage].row[i])) continue;
         io.type = ssgi_gl__word_of(p->d.dialect, io.type, strlen(io.type));
         if (n++ < capacity) out[n - 1] = io;
@@ -3664,8 +3859,14 @@ static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *ou
 }
 
 /* ---- printing: a sink that writes, measures and hashes */
-typedef struct ssgi_gl__text { char *out; size_t capacity, length; uint64_t hash; } ssgi_gl__text;
-static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n) {
+typedef struct ssgi_gl__text {
+    char *out;
+    size_t capacity, length;
+    uint64_t hash;
+} ssgi_gl__text;
+
+static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
+{
     for (; n; --n, ++s, ++t->length) {
         if (t->length + 1 < t->capacity) t->out[t->length] = *s;
         t->hash = (t->hash ^ (uint64_t)(unsigned char)*s) * 1099511628211u;
@@ -3673,7 +3874,8 @@ static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n) {
 }
 
 /* printf with %s, %d, and %f of 7 decimals [limit: below 100]; by integers, for the C library's follow the locale. */
-static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...) {
+static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
+{
     va_list args;
     va_start(args, format);
     for (; *format; ++format) {
@@ -3701,7 +3903,8 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...) {
 }
 
 /* A uniform block: members in the order of its struct, which the rows have, gaps where this pass reads nothing. */
-static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set) {
+static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
+{
     size_t at = 0;
     int gaps = 0, k;
     for (int i = 0; i < n; ++i) {
@@ -3724,7 +3927,8 @@ static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, 
 }
 
 /* The points of SSAO, as ssgi_kernel makes them. */
-static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples) {
+static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
+{
     float k[4 * 64];
     ssgi_kernel(k, 1, samples, NULL);
     ssgi_gl__print(t, "const vec4 SSGI_KERNEL[%d] = vec4[%d](", samples, samples);
@@ -3735,7 +3939,8 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples) {
 }
 
 /* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
-static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2]) {
+static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
+{
     const char *const line = s, *const end = s + length, *name = s, *word;
     int between = ssgi_gl__letter(*s), *at = &place[!strncmp(s, "in ", 3) || !strncmp(s + strcspn(s, " "), " in ", 4)];
     while (between && strncmp(name, "v_ssgi_", 7)) between = ++name < end;
@@ -3752,36 +3957,39 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
 }
 
 /* The kept functions, in the order of the library. */
-static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d) {
+static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
+{
     int place[2] = { 0, 0 };
-    for (int i = 0; i < SSGI_GL__CODES; ++i) if (stage->code[i]) {
-        ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
-        const char *line;
-        size_t n;
-        int last = -1;
-        ssgi_gl__print(t, "\n");
-        while ((line = ssgi_gl__next(&r, &n)) != NULL) {
-            const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
-            if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
-            last = r.line;
-            for (;;) {
-                const size_t part = yours && yours < line + n ? (size_t)(yours - line) : n;
-                if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
-                else ssgi_gl__put(t, line, part);
-                if (part == n) break;
-                ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
-                n -= part + 19;                         /* ", p + u_ssgi_origin" */
-                line = yours + 19;
-                yours = NULL;
+    for (int i = 0; i < SSGI_GL__CODES; ++i)
+        if (stage->code[i]) {
+            ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
+            const char *line;
+            size_t n;
+            int last = -1;
+            ssgi_gl__print(t, "\n");
+            while ((line = ssgi_gl__next(&r, &n)) != NULL) {
+                const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
+                if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
+                last = r.line;
+                for (;;) {
+                    const size_t part = yours && yours < line + n ? (size_t)(yours - line) : n;
+                    if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+                    else ssgi_gl__put(t, line, part);
+                    if (part == n) break;
+                    ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
+                    n -= part + 19; /* ", p + u_ssgi_origin" */
+                    line = yours + 19;
+                    yours = NULL;
+                }
+                ssgi_gl__put(t, "\n", 1);
             }
-            ssgi_gl__put(t, "\n", 1);
+            if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
         }
-        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
-    }
 }
 
-static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage) {
-    static const char *const words[] = { "uniform", "", "out", "", "in", "out" };          /* by kind */
+static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
+{
+    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
     const char *version = d->version ? d->version : dialect->version;
@@ -3809,12 +4017,14 @@ static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stag
     ssgi_gl__print_codes(t, &p->stage[stage], d);
 }
 
-static size_t ssgi_gl__end(ssgi_gl__text *t) {
+static size_t ssgi_gl__end(ssgi_gl__text *t)
+{
     if (t->capacity) t->out[t->length < t->capacity ? t->length : t->capacity - 1] = 0;
     return t->length;
 }
 
-SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage) {
+SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *desc, int stage)
+{
     ssgi_gl__program p;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || stage < 0 || stage >= SSGI_GL_STAGES || (!out && capacity)) return 0;
@@ -3823,22 +4033,25 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 }
 
 /* Functions alone, and the samplers that they read. */
-static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots) {
+static size_t ssgi_gl__functions(char *out, size_t capacity, const ssgi_gl_desc *d, const char *roots)
+{
     ssgi_gl__stage stage;
     ssgi_gl__text t = { out, capacity, 0, 0 };
     const ssgi_gl__dialect *const in = &ssgi_gl__dialects[d->dialect];
     ssgi_gl__link(&stage, d, roots);
-    for (int i = 0; i < SSGI_GL__ROWS; ++i) if (stage.row[i]) {
-        const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
-        if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
-        ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
-        ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
-    }
+    for (int i = 0; i < SSGI_GL__ROWS; ++i)
+        if (stage.row[i]) {
+            const ssgi_gl_io *io = &ssgi_gl__rows[i].io;
+            if (in->textures) ssgi_gl__print(&t, "layout(%sbinding = %d) ", in->set, io->slot + in->textures);
+            ssgi_gl__print(&t, "uniform highp %s ", ssgi_gl__word_of(d->dialect, io->type, strlen(io->type)));
+            ssgi_gl__print(&t, "%s; // %s\n", io->name, io->format);
+        }
     ssgi_gl__print_codes(&t, &stage, d);
     return ssgi_gl__end(&t);
 }
 
-SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands) {
+SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands)
+{
     ssgi_gl_desc d;
     if (bands < 1 || bands > 4 || (!out && capacity)) return 0;
     memset(&d, 0, sizeof d);
@@ -3846,7 +4059,8 @@ SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands) {
     return ssgi_gl__functions(out, capacity, &d, "SSGI_COSINE ssgi_sh_zonal ssgi_sh_add ssgi_sh_dot ssgi_sh_turn");
 }
 
-SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc) {
+SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc)
+{
     ssgi_gl_desc d;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!out && capacity)) return 0;
     d = *desc;
@@ -3855,38 +4069,48 @@ SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *de
     return ssgi_gl__functions(out, capacity, &d, "ssgi_field_visibility");
 }
 
-SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity) {
+SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity)
+{
     ssgi_gl__program p;
     if (ssgi_gl_check(desc, NULL) != SSGI_OK || (!rows && capacity > 0)) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
     return ssgi_gl__collect(&p, SSGI_GL_STAGES, rows, capacity);
 }
-SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i) {
+
+SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i)
+{
     int k = 0, n = 0;
     while (k < SSGI_GL__ROWS && (ssgi_gl__rows[k].io.kind != SSGI_GL_PARAM || n++ != i)) ++k;
     return k < SSGI_GL__ROWS ? &ssgi_gl__rows[k].io : NULL;
 }
 
-SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc) {
+SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc)
+{
     ssgi_gl__program p;
-    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u };         /* FNV-1a over the very texts */
+    ssgi_gl__text t = { NULL, 0, 0, 14695981039346656037u }; /* FNV-1a over the very texts */
     if (ssgi_gl_check(desc, NULL) != SSGI_OK) return 0;
     ssgi_gl__link_all(&p, desc, SSGI_GL_STAGES);
-    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage) if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
+    for (int stage = 0; stage < SSGI_GL_STAGES; ++stage)
+        if (p.pass->mains[stage]) ssgi_gl__write(&t, &p, stage);
     return t.hash;
 }
 
-SSGI_DEF const char *ssgi_gl_pass_name(int pass) {
-    for (int i = 0; i < SSGI_GL__VARIANTS; ++i) if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
+SSGI_DEF const char *ssgi_gl_pass_name(int pass)
+{
+    for (int i = 0; i < SSGI_GL__VARIANTS; ++i)
+        if (ssgi_gl__passes[i].pass == pass) return ssgi_gl__passes[i].name;
     return NULL;
 }
-SSGI_DEF const char *ssgi_gl_dialect_name(int dialect) {
+
+SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
+{
     return dialect >= 0 && dialect < SSGI_GL_DIALECTS ? ssgi_gl__dialects[dialect].name : NULL;
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
 /* Whether all are finite and none is larger than the most [limit: >= 0]; by the bits, which -ffast-math leaves. */
-static int ssgi_gl__within(const float *v, int count, float most) {
+static int ssgi_gl__within(const float *v, int count, float most)
+{
     uint32_t limit, bits;
     memcpy(&limit, &most, sizeof limit);
     for (; count > 0; ++v, --count) {
@@ -3895,10 +4119,13 @@ static int ssgi_gl__within(const float *v, int count, float most) {
     }
     return 1;
 }
+
 static int ssgi_gl__above(float x) { return ssgi_gl__within(&x, 1, SSGI_FAR) && x > 0.0f; }
+
 #define SSGI_GL__MATRIX(m) SSGI_GL__CHECK(ssgi_gl__within(m, 16, SSGI_FAR), #m ": must be finite")
 
-SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why)
+{
     ssgi_gl_frame f;
     SSGI_GL__THERE(frame);
     SSGI_GL__VIEW(view);
@@ -3930,7 +4157,8 @@ SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
-                                         int levels, const float *mesh_to_view, const char **why) {
+                                         int levels, const float *mesh_to_view, const char **why)
+{
     float scale[4];
     int size[2] = { 0, 0 };
     SSGI_GL__THERE(frame);
@@ -3945,8 +4173,11 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
 }
 
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
-    const ssgi_gl_light *lights, int light_count, const float sky[3], const char **why) {
-    enum { BINS = 256 };                            /* of what is sent, below the most */
+                                      const ssgi_gl_light *lights, int light_count, const float sky[3],
+                                      const char **why)
+{
+    enum { BINS = 256 }; /* of what is sent, below the most */
+
     const double octave = 8.0;
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
     int b, c;
@@ -3956,7 +4187,7 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     SSGI_GL__CHECK(light_count >= 0, "light_count: must be 0 or more");
     SSGI_GL__CHECK(!sky || (ssgi_gl__within(sky, 3, SSGI_FAR) && sky[0] >= 0.0f && sky[1] >= 0.0f && sky[2] >= 0.0f),
                    "sky: must be 0 or more and finite");
-    for (size_t i = 0; i < count; ++i)                  /* position to colour */
+    for (size_t i = 0; i < count; ++i) /* position to colour */
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&surfels[i], 11, SSGI_FAR), "surfels: must be finite");
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
@@ -3993,7 +4224,10 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
                 sent = light[c] > sent ? light[c] : sent;
             }
             if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
-            if (!pass) { most = sent > most ? sent : most; continue; }
+            if (!pass) {
+                most = sent > most ? sent : most;
+                continue;
+            }
             b = (int)(octave * log2(most / sent));
             sent *= (double)s->radius * (double)s->radius;
             sum[b < BINS ? b : BINS - 1] += sent;
@@ -4005,7 +4239,8 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     return SSGI_OK;
 }
 
-SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why) {
+SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why)
+{
     float scaled[16] = { 0 };
     SSGI_GL__CHECK(frame && dipole, "frame, dipole: must not be NULL");
     SSGI_GL__CHECK(ssgi_gl__above(unit), "unit: must be > 0 and finite");
@@ -4013,7 +4248,7 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
         scaled[c] = (float)dipole->z_r[c] * unit;
         scaled[4 + c] = (float)dipole->z_v[c] * unit;
         scaled[8 + c] = (float)dipole->sigma_tr[c] / unit;
-        scaled[12 + c] = 0.25f * (float)dipole->albedo[c];              /* pi r^2 over 4 pi */
+        scaled[12 + c] = 0.25f * (float)dipole->albedo[c]; /* pi r^2 over 4 pi */
     }
     SSGI_GL__CHECK(ssgi_gl__within(scaled, 16, SSGI_FAR), "dipole: must be finite, also times and over unit");
     memcpy(frame->dipole, scaled, sizeof scaled);
@@ -4021,7 +4256,8 @@ SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole 
 }
 
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
-                                           const float *world_to_view, const char **why) {
+                                           const float *world_to_view, const char **why)
+{
     float turned[48] = { 0 };
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(coefficients);
@@ -4035,10 +4271,12 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
 }
 
 /* a * b of two rigid world-to-view matrices: a after the inverse of b */
-static void ssgi_gl__relative(double out[16], const float a[16], const float b[16]) {
+static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
+{
     memset(out, 0, 16 * sizeof *out);
-    for (int c = 0; c < 3; ++c) for (int r = 0; r < 3; ++r) for (int k = 0; k < 3; ++k)
-        out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            for (int k = 0; k < 3; ++k) out[4 * c + r] += (double)a[4 * k + r] * (double)b[4 * k + c];
     for (int r = 0; r < 3; ++r) {
         out[12 + r] = (double)a[12 + r];
         for (int c = 0; c < 3; ++c) out[12 + r] -= out[4 * c + r] * (double)b[12 + c];
@@ -4048,7 +4286,8 @@ static void ssgi_gl__relative(double out[16], const float a[16], const float b[1
 /* Column-major: a point of the main camera's view space to x, y (pixels, times depth when perspective), view depth, 1
    of another camera; and back. */
 static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_view *view, const float *main_view,
-                                      const float *other, const char **why) {
+                                      const float *other, const char **why)
+{
     double m[16], b[16];
     SSGI_GL__VIEW(view);
     SSGI_GL__CHECK(main_view, "main_world_to_view: must not be NULL");
@@ -4063,7 +4302,7 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
         to[4 * c + 2] = (float)z;
         to[4 * c + 3] = c == 3 ? 1.0f : 0.0f;
     }
-    for (int r = 0; r < 4; ++r) {   /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
+    for (int r = 0; r < 4; ++r) { /* view xy = pixel * unproject.xy + unproject.zw, the latter times depth or not */
         const double shift = b[r] * (double)view->unproject[2] + b[4 + r] * (double)view->unproject[3];
         from[r] = (float)(b[r] * (double)view->unproject[0]);
         from[4 + r] = (float)(b[4 + r] * (double)view->unproject[1]);
@@ -4073,16 +4312,21 @@ static ssgi_result ssgi_gl__to_pixels(float to[16], float from[16], const ssgi_v
     return SSGI_OK;
 }
 
-static void ssgi_gl__decode(float decode[4], const ssgi_view *view) {
+static void ssgi_gl__decode(float decode[4], const ssgi_view *view)
+{
     memcpy(decode, view->depth, sizeof view->depth);
     decode[2] = view->clear;
     decode[3] = (float)view->orthographic;
 }
+
 #define SSGI_GL__STRAIGHT(view) \
     SSGI_GL__CHECK(!(view) || ((view)->oblique[0] == 0.0f && (view)->oblique[1] == 0.0f), \
                    "view: its near plane must not be oblique; only the picture's may be")
+
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
-    const float main_world_to_view[16], const float extra_world_to_view[16], const char **why) {
+                                       const float main_world_to_view[16], const float extra_world_to_view[16],
+                                       const char **why)
+{
     SSGI_GL__THERE(views);
     SSGI_GL__CHECK(i >= 0 && i <= 3, "i: must be 0..3");
     SSGI_GL__THERE(extra_world_to_view);
@@ -4095,7 +4339,9 @@ SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_v
 }
 
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
-    const float main_world_to_view[16], const float last_world_to_view[16], const char **why) {
+                                           const float main_world_to_view[16], const float last_world_to_view[16],
+                                           const char **why)
+{
     float to[16], from[16];
     SSGI_GL__THERE(frame);
     SSGI_GL__THERE(last_world_to_view);
@@ -4108,12 +4354,15 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
     return SSGI_OK;
 }
 
-SSGI_DEF float ssgi_gl_phase(uint32_t k) {
-    return (float)((k * 2654435769u) >> 8) / 16777216.0f;       /* the golden ratio's multiples, less the whole */
+SSGI_DEF float ssgi_gl_phase(uint32_t k)
+{
+    return (float)((k * 2654435769u) >> 8) / 16777216.0f; /* the golden ratio's multiples, less the whole */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
-    const float main_world_to_view[16], const float light_world_to_view[16], const char **why) {
+                                       const float main_world_to_view[16], const float light_world_to_view[16],
+                                       const char **why)
+{
     float to[16], from[16];
     SSGI_GL__THERE(light);
     SSGI_GL__CHECK(x >= 0 && y >= 0, "x: the tile must lie in the atlas, x and y >= 0");
@@ -4129,7 +4378,9 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
 }
 
 SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi_field *field,
-    const ssgi_field_limits *limits, const float mesh_to_view[16], int slice, int object, const char **why) {
+                                          const ssgi_field_limits *limits, const float mesh_to_view[16], int slice,
+                                          int object, const char **why)
+{
     ssgi_field_limits l;
     ssgi_gl_occluder c;
     double square[3] = { 0.0, 0.0, 0.0 }, across[3] = { 0.0, 0.0, 0.0 };
@@ -4142,7 +4393,8 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
     SSGI_GL__CHECK(object >= 0 && object <= 16777215, "object: must be 0..16777215");
     l = limits ? *limits : ssgi_field_limits_of(field);
     SSGI_GL__CHECK(ssgi_gl__within(&l.ramp, 1, SSGI_FAR) && ssgi_gl__within(&l.reach, 1, SSGI_FAR)
-                   && ssgi_gl__within(&l.inside, 1, SSGI_FAR), "limits: must be finite");
+                       && ssgi_gl__within(&l.inside, 1, SSGI_FAR),
+                   "limits: must be finite");
     SSGI_GL__CHECK(l.ramp >= 0.0f && l.ramp < l.reach && l.reach <= field->reach * 1.000001f,
                    "limits.reach: must be above limits.ramp >= 0, and at most field->reach");
     SSGI_GL__CHECK(l.inside >= 0.0f && l.inside <= 1.0f, "limits.inside: must be 0..1");
@@ -4155,10 +4407,10 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
         }
     for (int i = 0; i < 3; ++i)
         SSGI_GL__CHECK(square[i] > 1e-30 && square[i] < 1.002 * square[0] && square[i] > 0.998 * square[0]
-                       && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
+                           && across[i] < 1e-3 * square[0] && across[i] > -1e-3 * square[0],
                        "mesh_to_view: must be a rotation, a translation and a uniform scale");
     memset(&c, 0, sizeof c);
-    for (int i = 0; i < 3; ++i) {       /* the inverse: transposed over the squared scale */
+    for (int i = 0; i < 3; ++i) { /* the inverse: transposed over the squared scale */
         double shift = -(double)field->centre[i];
         c.at[i] = m[12 + i];
         for (int k = 0; k < 3; ++k) {
@@ -4181,15 +4433,22 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
-static const ssgi_gl_format ssgi_gl__formats[] = {      /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
-    { "R16F", 0x822d, 0x1903, 0x140b, 2 }, { "R32F", 0x822e, 0x1903, 0x1406, 4 },
-    { "R32UI", 0x8236, 0x8d94, 0x1405, 4 }, { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
-    { "RG32F", 0x8230, 0x8227, 0x1406, 8 }, { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
-    { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 }, { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
-    { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 }, { "R8", 0x8229, 0x1903, 0x1401, 1 } };
+static const ssgi_gl_format ssgi_gl__formats[] = { /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
+                                                   { "R16F", 0x822d, 0x1903, 0x140b, 2 },
+                                                   { "R32F", 0x822e, 0x1903, 0x1406, 4 },
+                                                   { "R32UI", 0x8236, 0x8d94, 0x1405, 4 },
+                                                   { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
+                                                   { "RG32F", 0x8230, 0x8227, 0x1406, 8 },
+                                                   { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
+                                                   { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 },
+                                                   { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
+                                                   { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 },
+                                                   { "R8", 0x8229, 0x1903, 0x1401, 1 }
+};
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
-    "depth", "layers", "back", "views", "normal", "albedo", "normal", "albedo", "direct", "noise", "kernel",
-    "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient" };
+    "depth",  "layers",      "back",       "views",  "normal", "albedo",    "normal", "albedo",  "direct", "noise",
+    "kernel", "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
+};
 
 /* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none;
    picture: a step has drawn onto yours. */
@@ -4197,10 +4456,17 @@ typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
     ssgi_gl_step *steps, spare;
     int capacity, count, textures, names, light, bounce, picture;
-    struct { const char *name; int texture; } written[32];
+
+    struct {
+        const char *name;
+        int texture;
+    } written[32];
+
     const char *why;
 } ssgi_gl__build;
-static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
+
+static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
+{
     int i = 0;
     while (i < b->names && strcmp(b->written[i].name, name)) ++i;
     if (i == b->names) {
@@ -4211,7 +4477,8 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name) {
     return &b->written[i].texture;
 }
 
-static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out) {
+static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
+{
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
     const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
     const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
@@ -4225,7 +4492,8 @@ static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const s
 }
 
 /* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
-static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame) {
+static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
+{
     /* multiply, add, subtract */
     static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
     const int field = pass == SSGI_GL_FIELD, splat = pass == SSGI_GL_SPLAT, surfels = pass == SSGI_GL_SURFELS;
@@ -4258,9 +4526,12 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     s->clear = field || splat;
     s->clear_to = (float)field;
     if (s->clear || d.onto)
-        memcpy(s->blend, blend[splat || (d.onto && d.colour) ? 1 : d.onto == SSGI_GL_ONTO_AMBIENT ? 2 : 0],
+        memcpy(s->blend,
+               blend[splat || (d.onto && d.colour)    ? 1
+                     : d.onto == SSGI_GL_ONTO_AMBIENT ? 2
+                                                      : 0],
                sizeof s->blend);
-    for (int i = 0; i < rows; ++i) {                    /* textures come before the outputs of their names */
+    for (int i = 0; i < rows; ++i) { /* textures come before the outputs of their names */
         ssgi_gl_input *in = &s->input[s->inputs];
         ssgi_gl_output *out = &s->output[s->outputs];
         const char *const name = row[i].name + 7, end = row[i].type[strlen(row[i].type) - 1];
@@ -4269,7 +4540,7 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
             ++s->inputs;
             in->name = row[i].name;
             in->type = row[i].type;
-            in->unit = row[i].slot;                     /* GL_TEXTURE_2D_ARRAY, _2D_MULTISAMPLE, _2D */
+            in->unit = row[i].slot; /* GL_TEXTURE_2D_ARRAY, _2D_MULTISAMPLE, _2D */
             in->target = end == 'y' ? 0x8c1a : end == 'S' ? 0x9100 : 0x0de1;
             while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
             if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
@@ -4277,16 +4548,18 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
                 in->height = b->chain->height;
             }
             in->last = pass == SSGI_GL_HISTORY && m == SSGI_GL_YOURS && (*name == 'h' || *name == 'm');
-            in->texture = in->last ? b->textures + (*name == 'm')           /* its own, which are numbered next */
-                        : m == SSGI_GL_YOURS ? *ssgi_gl__texture(b, name) : -1;     /* -1: what is written later */
-            in->meaning = m == SSGI_GL_YOURS ? -1
-                        : d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO) ? m + 2 : m;
+            in->texture = in->last           ? b->textures + (*name == 'm') /* its own, which are numbered next */
+                        : m == SSGI_GL_YOURS ? *ssgi_gl__texture(b, name)
+                                             : -1; /* -1: what is written later */
+            in->meaning = m == SSGI_GL_YOURS                                                   ? -1
+                        : d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO) ? m + 2
+                                                                                               : m;
         } else if (row[i].kind == SSGI_GL_OUTPUT) {
             ++s->outputs;
             out->name = row[i].name;
             out->format = d.onto ? NULL : ssgi_gl__format(b->chain, &d, &row[i]);
             out->kept = pass == SSGI_GL_HISTORY;
-            if (pass == SSGI_GL_SENDERS) continue;      /* a slice of what all of them write */
+            if (pass == SSGI_GL_SENDERS) continue; /* a slice of what all of them write */
             out->texture = d.onto ? -1 : b->textures++;
             b->picture |= d.onto != SSGI_GL_ONTO_NONE;
             *ssgi_gl__texture(b, name) = out->texture;
@@ -4296,12 +4569,13 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
 }
 
 /* What was last written under that name is averaged over frames and filtered, if at all: the texture that holds it. */
-static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name) {
+static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
+{
     const int grey = !strcmp(name, "ao");
     int *const held = ssgi_gl__texture(b, grey ? "ao" : "light");
     ssgi_gl_desc d = *of;
     d.colour = grey ? SSGI_GL_GREY : SSGI_GL_COLOUR;
-    d.filter_normals |= !strcmp(name, "bounce");        /* it differs across creases, and nothing restores it */
+    d.filter_normals |= !strcmp(name, "bounce"); /* it differs across creases, and nothing restores it */
     *held = *ssgi_gl__texture(b, name);
     if (b->chain->history) ssgi_gl__add(b, &d, SSGI_GL_HISTORY, 0);
     if (b->chain->blur) ssgi_gl__add(b, &d, SSGI_GL_BLUR, 0);
@@ -4309,7 +4583,8 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
 }
 
 /* Your lights over what `light` holds, -1: nothing. */
-static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame) {
+static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
+{
     ssgi_gl_desc d = *lights;
     if (d.pass != SSGI_GL_LIGHTS) return light;
     d.accumulate = light >= 0;
@@ -4318,26 +4593,28 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
 }
 
 /* The desc for a layer of a camera, -1: the main one. */
-static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer) {
+static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
+{
     ssgi_gl_desc d = *desc;
     d.receiver = layer;
     if (camera < 0 && !layer) return d;
-    d.normal = SSGI_GL_NORMAL_SIGNED;                   /* depth gives those of what is seen alone */
-    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0;       /* nothing filters it */
+    d.normal = SSGI_GL_NORMAL_SIGNED;                     /* depth gives those of what is seen alone */
+    if (d.pass != SSGI_GL_LIGHTS) d.half = d.restore = 0; /* nothing filters it */
     if (camera < 0) return d;
-    d.views = d.orthographic = d.depth = 0;             /* hardware depth */
+    d.views = d.orthographic = d.depth = 0; /* hardware depth */
     d.layers = b->chain->desc.view_layers;
     return d;
 }
 
-static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance) {
+static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance)
+{
     const ssgi_gl_desc *const of = &b->chain->desc;
     const int layers = camera < 0 ? of->layers : of->view_layers, slices = layers ? layers : 1;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, of, camera, layer);
     int *held = ssgi_gl__texture(b, camera < 0 ? "senders" : "view_senders");
     ssgi_gl_output *out;
     d.radiance = radiance;
-    d.world_normals |= camera >= 0;                     /* that camera's view space to yours */
+    d.world_normals |= camera >= 0; /* that camera's view space to yours */
     out = ssgi_gl__add(b, &d, SSGI_GL_SENDERS, camera < 0 ? 0 : 2 + 2 * camera)->output;
     if (*held < 0) *held = b->textures++;
     out->texture = *held;
@@ -4346,7 +4623,8 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance
 }
 
 /* What lights a layer of a camera at once, -1: nothing does. */
-static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer) {
+static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
+{
     const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
     const int frame = camera < 0 ? 0 : 1 + 2 * camera;
     ssgi_gl_desc d = ssgi_gl__seen_by(b, &b->chain->desc, camera, layer);
@@ -4358,7 +4636,8 @@ static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer) {
 }
 
 /* Senders that the picture does not show: lit in their own camera's picture, or behind the first layer. */
-static void ssgi_gl__hidden(ssgi_gl__build *b) {
+static void ssgi_gl__hidden(ssgi_gl__build *b)
+{
     const ssgi_gl_desc *d = &b->chain->desc;
     const int view_layers = d->view_layers ? d->view_layers : 1, albedo = d->pass == SSGI_GL_S3HO;
     const int first = d->views * view_layers, last = first + (d->layers ? d->layers - 1 : 0);
@@ -4372,7 +4651,8 @@ static void ssgi_gl__hidden(ssgi_gl__build *b) {
     }
 }
 
-static void ssgi_gl__ssdo(ssgi_gl__build *b) {
+static void ssgi_gl__ssdo(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     const int both = chain->direct ? SSGI_GL_RADIANCE_BOTH : SSGI_GL_RADIANCE_LIGHT;
     ssgi_gl_desc d = chain->desc;
@@ -4389,7 +4669,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b) {
     }
     b->light = ssgi_gl__direct(b, -1, 0);
     if (d.bounce && (b->light >= 0 || chain->direct)) {
-        if (chain->vpls) {                              /* just the falloff that they lack, of single points */
+        if (chain->vpls) { /* just the falloff that they lack, of single points */
             d.falloff = SSGI_GL_FALLOFF_SQUARE;
             d.fade = d.range = 0;
             if (d.search == SSGI_GL_POINTS) {
@@ -4406,12 +4686,14 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b) {
 }
 
 /* Bent normals instead of light. */
-static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain) {
+static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain)
+{
     const ssgi_gl_desc *const d = &chain->desc;
     return d->pass == SSGI_GL_S3HO && d->shading == SSGI_GL_SHADING_BENT && (chain->vectors || !d->shaded);
 }
 
-static void ssgi_gl__s3ho(ssgi_gl__build *b) {
+static void ssgi_gl__s3ho(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     d.environment = SSGI_GL_ENVIRONMENT_SH;
@@ -4436,7 +4718,8 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b) {
 }
 
 /* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
-static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light) {
+static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
+{
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
     ssgi_gl_desc d = *of, near = d;
     d.effect = effect;
@@ -4445,11 +4728,11 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     if (d.span) {
         near.directions = 2;
         near.steps = 4;
-        near.hard |= lit;                               /* light does not fade */
+        near.hard |= lit; /* light does not fade */
         near.search = SSGI_GL_SLICES;
         near.environment = lit && !bounce ? SSGI_GL_ENVIRONMENT_MAP : SSGI_GL_ENVIRONMENT_NONE;
         near.bounce = bounce ? SSGI_GL_BOUNCE_SOLID_ANGLE : SSGI_GL_BOUNCE_NONE;
-        near.restore = SSGI_GL_RESTORE_RATIO;           /* sum multiplies by it */
+        near.restore = SSGI_GL_RESTORE_RATIO; /* sum multiplies by it */
         *ssgi_gl__texture(b, "light") = light;
         if (bounce) ssgi_gl__send(b, -1, 0, SSGI_GL_RADIANCE_LIGHT);
         ssgi_gl__add(b, &near, lit ? SSGI_GL_SSDO : SSGI_GL_HSAO, 0);
@@ -4458,7 +4741,7 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
         near.colour = lit ? SSGI_GL_COLOUR : SSGI_GL_GREY;
         near.filter_radius = 1;
         near.filter_normals = bounce;
-        near.onto = SSGI_GL_ONTO_NONE;                  /* sum reads it */
+        near.onto = SSGI_GL_ONTO_NONE; /* sum reads it */
         ssgi_gl__add(b, &near, SSGI_GL_BLUR, 0);
     }
     ssgi_gl__add(b, &d, SSGI_GL_SPLAT, 0);
@@ -4469,7 +4752,8 @@ static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect,
     return ssgi_gl__add(b, &d, SSGI_GL_SUM, 0)->output[0].texture;
 }
 
-static void ssgi_gl__deep(ssgi_gl__build *b) {
+static void ssgi_gl__deep(ssgi_gl__build *b)
+{
     const ssgi_gl_chain *chain = b->chain;
     ssgi_gl_desc d = chain->desc;
     if (!chain->hidden_sky) d.environment = SSGI_GL_ENVIRONMENT_NONE;
@@ -4483,7 +4767,8 @@ static void ssgi_gl__deep(ssgi_gl__build *b) {
 }
 
 /* What a chain is made of must be there, and go together. */
-static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain) {
+static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
+{
     if (!chain) return "chain: must not be NULL";
     const int pass = chain->desc.pass, lit = chain->lights.pass == SSGI_GL_LIGHTS;
     if (pass < 0 || (pass > SSGI_GL_S3HO && pass != SSGI_GL_FIELD && pass != SSGI_GL_SPLAT))
@@ -4492,15 +4777,16 @@ static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain) {
         return "chain.width, height: must be 1..16384";
     if (chain->history && chain->vectors && pass == SSGI_GL_S3HO)
         return "chain.history: averages light, not coefficients: needs vectors = 0";
-    if (ssgi_gl__directions_alone(chain) && (lit || chain->history || chain->desc.onto
-                                             || (chain->blur && !chain->vectors)))
+    if (ssgi_gl__directions_alone(chain)
+        && (lit || chain->history || chain->desc.onto || (chain->blur && !chain->vectors)))
         return "chain.desc.shading: SSGI_GL_SHADING_BENT is not light: lights, history and onto need another shading, "
                "blur needs vectors = 1";
     return NULL;
 }
 
 /* Puts ambient visibility, or light with the bounce, onto your picture, unless blur has done so. */
-static void ssgi_gl__compose(ssgi_gl__build *b) {
+static void ssgi_gl__compose(ssgi_gl__build *b)
+{
     ssgi_gl_desc d = b->chain->desc;
     const int grey = d.pass < SSGI_GL_SSDO || d.pass == SSGI_GL_FIELD || (d.pass == SSGI_GL_SPLAT && !d.effect);
     if (!d.onto || b->picture) return;
@@ -4511,7 +4797,8 @@ static void ssgi_gl__compose(ssgi_gl__build *b) {
     ssgi_gl__add(b, &d, SSGI_GL_COMPOSE, 0);
 }
 
-static void ssgi_gl__build_chain(ssgi_gl__build *b) {
+static void ssgi_gl__build_chain(ssgi_gl__build *b)
+{
     const ssgi_gl_desc *const d = &b->chain->desc;
     if (d->pass == SSGI_GL_SSDO) ssgi_gl__ssdo(b);
     else if (d->pass == SSGI_GL_S3HO) ssgi_gl__s3ho(b);
@@ -4523,16 +4810,17 @@ static void ssgi_gl__build_chain(ssgi_gl__build *b) {
     if (!b->why) ssgi_gl__compose(b);
 }
 
-SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why) {
+SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why)
+{
     const char *const bad = ssgi_gl__chain_bad(chain);
     ssgi_gl_chain own;
     ssgi_gl__build b;
     if (bad) return ssgi_gl__bad(why, bad), 0;
     own = *chain;
-    if (own.desc.pass != SSGI_GL_S3HO)                  /* fields of s3ho and shade that blur looks at, too */
+    if (own.desc.pass != SSGI_GL_S3HO) /* fields of s3ho and shade that blur looks at, too */
         own.desc.transfer = own.desc.shaded = own.desc.shading = own.desc.lights = 0;
-    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3;       /* blur's default is 4 */
-    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {        /* checks all, then writes */
+    if (own.desc.pass == SSGI_GL_SSDO && !own.desc.bands) own.desc.bands = 3; /* blur's default is 4 */
+    for (int turn = 0; turn < (steps && capacity > 0 ? 2 : 1); ++turn) {      /* checks all, then writes */
         memset(&b, 0, sizeof b);
         b.chain = &own;
         b.steps = steps;
@@ -4541,25 +4829,32 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
         ssgi_gl__build_chain(&b);
         if (b.why) return ssgi_gl__bad(why, b.why), 0;
     }
-    for (int i = 0; i < b.count && i < b.capacity; ++i) for (int k = 0; k < steps[i].outputs; ++k) {
-        ssgi_gl_output *const out = &steps[i].output[k];
-        out->result = out->texture == b.light ? SSGI_GL_RESULT_LIGHT
-                    : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE : SSGI_GL_RESULT_NONE;
-        for (int m = 0; m < b.count && m < b.capacity; ++m) for (int n = 0; n < steps[m].inputs; ++n) {
-            ssgi_gl_input *const in = &steps[m].input[n];       /* of yours nothing is known */
-            if (in->meaning < 0 && in->texture < 0) { in->texture = b.light; in->last = 1; }
-            if (in->meaning >= 0 || in->texture != out->texture) continue;
-            in->format = out->format;
-            in->width = steps[i].width;
-            in->height = steps[i].height;
+    for (int i = 0; i < b.count && i < b.capacity; ++i)
+        for (int k = 0; k < steps[i].outputs; ++k) {
+            ssgi_gl_output *const out = &steps[i].output[k];
+            out->result = out->texture == b.light                   ? SSGI_GL_RESULT_LIGHT
+                        : out->texture == b.bounce && b.bounce >= 0 ? SSGI_GL_RESULT_BOUNCE
+                                                                    : SSGI_GL_RESULT_NONE;
+            for (int m = 0; m < b.count && m < b.capacity; ++m)
+                for (int n = 0; n < steps[m].inputs; ++n) {
+                    ssgi_gl_input *const in = &steps[m].input[n]; /* of yours nothing is known */
+                    if (in->meaning < 0 && in->texture < 0) {
+                        in->texture = b.light;
+                        in->last = 1;
+                    }
+                    if (in->meaning >= 0 || in->texture != out->texture) continue;
+                    in->format = out->format;
+                    in->width = steps[i].width;
+                    in->height = steps[i].height;
+                }
         }
-    }
     return b.count;
 }
 
 /* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
-                                  int width, int height) {
+                                  int width, int height)
+{
     const unsigned f = is->format;
     const int integer = (f >= 0x8231 && f <= 0x823c) || (f >= 0x8d70 && f <= 0x8d8f), m = in ? in->meaning : -1;
     const int depth = f == 0x1902 || (f >= 0x81a5 && f <= 0x81a7) || f == 0x88f0 || f == 0x8cac || f == 0x8cad;
@@ -4570,20 +4865,21 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
-    if (!in || in->target == 0x9100) return NULL;           /* samples are not filtered */
+    if (!in || in->target == 0x9100) return NULL; /* samples are not filtered */
     if (is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
     if (is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
-                                   const ssgi_gl_bound *targets) {
+                                   const ssgi_gl_bound *targets)
+{
     ssgi_gl__text t = { out, capacity, 0, 0 };
     for (int i = 0; step && units && i < step->inputs && !t.length; ++i) {
         const ssgi_gl_input *in = &step->input[i];
         const char *wrong = ssgi_gl__wrong(&units[in->unit], in, in->format, in->width, in->height);
-        if (wrong) ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit,
-                                  wrong);
+        if (wrong)
+            ssgi_gl__print(&t, "%s: %s, unit %d: %s", ssgi_gl_pass_name(step->desc.pass), in->name, in->unit, wrong);
     }
     for (int i = 0; step && targets && i < step->outputs && !t.length; ++i) {
         const ssgi_gl_output *o = &step->output[i];
