@@ -25,7 +25,7 @@
                    cosine-weighted
       environments latitude-longitude images as OpenEXR's, linear radiance, rgb[3 * (y * width + x) + c]:
                    row 0 at +y, the image centre looks to +z, +x is left of the centre; solid angles of texels are
-                   exact; values above 1e24 count as that
+                   exact; values above 1e24 are clamped to it
       errors       functions that can be misused return ssgi_result and, through the last argument (may be NULL), a
                    static sentence that begins with the argument's name; outputs are then untouched. Nothing prints,
                    exits, allocates or keeps state: all is reentrant.
@@ -39,7 +39,7 @@
       >>environment  images as octahedral maps over lobes and cones, and as directional lights; virtual
                    point lights
       >>trace      a small BVH over your triangles: closest hit, any hit
-      >>surfels    triangles as discs about as large on the screen, what splatting them costs
+      >>surfels    triangles as discs of about equal size on the screen, and what splatting those costs
       >>dipole     multiple scattering under surfaces
       >>field      ambient occlusion fields: bake, fit, look up, save and load
       >>plan       what a scene needs: its numbers in, method, settings, predicted error and cost out
@@ -90,8 +90,8 @@ typedef enum ssgi_result {
 /* How a projection's clip z becomes window depth. */
 enum {
     SSGI_CLIP_GL = 0, /* NDC z in [-1,1], window depth 0.5 z + 0.5: GL's default */
-    SSGI_CLIP_ZERO
-}; /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+    SSGI_CLIP_ZERO,   /* NDC z in [0,1] = window depth: GL_ZERO_TO_ONE; use it for reversed depth */
+};
 
 /* The camera parameters that the passes use; made by ssgi_view_from_projection, read-only for you. */
 typedef struct ssgi_view {
@@ -107,9 +107,10 @@ typedef struct ssgi_view {
 /* Decodes a projection matrix, the one that GL got: perspective or orthographic, any window depth (normal, reversed,
    infinite far plane), off-centre (sub-pixel jitter, stereo), y up or down, the near plane oblique (planar reflections:
    desc.oblique of ssgi_gl.h), right-handed or left-handed.
-   Left-handed, the camera along +z (orthographic: read as right-handed, all would lie behind the eye): view space here
-   is yours with z negated. Negate z of what you give in view space (lights; normals: desc.left_handed), and the third
-   row (elements 2, 6, 10, 14) of every matrix to view space, frame.rotation's too; what comes back is likewise.
+   Left-handed: your camera looks along +z, and view space here is yours with z negated. (An orthographic projection is
+   taken for left-handed where a right-handed camera would have all of its depth range behind the eye.) Negate z of what
+   you give in view space (lights; for normals there is desc.left_handed) and the third row (elements 2, 6, 10, 14) of
+   every matrix to view space, frame.rotation included. What comes back has z negated likewise.
      projection     [limit: w row (0,0,-1,0), (0,0,1,0) or (0,0,0,1) up to a common factor; x and y do not mix]
      clip           SSGI_CLIP_GL or SSGI_CLIP_ZERO
      width, height  [units: pixels] [limit: 1..65536] of the frame that the projection fills
@@ -118,7 +119,8 @@ SSGI_DEF ssgi_result ssgi_view_from_projection(ssgi_view *view, const float proj
                                                int height, const char **why);
 
 /* View depth [units: view] of a window depth. Background (the clear value, NaN, beyond [0,1], a view depth of 0 or
-   infinity) gives SSGI_FAR. Where view->oblique is not 0 it depends on the pixel. GLSL twin: ssgi_decode. */
+   infinity) gives SSGI_FAR. Where view->oblique is not 0 the pixel matters: use ssgi_view_depth_at, whose pixel is a
+   position, centres at .5. GLSL twin: ssgi_decode. */
 SSGI_DEF float ssgi_view_depth(const ssgi_view *view, float window_depth);
 SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pixel_y, float window_depth);
 #define SSGI_FAR 1e18f /* the view depth of the background: beyond any scene, its square a finite float */
@@ -128,10 +130,11 @@ SSGI_DEF float ssgi_view_depth_at(const ssgi_view *view, float pixel_x, float pi
 SSGI_DEF void ssgi_view_position(const ssgi_view *view, float pixel_x, float pixel_y, float view_depth, float out[3]);
 SSGI_DEF void ssgi_view_project(const ssgi_view *view, const float point[3], float out[3]);
 
-/* View depth of the near plane that the projection implies [units: view]; where that is oblique, its least. */
+/* View depth of the near plane that the projection implies [units: view]; of an oblique one the least in the frame. */
 SSGI_DEF float ssgi_view_near(const ssgi_view *view);
 
-/* Width of a pixel on a surface facing the viewer at this view depth [units: view]: the larger of both axes'. */
+/* Width of a pixel on a surface that faces the viewer at this view depth [units: view]: the larger of width and height.
+ */
 SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
 
 /* An extra camera that sees surfaces hidden from the main one [SSDO09 section 4]. It stands at the main eye +
@@ -141,24 +144,26 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float view_depth);
      displacement        [units: radii] along the main camera's axes: x right, y up, z toward the viewer
      world_to_view       up as the main camera's; if it looks along that, the main camera's forward is up; at the centre
                          it looks as the main camera does; mirrored if that is (left-handed)
-     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide; near plane radius /
-                         50, since a solid cut by the near plane looks empty; far plane distance + radius
+     projection          GL clip, square, symmetric; encloses the sphere, at most 100 degrees wide. The near plane is at
+                         0.02 radii, close since a solid that it cuts looks empty; the far plane is behind the sphere
    The outputs may be the inputs. */
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why);
 
-/* Default displacements, i modulo 4: left, right, above, behind. For a main camera two radii from the centre they keep
-   that distance and turn about the centre by 60 degrees to either side and 20 up, 75 up, and to the far side, 50 up. */
+/* Default displacements, i modulo 4: left, right, above, behind. A main camera two radii from the centre keeps that
+   distance and turns about the centre: by 60 degrees to the left or right and 20 up; by 75 up; to the far side, 50
+   up. */
 SSGI_DEF void ssgi_extra_displacement(int i, float out[3]);
 
 /* ==== >>kernel ================================================================================================= */
 
 /* Radical inverse (van der Corput): the digits of i in a base, reflected about the radix point, in [0,1); 0 for a base
-   below 2. Bases 2, 3 .. as coordinates: Halton; i/n beside base 2: Hammersley. */
+   below 2. Halton points have the inverses in bases 2, 3 .. as coordinates, Hammersley points i/n and the one in 2. */
 SSGI_DEF float ssgi_radical_inverse(uint32_t base, uint32_t i);
 
-/* The i-th point of the R2 sequence (steps by the powers of the plastic number), [0,1)^2; for counts not yet known. */
+/* The i-th point of the R2 sequence in [0,1)^2, which steps by powers of the plastic number: evenly spread after any
+   count, so that the count need not be known. */
 SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
 
 /* Sample sets: out[4 * (set * samples + i)] = x, y, z, length.
@@ -166,8 +171,8 @@ SSGI_DEF void ssgi_r2(uint32_t i, float out[2]);
      samples    [limit: 1..4096] of each
      xyz        unit directions on the hemisphere about +z, density cos/pi, so that every sample counts 1/n;
                 low-discrepancy in each set, the sets rotated against each other
-     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at length *
-                radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
+     length     in (0,1], one in each of n equal strata, decorrelated from the direction: the sample stands at
+                length * radius. Uniform lengths make point sampling converge to linear attenuation, 1 - t/radius
    [SSDO09 section 3; sets that integrate an unoccluded constant exactly: see examples/PAPERS.md] */
 SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char **why);
 
@@ -204,9 +209,10 @@ enum {
 /* A window's factors: bands floats, the first 1 [limit: bands as ssgi_sh_basis; a window out of range is NONE]. */
 SSGI_DEF void ssgi_sh_window(float *out, int bands, int window);
 
-/* A function about +z, zonal[l] its coefficient at l*l + l (the others are 0), turned to a unit direction: out[i] =
-   sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]. zonal[l] =
-   ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)): the clamped cosine about a normal, the transfer of an unoccluded point. */
+/* A function about +z, turned to a unit direction. zonal[l] is its coefficient at l*l + l, the others are 0.
+     out[i] = sqrt(4 pi/(2l+1)) zonal[l] Y_i(direction), bands^2 floats [limit: bands as ssgi_sh_basis]
+   With zonal[l] = ssgi_sh_cosine(l) sqrt((2l+1)/(4 pi)) it is the clamped cosine about a normal: the transfer of an
+   unoccluded point. */
 SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const float direction[3]);
 
 /* Rotates a function by the rotation R of world_to_view [limit: rigid; NULL: none]: its value along w moves to R w.
@@ -215,18 +221,22 @@ SSGI_DEF void ssgi_sh_zonal(float *out, int bands, const float *zonal, const flo
 SSGI_DEF void ssgi_sh_rotate(float *out, int bands, const float *coefficients, int channels,
                              const float *world_to_view);
 
-/* Energy of each band: out[l], the sum of squares of its coefficients, [channels * i + c], over m and channels [limit:
-   bands as ssgi_sh_basis; channels below 1 give zeros]. A value that is not finite makes its band's energy so. */
+/* Energy of each band, bands floats: out[l] is the sum of squares of the band's coefficients, [channels * i + c], over
+   m and channels. A value that is not finite makes its band's energy so.
+     bands, channels    [limit: bands as ssgi_sh_basis; channels below 1 give zeros] */
 SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, int channels);
 
-/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics: c_i += irradiance k w_l f_l Y_i(direction), with k
-   such that an unoccluded surface that faces the light receives exactly `irradiance`, whatever bands and window.
-   [SLO08, S3HO12; without k it would be 1.06 of it for 4 bands, 0.83 with Hann]
+/* ADDS a light to radiance, [3*i + c], as windowed zonal harmonics [SLO08, S3HO12]:
+     coefficient i += irradiance k w_l f_l Y_i(direction)
+   w_l is the window; k makes an unoccluded surface that faces the light receive exactly `irradiance`, whatever bands
+   and window (without k it would receive 1.06 of it with 4 bands, 0.83 with Hann's window).
      bands       [limit: 1..SSGI_SH_MAX_BANDS]
      direction   to the light [limit: finite, not 0], of any length
-     sine        [limit: 0..1] 0: directional, or a point far away. Above: a sphere of uniform radiance, radius /
-                 distance of its centre: f_l, the mean of the Legendre polynomial l over the cap that it fills
+     sine        [limit: 0..1] of the angular radius. 0: a directional light, f_l = 1. Above: a sphere of uniform
+                 radiance, its radius over the distance of its centre; f_l is the mean of the Legendre polynomial l over
+                 its cap
      irradiance  of a surface that faces it [limit: finite; clamped to +-1e24]; negative values subtract light
+     window      SSGI_SH_WINDOW_NONE ..
    Series of few bands are below 0 somewhere (see the windows): sum all lights, then clamp irradiance at 0. A hemisphere
    light, radiance a above and b below, adds sqrt(pi) (a + b) to coefficient 0 and pi (a - b) Y_i(up) to i = 1..3. */
 SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float direction[3], float sine,
@@ -234,28 +244,29 @@ SSGI_DEF ssgi_result ssgi_sh_light(float *coefficients, int bands, const float d
 
 /* ==== >>environment ============================================================================================ */
 
-/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z; decoding gives a
+/* Octahedral map: directions, of any length but 0 (which becomes +z), on the square [-1,1]^2 about +z. Decoding gives a
    unit vector: n = vec3(e, 1 - |e.x| - |e.y|); t = max(-n.z, 0); n.xy += n.xy >= 0 ? -t : t; normalize(n). */
 SSGI_DEF void ssgi_octahedral_encode(const float direction[3], float out[2]);
 SSGI_DEF void ssgi_octahedral_decode(const float e[2], float out[3]);
 
-/* An environment seen through a lobe about every direction: an octahedral map, out[3 * (y * size + x) + c] at e = (x +
-   0.5, y + 0.5) / size * 2 - 1.
+/* An environment seen through a lobe about every direction, as an octahedral map: out[3 * (y * size + x) + c] is at
+   e = (x + 0.5, y + 0.5) / size * 2 - 1.
      size           [limit: 8..256]
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
      solid_angle    [units: sr] [limit: 0, or above] 0: irradiance over pi (the clamped cosine). Above: the average over
                     a von Mises-Fisher lobe with kappa = 4 pi / solid_angle, whose width 1 / integral p^2 is nearly
                     solid_angle (exactly: tanh(kappa) of it). Below 0.05 it counts as 0.05.
    A constant environment is kept exactly. The image is first averaged to 96 x 48 cells, which widens a lobe by up to
-   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) 2048
-   x 1024 at size 64: 0.25 s at most at -O2, one core; the time goes with size^2 from there. Takes 60 KB of stack. */
+   0.005 sr. (A sky of 1 to 4 with a disc of 200, 6 degrees in radius: within 0.6 % of the exact average.) An image of
+   2048 x 1024 at size 64 takes 0.25 s at most at -O2 on one core, and the time goes with size^2. Takes 60 KB of
+   stack. */
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why);
 
 /* The same over cones: the mean radiance within the cone about every direction, weighted by the cosine to its axis. A
-   bent cone's light [SSBN11] is one look-up here: slice k of n of a texture array, one an aperture, holds cosine k/n.
+   bent cone's light [SSBN11] is then one look-up in a texture array, whose slice k of n holds the cones of cosine k/n.
      cosine   [limit: 0..0.95] of the cone's half-angle. 0: irradiance over pi
-   The rim is a ramp as wide as a cell, 3.75 degrees, to either side (less below cosine 0.07: it ends before 90). */
+   The rim is a ramp as wide as a cell, 3.75 degrees, to either side; narrower below cosine 0.07, to end before 90. */
 SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rgb, int width, int height, float cosine,
                                            const char **why);
 
@@ -267,31 +278,35 @@ typedef struct ssgi_sun {
 /* An environment as directional lights [SSDO09 section 5] by median cut [DEB05]: the region of most luminance is
    halved, along its wider side, until there are count. A sun lies at its region's centre of luminance and carries
    all of its light: irradiances sum to the integral of radiance over the sphere.
-     count          [limit: 1..1024] any, not only powers of two; those beyond the number of texels are dark, at +y
+     count          [limit: 1..1024] any, not only powers of two; suns beyond the number of texels are dark, at +y
      width, height  [limit: 1..65536] of rgb; values that are negative or not finite count as 0
    Reads the image about log2(count) times. Takes 30 KB of stack. */
 SSGI_DEF ssgi_result ssgi_environment_suns(ssgi_sun *out, int count, const float *rgb, int width, int height,
                                            const char **why);
 
-/* Residual map: map += (irradiance of the directional lights - irradiance reconstructed from the coefficients) / pi. On
-   entry map holds the environment's (ssgi_environment_map, solid_angle 0; zeros without one); the coefficients,
-   [3*i + c], are of environment and lights. Added to the coefficients' light, dimmed by ambient visibility, it makes
-   unoccluded surfaces exact.
-     size, bands, suns   [limit: 8..256; 1..SSGI_SH_MAX_BANDS; count 0 or more, NULL when 0] */
+/* Residual of unoccluded irradiance: what a few bands lack. Dimmed by ambient visibility and added to the light from
+   the coefficients it makes unoccluded surfaces exact.
+     map                 +=  (irradiance of the suns - irradiance reconstructed from the coefficients) / pi. On entry it
+                         holds the environment's map: ssgi_environment_map, solid_angle 0; zeros without an environment
+     size                [limit: 8..256] of the map
+     coefficients        [3*i + c], of environment and suns together
+     bands               [limit: 1..SSGI_SH_MAX_BANDS]
+     suns                [limit: count 0 or more; may be NULL when 0] */
 SSGI_DEF ssgi_result ssgi_sh_residual(float *map, int size, const float *coefficients, int bands, const ssgi_sun *suns,
                                       int count, const char **why);
 
 typedef struct ssgi_vpl {
     float position[3], normal[3];
-    float intensity[3]; /* radiant intensity along the normal; intensity * cos theta beside it */
+    float intensity[3]; /* radiant intensity along the normal; at an angle from it times that angle's cosine */
 } ssgi_vpl;
 
 /* Virtual point lights [KEL97] from a reflective shadow map: pixels chosen in proportion to the luminance of their
-   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes (pi
-   * intensity) sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
-     count     [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
-     position, normal, flux   x y z or r g b of pixel k at [3*k]; flux is the power that the pixel's surface
-                              reflects; negative and not finite values count as 0 */
+   flux, stratified along the map. Each keeps its pixel's colour and sends an equal share: luminances of the fluxes,
+   pi * intensity, sum to the map's. A map without flux is SSGI_BAD_ARGUMENT.
+     count                    [limit: 1..4096] of them, exactly; a pixel may be chosen more than once
+     position, normal, flux   x y z or r g b of pixel k at [3*k]. flux is the power that the pixel's surface reflects;
+                              values that are negative or not finite count as 0
+     pixels                   [limit: > 0] how many the map has */
 SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *position, const float *normal,
                                      const float *flux, size_t pixels, const char **why);
 
@@ -322,14 +337,15 @@ typedef struct ssgi_hit {
 
 #define SSGI_TRACE_MAX_TRIANGLES 0x3fffffffu
 
-/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0: no triangles, more than that, or than size_t can hold. */
+/* Bytes that ssgi_trace_build needs, about 59 a triangle. 0 for no triangles, for more than SSGI_TRACE_MAX_TRIANGLES
+   and for more than size_t can count. */
 SSGI_DEF size_t ssgi_trace_size(size_t triangles);
 
 /* Builds over corners index[3*i], index[3*i+1], index[3*i+2] of triangle i; index NULL: corners 3*i, 3*i+1, 3*i+2.
-   position    x y z of vertex k at (const char *)position + k * stride_bytes, aligned as floats are [limit: 12 or more,
-               a multiple of 4]
-   memory      size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
-               it: keep it where it is. position and index are not needed afterwards.
+   position      x y z of vertex k at (const char *)position + k * stride_bytes
+   stride_bytes  [limit: 12 or more, a multiple of 4]
+   memory        size >= ssgi_trace_size(triangles) bytes of any alignment (else SSGI_TOO_SMALL); the trace points into
+                 it: keep it where it is. position and index are not needed afterwards.
    Triangles without area, and those with a coordinate that is not finite or beyond +-1e12, are never hit; those smaller
    than about 1e-18 may be missed. Indices are not checked. O(n log n) but for contrived input; no allocation; recursion
    at most 62 deep, whatever the input. */
@@ -348,56 +364,65 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 /* ==== >>surfels ================================================================================================ */
 
 /* Deep screen space [DSS14]: triangles become discs of about equal size on the screen, also where they are hidden, at
-   grazing angles, off screen or behind the eye. Passes of ssgi_gl.h make the same surfels on the GPU (SSGI_GL_SURFELS);
-   SSGI_GL_SPLAT takes either. Points keep off a triangle's edges: it is scaled about the centre of its inscribed circle
-   by 1 - r / the circle's radius, at least 1/4, so that discs end at the edges unless they are wider than it. */
+   grazing angles, off screen or behind the eye. Pass surfels of ssgi_gl.h makes the same surfels on the GPU; pass splat
+   takes either. Centres keep off a triangle's edges, so that discs of radius r end there: the triangle is shrunk about
+   the centre of its inscribed circle by 1 - r / the circle's radius, at least 1/4, before points are placed in it. */
 
 /* A surfel: three vec4 attributes of one instance, byte for byte; what transform feedback captures. */
 typedef struct ssgi_surfel {
     float position[3], radius; /* view space */
-    float normal[3], seed;     /* unit. seed: in [0,1), what chooses its sub-buffers */
-    float colour[3], unused;   /* source colour until lit; then outgoing radiance for a bounce, irradiance for
-                                  scattering; not read for occlusion */
+    float normal[3], seed;     /* unit; seed, in [0,1), chooses its sub-buffers */
+    float colour[3], unused;   /* the source's colour until lit; then the radiance that leaves it for a bounce, the
+                                  irradiance that it receives for scattering; not read for occlusion */
 } ssgi_surfel;
 
+/* How surfels are made. Zero is the default everywhere. */
 typedef struct ssgi_surfel_desc {
-    float size; /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] a facing surfel's diameter, s */
-    int splits; /* [limit: 0..32] [default: 8] most parts of an edge, of triangles beyond level 64 */
-    float offscreen_growth; /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance
-                               outside the frustum, where no visible pixel is close; 1e-6: none, as published */
-    int keep_small;     /* [limit: 0..1] 0: triangles smaller than three surfels keep each with probability area / (3 pi
-                           r^2), radius unchanged: cost does not grow with mesh detail; 1: keep all, as published */
-    float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum; the
-                           radius of occlusion, for instance */
+    /* [units: image heights] [limit: 0 or 1e-4..1] [default: 0.015] diameter of a surfel that faces the viewer: s */
+    float size;
+    /* [limit: 0..32] [default: 8] into how many parts an edge may be split where the tessellator's last level, 64, is
+       too coarse for the triangle */
+    int splits;
+    /* [units: radius per distance] [limit: 0..1] [default: 0.1] radius added per distance outside the frustum, where no
+       visible pixel is close; 1e-6: none, as published */
+    float offscreen_growth;
+    /* [limit: 0..1] 0: a triangle smaller than its three surfels keeps each with probability area / (3 pi r^2), at an
+       unchanged radius, so that cost does not grow with mesh detail. 1: it keeps all, as published */
+    int keep_small;
+    /* [units: view] [limit: >= 0] [default: unlimited] largest distance outside the frustum: the radius of occlusion,
+       for instance */
+    float max_distance;
 } ssgi_surfel_desc;
 
-/* Triangles; strides in bytes, 0 = three floats, tightly. */
+/* The triangles that become surfels. */
 typedef struct ssgi_surfel_source {
-    const float *position; /* x y z a vertex */
-    const float *normal;   /* the same of normals, any length; NULL: the triangle's own */
-    const float *colour;   /* the same of what goes to ssgi_surfel.colour; NULL: 1 1 1 */
-    size_t position_stride, normal_stride, colour_stride;
-    const uint32_t *index; /* 3 a triangle; NULL: vertices in their order */
+    const float *position;                                /* x y z of each vertex */
+    const float *normal;                                  /* of each vertex, any length; NULL: the triangle's own */
+    const float *colour;                                  /* of each vertex, for ssgi_surfel.colour; NULL: 1 1 1 */
+    size_t position_stride, normal_stride, colour_stride; /* [units: bytes] [limit: multiples of 4] 0: three floats */
+    const uint32_t *index;                                /* 3 a triangle; NULL: vertices in their order */
     size_t triangles;
     float to_view[16]; /* [limit: finite, invertible] mesh to view space */
 } ssgi_surfel_source;
 
-/* What ssgi_gl_frame.surfel holds: radius per depth (orthographic: radius), depth of the near plane, offscreen_growth,
-   splits; defaults in place. */
+/* What ssgi_gl_frame.surfel holds, with defaults in place: radius per view depth (orthographic: radius), view depth of
+   the near plane, offscreen_growth, splits. */
 SSGI_DEF ssgi_result ssgi_surfel_scale(float scale[4], const ssgi_surfel_desc *desc, const ssgi_view *view,
                                        const char **why);
 
 /* Subdivides triangles that need more than desc->splits parts an edge, such as a ground that reaches the horizon, into
-   four, recursively, at most ten levels; drops those farther outside the frustum than desc->max_distance. The others
-   stay unchanged, in their order. out: 27 floats a triangle, position, normal, colour of each corner in mesh space
-   (normal 0 0 0 where source->normal is NULL): usable as source of ssgi_surfels and as patches. Writes at most capacity
-   triangles, and to *count how many there are. */
+   four, recursively, at most ten times; drops those farther outside the frustum than desc->max_distance. The others
+   stay unchanged, in their order.
+     out      27 floats a triangle: position, normal, colour of each corner in mesh space (normal 0 0 0 where
+              source->normal is NULL). Usable as a source of ssgi_surfels and as patches
+     count    how many triangles there are; at most `capacity` of them are written */
 SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                          const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
-/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most capacity, and to *count how many there
-   are (query with out = NULL). Triangles without area, with corners not finite or beyond SSGI_FAR, or too small for a
-   radius above 0 give none; normals not finite count as 0. seed depends on the vertex indices and the place only. */
+/* Makes surfels of triangles; their areas sum to the triangle's. Writes at most `capacity`, and to *count how many
+   there are (query with out NULL and capacity 0). Triangles without area, with corners that are not finite or beyond
+   SSGI_FAR, or too small for a radius above 0 give none; normals that are not finite count as 0. A surfel's seed
+   depends on its triangle's vertex indices and its place there alone. */
 SSGI_DEF ssgi_result ssgi_surfels(ssgi_surfel *out, size_t capacity, size_t *count, const ssgi_surfel_desc *desc,
                                   const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
@@ -407,47 +432,57 @@ typedef struct ssgi_splat {
     float max_distance; /* [units: view] [limit: >= 0] [default: unlimited] the occlusion radius */
     float max_radiance; /* [limit: >= 0] [default: 1] for predictions: largest radiance sent, over ssgi_gl_frame.sent */
     float near_depth;   /* [units: view] [limit: >= 0] [default: the near plane] nearest view depth in the frame */
-    int levels;         /* [limit: 0..7] [default: 5] every level doubles the reach, at about the same cost */
+    int levels; /* [limit: 0..SSGI_SPLAT_LEVELS] [default: 5] every level doubles the reach, at about equal cost */
 } ssgi_splat;
 
 enum { SSGI_SPLAT_LEVELS = 7 };
 
-/* Texels along x and y of one level in the shuffled layout: width and height [limit: 1..65536] rounded up to 2^(levels
-   - 1) [limit: 1..7]; all levels lie below each other in one texture: size[0] x (levels * size[1]). */
+/* Texels along x and y of one level in the shuffled layout: the frame's size, rounded up to multiples of
+   2^(levels - 1). All levels lie below each other in one texture of size[0] x (levels * size[1]) texels.
+     width, height   [limit: 1..65536]
+     levels          [limit: 1..7] */
 SSGI_DEF ssgi_result ssgi_splat_size(int size[2], int width, int height, int levels, const char **why);
 
 /* The cost of a frame before anything is drawn. */
 typedef struct ssgi_surfel_cost {
     size_t surfels;                   /* how many */
-    int splits;                       /* what the triangles ask for: ssgi_surfel_desc.splits allows it */
+    int splits;                       /* how many the triangles ask for; ssgi_surfel_desc.splits limits them */
     double pixels[SSGI_SPLAT_LEVELS]; /* texels that the splats of each level cover, each overlap counted */
 } ssgi_surfel_cost;
 
-/* Predicts it: counts exactly, pixels from one surfel at the centre of each part of a triangle (within 1.4 % of all
-   surfels' where tested). desc, view, source as for ssgi_surfels; splat: zeros are the defaults. */
+/* Predicts it. Surfels are counted exactly; pixels are those of one surfel at the centre of each part of a triangle
+   times the part's surfels (within 1.4 % of all surfels' where tested). desc, view, source as for ssgi_surfels; zeros
+   in splat are the defaults. */
 SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_surfel_desc *desc, const ssgi_splat *splat,
                                           const ssgi_view *view, const ssgi_surfel_source *source, const char **why);
 
 /* ==== >>dipole ================================================================================================= */
 
-/* Multiple scattering under a surface by the dipole [JMLH01, JB02; DSS14 4]: three channels; lengths in the unit that
-   ssgi_dipole_set was given. z_r, z_v, sigma_tr, alpha': */
+/* Multiple scattering under a surface by the dipole of [JMLH01, JB02; DSS14 section 4], three channels. Lengths are in
+   the unit that ssgi_dipole_set was given. */
 typedef struct ssgi_dipole {
-    double z_r[3], z_v[3], sigma_tr[3], albedo[3];
+    double z_r[3];      /* depth of the real source below the surface */
+    double z_v[3];      /* height of the virtual source above it */
+    double sigma_tr[3]; /* effective transport coefficient */
+    double albedo[3];   /* alpha', the reduced albedo */
 } ssgi_dipole;
 
-/* Reduced scattering [limit: > 0] and absorption [limit: >= 0; units: 1/unit]; eta: refraction [limit: 1..3] */
+/* A dipole of a material.
+     sigma_s    reduced scattering coefficient [units: 1/length] [limit: > 0]
+     sigma_a    absorption coefficient [units: 1/length] [limit: >= 0]
+     eta        relative index of refraction [limit: 1..3] */
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why);
-/* Diffuse reflectance at a distance [units: 1/unit^2] [limit: >= 0]; 0 for a channel outside 0..2. */
+
+/* Diffuse reflectance R_d [units: 1/length^2] at a distance [limit: >= 0]; 0 for a channel outside 0..2. */
 SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, double distance);
 
 /* ==== >>field ================================================================================================== */
 
-/* Ambient occlusion fields [AOF05]: occlusion by a rigid occluder on its surroundings, baked once, evaluated at any
-   point at a cost independent of its triangle count. For each direction of a cube map about the occluder's centre
-   the field stores the spherical cap that the occluder subtends, as a function of distance from its convex hull to the
-   field's reach.
+/* Ambient occlusion fields [AOF05]: the occlusion of its surroundings by a rigid occluder, baked once, evaluated at any
+   point at a cost that does not depend on its number of triangles. For each direction of a cube map about the
+   occluder's centre the field stores the spherical cap that the occluder subtends, as a function of the distance from
+   the centre, between the convex hull and the field's reach.
 
       ssgi_field_desc d = { 0 };                                   every choice at its default
       uint32_t *texels = malloc(ssgi_field_size(16));              16 x 16 texels a face
@@ -461,8 +496,8 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *dipole, int channel, 
 typedef struct ssgi_field_desc {
     int resolution; /* [limit: 0, 2..128] [default: 16] texels along a side of the cube map's faces */
     int radii;      /* [limit: 0, 4..64] [default: 12] distances sampled along each direction */
-    int rays;       /* [limit: 0, 16..65536] [default: 128] a sample */
-    float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] the field's end */
+    int rays;       /* [limit: 0, 16..65536] [default: 128] traced at each distance */
+    float reach;    /* [units: radii of the bounding sphere] [limit: 0, 1.5..64] [default: 8] where the field ends */
     /* Your ray caster: 1 if the ray meets the occluder at any t > 0; NULL: ours, which finds the hull in any case. */
     int (*hit)(void *user, const float origin[3], const float direction[3]);
     /* Your threads: calls job(context, i) for every i in [0, count), returns when all are done; NULL: one by one. */
@@ -474,37 +509,48 @@ typedef struct ssgi_field_desc {
 
 /* A baked field, in the occluder's own coordinates. Made by ssgi_field_bake or ssgi_field_load, read-only for you. */
 typedef struct ssgi_field {
-    const uint32_t *texels;  /* (resolution + 2) x 6 (resolution + 2): a face below the other in GL's order, each with a
-                                border of one texel from its neighbours; 2 words a texel, 8 bits a component, lowest
-                                first: three logarithms of the distance function, the hull's distance, the characteristic
-                                centre's x y z, the covered share of the cap. Upload as RG32UI */
-    int resolution;          /* texels along a side of a face */
-    int radii;               /* distances that were sampled along each direction */
-    float centre[3], radius; /* of the bounding sphere that the field is around; the centre lies in the convex hull */
-    float reach;             /* [units: the mesh's] the field's end, from the centre */
-    float inside;            /* A_0: the mean occlusion in the hull, of points that are not walled in */
-    float low[8], span[8];   /* what 0 and 255 of each component stand for: low, low + span */
-    float median, p95, max_error; /* errors of occlusion, as stored, without ramp, at validation receivers: directions
-                                     between texels, radii between samples, random normals */
+    /* The cube map, to be uploaded as RG32UI: (resolution + 2) x 6 (resolution + 2) texels, the faces below each other
+       in GL's order, each within a border of one texel from its neighbours. Two words a texel hold eight components of
+       8 bits, lowest first: three logarithms of the distance function; the hull's distance; x y z of the characteristic
+       centre; the covered share of the cap. */
+    const uint32_t *texels;
+    int resolution; /* texels along a side of a face, without the border */
+    int radii;      /* distances that were sampled along each direction */
+
+    float centre[3], radius; /* [units: the mesh's] the bounding sphere; the centre lies in the convex hull */
+    float reach;             /* [units: the mesh's] where the field ends, from the centre */
+    float inside;            /* A_0: mean occlusion of points in the hull, but for those that the mesh encloses */
+    float low[8], span[8];   /* 0 of a component stands for low, 255 for low + span */
+
+    /* Errors of occlusion as stored, without the ramp, at receivers that the bake did not sample: directions between
+       texels, distances between samples, random normals. */
+    float median, p95, max_error;
 } ssgi_field;
 
 /* How a field fades out, and occlusion inside the convex hull [AOF05 algorithm 1]. */
 typedef struct ssgi_field_limits {
-    float ramp, reach;   /* [units: the mesh's] [limit: 0 <= ramp < reach <= field->reach] occlusion falls to 0 */
-    float inside, power; /* [limit: 0..1; > 0] in the hull: mix(inside, that at the hull, (r/hull)^power) */
+    /* Distances from the centre between which occlusion falls to 0 [units: the mesh's]
+       [limit: 0 <= ramp < reach <= field->reach] */
+    float ramp, reach;
+    /* In the hull, at a share s of the way from the centre: mix(inside, occlusion at the hull, s^power)
+       [limit: 0..1 and > 0] */
+    float inside, power;
 } ssgi_field_limits;
 
-/* Bytes of texels; of a bake's work memory, not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
+/* Bytes of a field's texels; 0 for a bad resolution [limit: 2..128]. */
 SSGI_DEF size_t ssgi_field_size(int resolution);
+
+/* Bytes of a bake's work memory, which is not needed later: 59 a triangle + 960 resolution^2. 0: bad arguments. */
 SSGI_DEF size_t ssgi_field_bake_size(const ssgi_field_desc *desc, size_t triangles);
 
-/* Bakes. texels: ssgi_field_size of desc's resolution; they belong to the field from then on. position,
-   stride_bytes, index, triangles as ssgi_trace_build, which tells what triangles are left out. Directions are sampled
-   at twice the resolution, each texel fitted, and reduced by a Gaussian [AOF05 4.1]. Same input, same bytes, with any
-   number of threads and at any optimisation that keeps IEEE arithmetic (not -ffast-math; with FMA instructions
-   -ffp-contract=off). SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size), SSGI_CANCELLED: field is untouched (texels and
-   work are not). resolution 16 with 128 rays is 9.4 million rays. For an error of your choice bake with resolution 4,
-   8, 16 .. until field->p95 is below it. */
+/* Bakes: samples directions at twice the resolution, fits each texel, reduces by a Gaussian [AOF05 section 4.1].
+     texels     ssgi_field_size(desc's resolution) bytes, which belong to the field from then on
+     work       work_size >= ssgi_field_bake_size(desc, triangles) bytes of any alignment
+     position, stride_bytes, index, triangles   as in ssgi_trace_build, which tells what triangles are left out
+   Same input, same bytes, with any number of threads and at any optimisation that keeps IEEE arithmetic (not
+   -ffast-math; with FMA instructions -ffp-contract=off). Fails with SSGI_BAD_ARGUMENT, SSGI_TOO_SMALL (work_size) or
+   SSGI_CANCELLED; *field is then untouched, texels and work are not. Resolution 16 with 128 rays takes 9.4 million
+   rays. For an error of your choice bake with resolution 4, 8, 16 .. until field->p95 is below it. */
 SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *work, size_t work_size,
                                      const ssgi_field_desc *desc, const float *position, size_t stride_bytes,
                                      const uint32_t *index, size_t triangles, const char **why);
@@ -512,28 +558,32 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 /* Limits to start from: ramp over the last quarter of the reach, inside as measured, power 1. */
 SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field);
 
-/* Occlusion at a point by the occluder, in [0,1]; 0 at the reach and beyond. point and normal (unit) in the occluder's
-   coordinates; limits NULL: ssgi_field_limits_of. 1 - it multiplies ambient light; of several occluders 1 - (1 - a)(1 -
-   b) .. Finite whatever the input. GLSL twin: ssgi_field_occlusion. */
+/* Occlusion of a point by the occluder, in [0,1], 0 from the reach on; finite whatever the input. Ambient light is
+   multiplied with 1 - occlusion, once for each occluder. GLSL twin: ssgi_field_occlusion.
+     limits           NULL: ssgi_field_limits_of
+     point, normal    in the occluder's coordinates; the normal unit */
 SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_limits *limits, const float point[3],
                                     const float normal[3]);
 
-/* The cap itself: its solid angle [units: sr], its unit axis, and the share of it that is covered; at
-   the hull for points in it. No argument may be NULL; a point that is not finite counts as the centre. Returns the
-   point's distance from the centre over the hull's. */
+/* The cap itself, for points in the hull that at the hull: its solid angle [units: sr], its unit axis, and in *fill the
+   share of it that is covered. Returns the point's distance from the centre over the hull's. No argument may be NULL; a
+   point that is not finite counts as the centre. */
 SSGI_DEF float ssgi_field_cap(const ssgi_field *field, const float point[3], float *solid_angle, float axis[3],
                               float *fill);
 
 /* Occlusion of a spherical cap, cosine-weighted: the share of a diffuse surface's light that it takes [AOF05 eq. 3].
-     solid_angle  [units: sr] [limit: 0..4 pi, what is beyond counts as the end]
-     cosine       between the cap's axis and the surface's normal [limit: -1..1, likewise]
+     solid_angle  [units: sr] [limit: 0..4 pi, clamped]
+     cosine       between the cap's axis and the surface's normal [limit: -1..1, clamped]
    In [0,1], monotone in both. Absolute error 3e-7. GLSL twin: ssgi_cap. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine);
 
-/* A file, the same on every machine. Returns its bytes, 0: no field; writes if out is there and capacity suffices. */
+/* A field as the bytes of a file, the same on every machine. Returns how many there are, 0 for no field; writes them if
+   out is not NULL and capacity suffices. */
 SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *field);
-/* Loads one. size: of texels, in bytes [limit: ssgi_field_size(field->resolution)]; NULL, 0 fills field but for its
-   texels: ask so first. SSGI_BAD_ARGUMENT: cut short, too long, foreign, another version or corrupt; SSGI_TOO_SMALL. */
+
+/* A field from such bytes. With texels NULL and size 0 all but the texels is filled: ask so first, for the resolution.
+     texels, size   [units: bytes] [limit: ssgi_field_size(field->resolution), else SSGI_TOO_SMALL]
+     file           SSGI_BAD_ARGUMENT: cut short, too long, foreign, of another version, or corrupt */
 SSGI_DEF ssgi_result ssgi_field_load(ssgi_field *field, uint32_t *texels, size_t size, const void *file,
                                      size_t file_size, const char **why);
 
@@ -554,89 +604,112 @@ enum {
     SSGI_PLAN_VISIBILITY = 0, /* ambient visibility within a radius. Errors: RMSE of it, linear attenuation */
     SSGI_PLAN_LIGHT,          /* irradiance from an environment and lights in its harmonics. RMSE over its mean */
     SSGI_PLAN_BOUNCE,         /* and one diffuse bounce within the radius. RMSE of both together over their mean */
-    SSGI_PLAN_OBJECTS
-}; /* ambient visibility between rigid objects, at any distance */
+    SSGI_PLAN_OBJECTS,        /* ambient visibility between rigid objects, at any distance. RMSE of it */
+};
 
-/* plan.method; HSAO dims irradiance of harmonics when light is wanted. */
+/* plan.method. When light is wanted HSAO dims the irradiance of harmonics. */
 enum { SSGI_PLAN_NOTHING = 0, SSGI_PLAN_HSAO, SSGI_PLAN_SSDO, SSGI_PLAN_S3HO, SSGI_PLAN_SURFELS, SSGI_PLAN_FIELD };
 
-enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS }; /* plan.thickness, desc.thickness */
+/* plan.thickness, as desc.thickness of ssgi_gl.h. */
+enum { SSGI_PLAN_CONSTANT = 0, SSGI_PLAN_SOLID, SSGI_PLAN_BACK, SSGI_PLAN_SLABS };
 
-enum { SSGI_PLAN_SOFTWARE = 0, SSGI_PLAN_GPU }; /* whose costs */
+/* plan_scene.device: whose costs. */
+enum {
+    SSGI_PLAN_SOFTWARE = 0, /* llvmpipe's, measured */
+    SSGI_PLAN_GPU,          /* a model, not measured yet: of a pixel 8 for a texel fetched and 1 for an operation */
+};
 
-/* RMS over the pixels with a surface: of 1 - visibility (slabs', where drawn), best - hsao (detail), solid - hsao,
-   slabs - hsao. occlusion 0: no survey; slabs 0: not drawn. */
+/* How pictures of one frame differ: RMS over the pixels with a surface. */
 typedef struct ssgi_survey {
-    float occlusion, detail, solid, slabs;
+    float occlusion; /* of 1 - visibility, by slabs where they are drawn; 0: no survey */
+    float detail;    /* of best - hsao */
+    float solid;     /* of solid - hsao */
+    float slabs;     /* of slabs - hsao; 0: not drawn */
 } ssgi_survey;
 
-/* From full-size pictures of pass HSAO by slices, filtered, count floats each, one radius: preset BALANCED; BEST;
-   BALANCED with desc.thickness SOLID; with SLABS (may be NULL). A pixel that is NaN in any is left out: the pass writes 1
-   where there is no surface, set NaN there. SSGI_BAD_ARGUMENT: NULL but for slabs. */
+/* A survey of full-size pictures of pass HSAO by slices, filtered, all of one radius; count floats each. A pixel that
+   is NaN in any of them is left out: set it NaN where there is no surface (the pass writes 1 there).
+     hsao, best    preset BALANCED; preset BEST
+     solid         preset BALANCED with desc.thickness SOLID
+     slabs         preset BALANCED with desc.thickness SLABS; may be NULL, the others not */
 SSGI_DEF ssgi_result ssgi_survey_of(ssgi_survey *survey, const float *hsao, const float *best, const float *solid,
                                     const float *slabs, size_t count, const char **why);
 
-/* Errors against ray-traced truth, in the measure of `wanted`. unoccluded: without any occlusion; hsao: of slices at
-   the preset BALANCED, multiplied with the light where light is wanted; slabs: the same with thickness SLABS, 0 = not
-   known. known: 0 = no calibration. */
+/* Errors against ray-traced truth, in the measure of plan_scene.wanted. */
 typedef struct ssgi_calibration {
-    int known;
-    float unoccluded, hsao, slabs;
+    int known;        /* 0: no calibration */
+    float unoccluded; /* of no occlusion at all */
+    float hsao;       /* of slices at the preset BALANCED, multiplied with the light where light is wanted */
+    float slabs;      /* the same with thickness SLABS; 0: not known */
 } ssgi_calibration;
 
-/* Traces ambient visibility at count points and compares (for light and bounces your renderer does that). The rays'
-   variance is removed by comparing two halves, so 64 suffice. 3000 points spread over the frame come within 3 to 6 % of
-   all its pixels (half of 27 views; nine in ten: 10 %): 0.2 million rays.
-     position, normal   world space as the trace is, 3 floats each; normals unit, toward the viewer. Positions by
+/* Calibrates for ambient visibility: traces it at points of a frame and compares. (For light and bounces your own
+   renderer would do that.) The rays' variance is removed by comparing two halves, so that 64 rays suffice. 3000 points
+   spread over the frame, 0.2 million rays, come within 3 to 6 % of all its pixels in half of 27 views, within 10 % in
+   nine of ten.
+     position, normal   of each point, in the trace's space; normals unit, toward the viewer. Take positions from
                         tracing the pixels' rays: those from depth are too coarse far away
-     hsao, slabs        ambient visibility in the frame at those points; slabs: may be NULL
-     rays               [limit: 2..65536]     radius   [limit: > 0, finite] */
+     hsao, slabs        ambient visibility in the frame at each point; slabs may be NULL
+     count              [limit: > 0] points
+     rays               [limit: 2..65536]
+     radius             [limit: > 0, finite] */
 SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ssgi_trace *trace, const float *position,
                                          const float *normal, const float *hsao, const float *slabs, size_t count,
                                          int rays, float radius, const char **why);
 
+/* What is known of a scene, and what is asked for. Zero means not known, or the default. A comment in capitals names
+   the values of `wanted` for which a member is read. */
 typedef struct ssgi_plan_scene {
-    int wanted;          /* SSGI_PLAN_VISIBILITY .. */
-    int device;          /* whose costs: SSGI_PLAN_SOFTWARE (llvmpipe's, measured), SSGI_PLAN_GPU (a model: 8 for a
-                            texel fetched and 1 for an operation, a pixel; not measured yet) */
-    float error;         /* [limit: >= 0] 0: the least that the budget buys */
-    float budget;        /* [units: unblurred 16-sample ssaos] [limit: >= 0] 0: any */
-    float screen_radius; /* the radius over the frame's height: radius * project / (depth * height), mean over
-                            visible pixels [limit: >= 0] [default: 0.15] */
+    /* what is asked for */
+    int wanted;   /* SSGI_PLAN_VISIBILITY .. */
+    int device;   /* SSGI_PLAN_SOFTWARE .. */
+    float error;  /* [limit: >= 0] 0: the least that the budget buys */
+    float budget; /* [units: unblurred 16-sample ssaos of the device] [limit: >= 0] 0: any */
+
+    /* the geometry in the frame */
+    float screen_radius; /* [limit: >= 0] [default: 0.15] the radius over the frame's height, mean over the visible
+                            pixels: radius * view.project[1] / (view depth * height) */
     ssgi_survey survey;
     ssgi_calibration calibration; /* OBJECTS: only unoccluded is read */
-    float energy[4];  /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
-    int map;          /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
-    float albedo;     /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
-    int thickness;    /* the most that may be drawn: 0, SSGI_PLAN_BACK, SSGI_PLAN_SLABS */
-    float depth_pass; /* [units: as budget] of one depth-only pass of the scene: BACK adds 1, SLABS 3 of it */
+
+    /* the light */
+    float energy[4]; /* LIGHT, BOUNCE: ssgi_sh_energy of the light, four bands; all 0: as the built-in sky's */
+    int map;         /* LIGHT, BOUNCE: 1: the environment is also there as an image, which ssdo looks up */
+    float albedo;    /* BOUNCE: mean [limit: 0..1] [default: 0.6] */
+
+    /* what may be drawn */
+    int thickness;    /* the most: SSGI_PLAN_CONSTANT, _BACK or _SLABS */
+    float depth_pass; /* [units: as budget] cost of one depth-only pass of the scene; BACK adds 1 of it, SLABS 3 */
     int history;      /* 1: frames may be averaged: the camera's motion is known, a trail may show */
-    double surfels;   /* VISIBILITY: that the triangles become at size 0.015 (ssgi_surfels_predict), over the
+    double surfels;   /* VISIBILITY: how many the triangles become at size 0.015 (ssgi_surfels_predict), over the
                          frame's pixels; 0: none may be made */
-    double splats;    /* texels of their splats, all levels, over the frame's pixels [default: 170] */
-    int occluders;    /* OBJECTS: with fields */
+    double splats;    /* VISIBILITY: texels of their splats, all levels, over the frame's pixels [default: 170] */
+    int occluders;    /* OBJECTS: how many have fields */
     float coverage;   /* OBJECTS: mean share of pixels in an occluder's reach [limit: >= 0] [default: 0.1] */
 } ssgi_plan_scene;
 
 typedef struct ssgi_plan {
     int method; /* SSGI_PLAN_NOTHING .. */
-    /* as in ssgi_gl_desc (history: ssgi_gl_chain); resolution: of fields. 0 where the method has none */
+
+    /* settings, 0 where the method has none: as in ssgi_gl_desc, but history as in ssgi_gl_chain, resolution of fields,
+       size of ssgi_surfel_desc */
     int thickness, half, directions, steps, bands, history, levels, filter_radius, resolution;
-    float size;    /* ssgi_surfel_desc.size */
-    float cost;    /* predicted, in unblurred 16-sample ssaos of the device, with depth passes, without what
-                      makes surfels and fields */
-    float error;   /* predicted */
-    int meets;     /* 1: error <= 1.05 x that asked for, cost within the budget; 0 if no error was asked for */
+    float size;
+
+    /* what they are predicted to give */
+    float cost;    /* [units: as budget] with depth passes, without what makes surfels and fields */
+    float error;   /* in the measure of `wanted` */
+    int meets;     /* 1: error <= 1.05 x that asked for, and cost within the budget; 0 if no error was asked for */
     char why[160]; /* one sentence */
 } ssgi_plan;
 
-/* Where nothing meets the error: the nearest, with meets 0, and `why` begins "cannot be met". Bad input:
-   SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
+/* Plans. Where nothing meets the error the nearest choice is given, with meets 0 and a `why` that begins "cannot be
+   met". Bad input: SSGI_BAD_ARGUMENT, plan untouched. A pure function. */
 SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *scene, const char **why);
 
-/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), why
-   empty: 1 and *plan filled; 0 and *plan untouched past the last, for NULL, or where the choice is not for what is
-   wanted or needs what the scene does not give. */
+/* Choice number i of the table, with its predicted error and cost for a scene (whose numbers are not checked), and an
+   empty `why`. Returns 1 with *plan filled; 0 with *plan untouched past the last choice, for NULL, or where the choice
+   is not for what is wanted or needs what the scene does not give. */
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *scene);
 
 enum { SSGI_PLAN_CHOICES = 46 };
