@@ -1948,10 +1948,39 @@ SSGI_DEF ssgi_result ssgi_trace_build(ssgi_trace *trace, void *memory, size_t si
     return SSGI_OK;
 }
 
+/* A ray, prepared for boxes and for triangles. */
 typedef struct ssgi__trace_ray {
-    float origin[3], slope[2]; /* x, y, z permuted so that z is the direction's longest axis */
+    float origin[3], direction[3];
+    float inverse[3]; /* 1 / direction, finite */
+    int sign[3];      /* 1 where the direction is negative */
+    /* the same with x, y, z permuted so that z is the direction's longest axis, and sheared along it */
     int axis[3];
+    float from[3], slope[2];
 } ssgi__trace_ray;
+
+/* 0 for a ray that can hit nothing: not finite, too far out, or without direction. */
+static int ssgi__trace_ray_set(ssgi__trace_ray *ray, const float origin[3], const float direction[3])
+{
+    float size = 0.0f, longest = 0.0f;
+    for (int i = 0; i < 3; i++) {
+        ray->origin[i] = origin[i];
+        ray->direction[i] = direction[i];
+        size += ssgi__abs(origin[i]) + ssgi__abs(direction[i]);
+    }
+    for (int i = 2; i >= 0; i--) longest = ssgi__max(ssgi__abs(direction[i]), longest);
+    if (!ssgi__trace_sane(size) || !(longest > 1e-18f)) return 0;
+    for (int i = 0; i < 3; i++) { /* no infinity: 0 * infinity would be NaN on the face of a box */
+        const float least = longest * 1e-12f;
+        ray->sign[i] = direction[i] < 0.0f;
+        ray->inverse[i] = 1.0f / (ray->sign[i] ? ssgi__min(direction[i], -least) : ssgi__max(direction[i], least));
+    }
+    ray->axis[2] = longest > ssgi__abs(direction[0]) ? longest > ssgi__abs(direction[1]) ? 2 : 1 : 0;
+    ray->axis[0] = (ray->axis[2] + 1) % 3;
+    ray->axis[1] = (ray->axis[2] + 2) % 3;
+    for (int i = 0; i < 3; i++) ray->from[i] = origin[ray->axis[i]];
+    for (int i = 0; i < 2; i++) ray->slope[i] = direction[ray->axis[i]] / direction[ray->axis[2]];
+    return 1;
+}
 
 /* weight[c][k]: unnormalised barycentric weight of corner c of triangle k; outside[k] above 0: the ray's line misses
    it. The corners are sheared so that the ray is the z axis; a weight's sign is then exact for the sheared corners,
@@ -1959,7 +1988,7 @@ typedef struct ssgi__trace_ray {
 static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float weight[3][4],
                                   float outside[4])
 {
-    const float ox = ray->origin[0], oy = ray->origin[1], oz = ray->origin[2], sx = ray->slope[0], sy = ray->slope[1];
+    const float ox = ray->from[0], oy = ray->from[1], oz = ray->from[2], sx = ray->slope[0], sy = ray->slope[1];
     const int x = ray->axis[0], y = ray->axis[1], z = ray->axis[2];
     const float *x0 = block->corner[0][x], *y0 = block->corner[0][y], *z0 = block->corner[0][z];
     const float *x1 = block->corner[1][x], *y1 = block->corner[1][y], *z1 = block->corner[1][z];
@@ -1977,7 +2006,7 @@ static void ssgi__trace_block_hit(const ssgi__trace_block *block, const ssgi__tr
     }
 }
 
-/* where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles */
+/* Where the ray meets the plane of triangle k, -1 if it lies in it; in double, for small things on large triangles. */
 static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const float o[3], const float d[3])
 {
     double e[3], f[3], facing = 0.0, height = 0.0;
@@ -1994,7 +2023,49 @@ static float ssgi__trace_distance(const ssgi__trace_block *block, int k, const f
     return facing < 0.0 || facing > 0.0 ? (float)(height / facing) : -1.0f;
 }
 
-/* hit NULL: returns at the first hit found */
+/* The closest hit in tmin < t < tmax of a leaf's triangles, or with `hit` NULL any. Returns 1 if there is one; *tmax is
+   then its distance. */
+static int ssgi__trace_leaf(const ssgi__trace_block *block, const ssgi__trace_ray *ray, float tmin, float *tmax,
+                            ssgi_hit *hit)
+{
+    float weight[3][4], outside[4];
+    int found = 0;
+    ssgi__trace_block_hit(block, ray, weight, outside);
+    for (int k = 0; k < 4; k++) {
+        if (outside[k] > 0.0f) continue;
+        const float t = ssgi__trace_distance(block, k, ray->origin, ray->direction);
+        const float sum = weight[0][k] + weight[1][k] + weight[2][k];
+        if (!(t > tmin && t < *tmax && ssgi__abs(sum) > 0.0f)) continue;
+        if (!hit) return 1;
+        found = 1;
+        hit->t = *tmax = t;
+        hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
+        hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
+        hit->triangle = block->triangle[k];
+    }
+    return found;
+}
+
+/* Where the ray enters and leaves the boxes of a node's children, within tmin .. tmax; missed where enter > leave. */
+static void ssgi__trace_boxes(const ssgi__trace_node *node, const ssgi__trace_ray *ray, float tmin, float tmax,
+                              float enter[4], float leave[4])
+{
+    const float *o = ray->origin, *inverse = ray->inverse;
+    const int *sign = ray->sign;
+    const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
+    const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
+    const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
+    for (int k = 0; k < 4; k++) {
+        const float ex = (x0[k] - o[0]) * inverse[0], lx = (x1[k] - o[0]) * inverse[0];
+        const float ey = (y0[k] - o[1]) * inverse[1], ly = (y1[k] - o[1]) * inverse[1];
+        const float ez = (z0[k] - o[2]) * inverse[2], lz = (z1[k] - o[2]) * inverse[2];
+        enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
+        leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f; /* covers the rounding of both ends [Ize 2013] */
+        leave[k] = ssgi__min(leave[k], tmax);
+    }
+}
+
+/* From near to far. With `hit` NULL it returns at the first hit that it finds. */
 SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], const float direction[3], float tmin,
                               float tmax, ssgi_hit *hit)
 {
@@ -2006,66 +2077,30 @@ SSGI__FN int ssgi__trace_walk(const ssgi_trace *trace, const float origin[3], co
         float t;
     } stack[SSGI__TRACE_STACK];
 
-    const float o[3] = { origin[0], origin[1], origin[2] }, d[3] = { direction[0], direction[1], direction[2] };
     ssgi__trace_ray ray;
-    float weight[3][4], enter[4], leave[4], inverse[3], longest, size = 0.0f;
-    int sign[3], top = 0, found = 0;
-    for (int i = 0; i < 3; i++) size += ssgi__abs(o[i]) + ssgi__abs(d[i]);
-    longest = ssgi__max(ssgi__abs(d[0]), ssgi__max(ssgi__abs(d[1]), ssgi__abs(d[2])));
-    if (!ssgi__trace_sane(size) || !(longest > 1e-18f) || trace->node_count == 0) return 0;
-    for (int i = 0; i < 3; i++) { /* no infinity: 0 * infinity would be NaN on the face of a box */
-        const float least = longest * 1e-12f;
-        sign[i] = d[i] < 0.0f;
-        inverse[i] = 1.0f / (sign[i] ? ssgi__min(d[i], -least) : ssgi__max(d[i], least));
-    }
-    ray.axis[2] = longest > ssgi__abs(d[0]) ? longest > ssgi__abs(d[1]) ? 2 : 1 : 0;
-    ray.axis[0] = (ray.axis[2] + 1) % 3;
-    ray.axis[1] = (ray.axis[2] + 2) % 3;
-    for (int i = 0; i < 3; i++) ray.origin[i] = o[ray.axis[i]];
-    for (int i = 0; i < 2; i++) ray.slope[i] = d[ray.axis[i]] / d[ray.axis[2]];
+    int top = 0, found = 0;
+    if (trace->node_count == 0 || !ssgi__trace_ray_set(&ray, origin, direction)) return 0;
     tmin = tmin > 0.0f ? tmin : 0.0f;
     stack[top].child = 0;
     stack[top++].t = tmin;
     while (top) {
         const uint32_t child = stack[--top].child;
+        float enter[4], leave[4];
+        const int base = top;
         if (stack[top].t > tmax) continue;
         if (child & SSGI__TRACE_LEAF) {
-            const ssgi__trace_block *block = blocks + (child & ~SSGI__TRACE_LEAF);
-            ssgi__trace_block_hit(block, &ray, weight, enter);
-            for (int k = 0; k < 4; k++) {
-                if (enter[k] > 0.0f) continue;
-                const float t = ssgi__trace_distance(block, k, o, d), sum = weight[0][k] + weight[1][k] + weight[2][k];
-                if (!(t > tmin && t < tmax && ssgi__abs(sum) > 0.0f)) continue;
-                if (!hit) return 1;
-                found = 1;
-                hit->t = tmax = t;
-                hit->u = ssgi__min(1.0f, ssgi__max(0.0f, weight[1][k] / sum));
-                hit->v = ssgi__min(1.0f - hit->u, ssgi__max(0.0f, weight[2][k] / sum));
-                hit->triangle = block->triangle[k];
-            }
-        } else {
-            const ssgi__trace_node *node = nodes + child;
-            const float *x0 = node->bound[sign[0]][0], *x1 = node->bound[1 - sign[0]][0];
-            const float *y0 = node->bound[sign[1]][1], *y1 = node->bound[1 - sign[1]][1];
-            const float *z0 = node->bound[sign[2]][2], *z1 = node->bound[1 - sign[2]][2];
-            const int base = top;
-            for (int k = 0; k < 4; k++) { /* the slack covers the rounding of both ends [Ize 2013] */
-                const float ex = (x0[k] - o[0]) * inverse[0], ey = (y0[k] - o[1]) * inverse[1],
-                            ez = (z0[k] - o[2]) * inverse[2];
-                const float lx = (x1[k] - o[0]) * inverse[0], ly = (y1[k] - o[1]) * inverse[1],
-                            lz = (z1[k] - o[2]) * inverse[2];
-                enter[k] = ssgi__max(ssgi__max(ex, ey), ssgi__max(ez, tmin));
-                leave[k] = ssgi__min(ssgi__min(lx, ly), lz) * 1.0000006f;
-                leave[k] = ssgi__min(leave[k], tmax);
-            }
-            for (int k = 0; k < 4; k++)
-                if (enter[k] <= leave[k]) {
-                    int j = top++;
-                    for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
-                    stack[j].child = node->child[k];
-                    stack[j].t = enter[k];
-                }
+            found |= ssgi__trace_leaf(blocks + (child & ~SSGI__TRACE_LEAF), &ray, tmin, &tmax, hit);
+            if (found && !hit) return 1;
+            continue;
         }
+        ssgi__trace_boxes(nodes + child, &ray, tmin, tmax, enter, leave);
+        for (int k = 0; k < 4; k++)
+            if (enter[k] <= leave[k]) { /* the nearest on top, where the order matters */
+                int j = top++;
+                for (; hit && j > base && stack[j - 1].t < enter[k]; j--) stack[j] = stack[j - 1];
+                stack[j].child = nodes[child].child[k];
+                stack[j].t = enter[k];
+            }
     }
     return found;
 }
@@ -3363,11 +3398,13 @@ SSGI_DEF float ssgi_field_occlusion(const ssgi_field *field, const ssgi_field_li
     return a > 0.0f ? a < 1.0f ? a : 1.0f : 0.0f;
 }
 
-/* ---- files: 32-bit words, lowest byte first */
+/* ---- files: 32-bit words, lowest byte first: magic number, version, resolution, radii; the field's other numbers as
+   floats; texels; two words of checksum over all before */
 
-#define SSGI__FIELD_HEAD 29             /* words before the texels; after them two of checksum */
-#define SSGI__FIELD_MAGIC 0x69677373u   /* "ssgi" */
-#define SSGI__FIELD_VERSION 0x32464f41u /* "AOF2" */
+#define SSGI__FIELD_NUMBERS 25
+#define SSGI__FIELD_HEAD (4 + SSGI__FIELD_NUMBERS) /* words before the texels */
+#define SSGI__FIELD_MAGIC 0x69677373u              /* "ssgi" */
+#define SSGI__FIELD_VERSION 0x32464f41u            /* "AOF2" */
 
 SSGI__FN void ssgi__field_put(unsigned char *out, size_t i, uint32_t word)
 {
@@ -3378,6 +3415,21 @@ SSGI__FN uint32_t ssgi__field_get(const unsigned char *in, size_t i)
 {
     return (uint32_t)in[4 * i] | (uint32_t)in[4 * i + 1] << 8 | (uint32_t)in[4 * i + 2] << 16
          | (uint32_t)in[4 * i + 3] << 24;
+}
+
+/* Where a field's floats are, in the order of a file. */
+SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field *f)
+{
+    size_t n = 0;
+    for (int k = 0; k < 3; ++k) number[n++] = &f->centre[k];
+    number[n++] = &f->radius;
+    number[n++] = &f->reach;
+    number[n++] = &f->inside;
+    for (int k = 0; k < 8; ++k) number[n++] = &f->low[k];
+    for (int k = 0; k < 8; ++k) number[n++] = &f->span[k];
+    number[n++] = &f->median;
+    number[n++] = &f->p95;
+    number[n++] = &f->max_error;
 }
 
 SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size) /* FNV-1a */
@@ -3392,14 +3444,20 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     unsigned char *bytes = (unsigned char *)out;
     const size_t words = field ? ssgi_field_size(field->resolution) / 4 : 0,
                  size = words ? 4 * (SSGI__FIELD_HEAD + words + 2) : 0;
-    uint32_t number[25];
+    float *number[SSGI__FIELD_NUMBERS];
+    ssgi_field f;
     if (!words || capacity < size || !out) return size;
+    f = *field;
+    ssgi__field_numbers(number, &f);
     ssgi__field_put(bytes, 0, SSGI__FIELD_MAGIC);
     ssgi__field_put(bytes, 1, SSGI__FIELD_VERSION);
     ssgi__field_put(bytes, 2, (uint32_t)field->resolution);
     ssgi__field_put(bytes, 3, (uint32_t)field->radii);
-    memcpy(number, (const char *)field + offsetof(ssgi_field, centre), sizeof number); /* centre .. most */
-    for (size_t i = 0; i < 25; ++i) ssgi__field_put(bytes, 4 + i, number[i]);
+    for (size_t i = 0; i < SSGI__FIELD_NUMBERS; ++i) {
+        uint32_t word;
+        memcpy(&word, number[i], sizeof word);
+        ssgi__field_put(bytes, 4 + i, word);
+    }
     for (size_t i = 0; i < words; ++i) ssgi__field_put(bytes, SSGI__FIELD_HEAD + i, field->texels[i]);
     const uint64_t h = ssgi__field_checksum(bytes, size - 8);
     ssgi__field_put(bytes, size / 4 - 2, (uint32_t)h);
@@ -3407,11 +3465,12 @@ SSGI_DEF size_t ssgi_field_save(void *out, size_t capacity, const ssgi_field *fi
     return size;
 }
 
+/* All of a file but its texels. */
 SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t size, const char **why)
 {
     static const char corrupt[] = "file: is corrupt";
     const unsigned char *bytes = (const unsigned char *)file;
-    float number[25];
+    float *number[SSGI__FIELD_NUMBERS];
     uint32_t head[4] = { 0 };
     size_t words = 0;
     SSGI__THERE(file);
@@ -3429,13 +3488,16 @@ SSGI__FN ssgi_result ssgi__field_head(ssgi_field *f, const void *file, size_t si
     SSGI__CHECK(size <= 4 * (SSGI__FIELD_HEAD + words + 2), "file: is longer than its field");
     const uint64_t h = ssgi__field_get(bytes, size / 4 - 2) | (uint64_t)ssgi__field_get(bytes, size / 4 - 1) << 32;
     SSGI__CHECK(ssgi__field_checksum(bytes, size - 8) == h, corrupt);
-    for (size_t i = 0; i < 25; ++i) {
+    ssgi__field_numbers(number, f);
+    for (size_t i = 0; i < SSGI__FIELD_NUMBERS; ++i) {
         const uint32_t word = ssgi__field_get(bytes, 4 + i);
-        memcpy(&number[i], &word, sizeof word);
-        SSGI__CHECK(ssgi__within(number[i], i < 14 ? -1e15f : 0.0f, 1e15f), corrupt);
+        memcpy(number[i], &word, sizeof word);
+        SSGI__CHECK(ssgi__within(*number[i], -1e15f, 1e15f), corrupt);
     }
-    memcpy((char *)f + offsetof(ssgi_field, centre), number, sizeof number);
-    for (int i = 0; i < 3; ++i) SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
+    SSGI__CHECK(ssgi__positive(f->span, 8), corrupt);
+    SSGI__CHECK(f->median >= 0.0f && f->p95 >= 0.0f && f->max_error >= 0.0f, corrupt);
+    for (int i = 0; i < 3; ++i) /* logarithms: so that their powers of 2 are finite */
+        SSGI__CHECK(fabsf(f->low[i]) <= 64.0f && f->span[i] <= 64.0f, corrupt);
     SSGI__CHECK(f->radius > 0.0f && f->reach > f->low[3] + f->span[3] && f->low[3] > 0.0f, corrupt);
     SSGI__CHECK(ssgi__within(f->inside, 0.0f, 1.0f), corrupt);
     return SSGI_OK;
@@ -3521,20 +3583,19 @@ SSGI_DEF ssgi_result ssgi_plan_calibrate(ssgi_calibration *calibration, const ss
     return SSGI_OK;
 }
 
-/* The squared error is a linear combination of scene terms, whose weights were fitted for each choice
-   (examples/fit.c): the calibration's squared errors; the unoccluded one times a surfel's size over the radius, once
-   and twice, times the light's unevenness, times the energy beyond the bands, times the albedo; and a constant term. */
+/* The predicted squared error of a choice is a linear combination of these terms of the scene, with weights that were
+   fitted for each choice (make fit). E is the squared error without any occlusion. */
 enum {
-    SSGI__PLAN_UNOCCLUDED,
-    SSGI__PLAN_HSAO_ERROR,
-    SSGI__PLAN_SLABS_ERROR,
-    SSGI__PLAN_COARSE,
-    SSGI__PLAN_COARSER,
-    SSGI__PLAN_UNEVEN,
-    SSGI__PLAN_LEFT_OUT,
-    SSGI__PLAN_BOUNCED,
-    SSGI__PLAN_CONSTANT_ERROR,
-    SSGI__PLAN_TERMS
+    SSGI__PLAN_UNOCCLUDED,     /* E */
+    SSGI__PLAN_HSAO_ERROR,     /* squared error of hsao */
+    SSGI__PLAN_SLABS_ERROR,    /* squared error of hsao with slabs */
+    SSGI__PLAN_COARSE,         /* E times a surfel's size over the radius */
+    SSGI__PLAN_COARSER,        /* E times the square of that */
+    SSGI__PLAN_UNEVEN,         /* E times the light's energy beyond band 0, over that of band 0 */
+    SSGI__PLAN_LEFT_OUT,       /* E times the light's energy beyond the choice's bands, over that of band 0 */
+    SSGI__PLAN_BOUNCED,        /* E times the square of the albedo, when a bounce is wanted */
+    SSGI__PLAN_CONSTANT_ERROR, /* 1e-4 */
+    SSGI__PLAN_TERMS           /* how many */
 };
 
 /* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
@@ -3546,8 +3607,9 @@ typedef struct ssgi__plan_row {
 /* clang-format off */
 #define SSGI__ROW(wanted, method, thickness, half, directions, steps, bands, history, resolution, size, cost, gpu, \
                   unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant) \
-    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, resolution, \
-      size, { cost, gpu }, { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
+    { SSGI_PLAN_##wanted, SSGI_PLAN_##method, SSGI_PLAN_##thickness, half, directions, steps, bands, history, \
+      resolution, size, { cost, gpu }, \
+      { unoccluded, hsao, slabs, coarse, coarser, uneven, left_out, bounced, constant } }
 
 static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
     SSGI__ROW(VISIBILITY, NOTHING, CONSTANT, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1.0f, 0, 0, 0, 0, 0, 0, 0, 0),
@@ -3599,28 +3661,55 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 };
 /* clang-format on */
 
-static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f }; /* energies of the built-in sky */
-/* Squared errors without occlusion, of hsao, of slabs, from a survey's squares; without slabs, with (examples/fit.c) */
+/* What a scene that leaves a number 0 is taken to have. */
+#define SSGI__PLAN_RADIUS 0.15   /* screen_radius */
+#define SSGI__PLAN_ALBEDO 0.6f   /* albedo */
+#define SSGI__PLAN_TEXELS 170.0  /* splats */
+#define SSGI__PLAN_COVERAGE 0.1f /* coverage */
+#define SSGI__PLAN_SURFEL 0.015f /* the size of surfels that scene.surfels and .splats count */
+#define SSGI__PLAN_NO_SURVEY \
+    { \
+        0.02, 0.003, 0.003 \
+    } /* squared errors without occlusion, of hsao, of slabs */
+/* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
+#define SSGI__PLAN_NEGLIGIBLE 0.1
+
+/* Energies of the built-in sky's bands. */
+static const float ssgi__plan_sky[4] = { 1.0f, 0.42f, 0.13f, 0.18f };
+
+/* Squared errors from a survey's squares (make fit). A row each: without occlusion, of hsao, of slabs. Columns: weights
+   of occlusion, detail, solid, slabs. First of surveys without slabs, then with them. */
 static const float ssgi__plan_survey[2][3][4] = {
     { { 1.26f, 4.11f, 0.441f, 0 }, { 0.0423f, 3.98f, 0.368f, 0 }, { 0.0163f, 3.31f, 0.293f, 0 } },
     { { 1.2f, 3.71f, 0, 1.75f }, { 0.0314f, 3.31f, 0, 0.984f }, { 0.0126f, 2.97f, 0, 0.517f } }
 };
-/* What splats cost beside a choice's own: per texel a pixel, per surfel a pixel; in software, on a GPU */
-static const float ssgi__plan_splats[2][2] = { { 0.13f, 63.0f }, { 0.22f, 6.9f } };
+
+/* What splats and fields cost beside a choice's own; in software, on a GPU. */
+static const struct {
+    float texel, surfel; /* per texel of splats and per surfel, over the frame's pixels */
+    float occluder;      /* per occluder that reaches all pixels */
+} ssgi__plan_costs[2] = { { 0.13f, 63.0f, 0.6f }, { 0.22f, 6.9f, 0.3f } };
 
 SSGI__FN double ssgi__plan_radius(const ssgi_plan_scene *s)
 {
-    return s->screen_radius > 0.0f ? (double)s->screen_radius : 0.15;
+    return s->screen_radius > 0.0f ? (double)s->screen_radius : SSGI__PLAN_RADIUS;
 }
 
-/* Squared errors of nothing, hsao, hsao with slabs: of the calibration, else from the survey, else a guess. */
+static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
+{
+    return s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+}
+
+/* Squared errors without occlusion, of hsao, of hsao with slabs: of the calibration, else from the survey, else a
+   guess. A calibration without slabs scales what else is known of them. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
+    static const double guess[3] = SSGI__PLAN_NO_SURVEY;
     const double known[3] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
                               (double)s->calibration.slabs };
     const float v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
     for (int k = 0; k < 3; ++k) {
-        square[k] = v[0] > 0.0f ? 1e-6 : k ? 0.003 : 0.02;
+        square[k] = v[0] > 0.0f ? 1e-6 : guess[k];
         for (int i = 0; i < 4 && v[0] > 0.0f; ++i)
             square[k] += (double)ssgi__plan_survey[v[3] > 0.0f][k][i] * (double)v[i] * (double)v[i];
     }
@@ -3631,9 +3720,9 @@ SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 
 SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
+    const float *energy = ssgi__plan_energy(s);
     const double size = (double)row->size / ssgi__plan_radius(s);
-    const double albedo = (double)(s->albedo > 0.0f ? s->albedo : 0.6f);
+    const double albedo = (double)(s->albedo > 0.0f ? s->albedo : SSGI__PLAN_ALBEDO);
     double square[3], uneven = 0.0, left = 0.0;
     ssgi__plan_errors(square, s);
     for (int l = 1; l < 4 && s->wanted; ++l) {
@@ -3655,82 +3744,83 @@ SSGI__FN void ssgi__plan_terms(double term[SSGI__PLAN_TERMS], const ssgi__plan_r
 /* Whether a scene has what a choice requires, and benefits from it. */
 SSGI__FN int ssgi__plan_fits(const ssgi__plan_row *row, const ssgi_plan_scene *s, const double term[SSGI__PLAN_TERMS])
 {
-    const int m = row->method, given = m == SSGI_PLAN_SSDO    ? s->map
-                                     : m == SSGI_PLAN_SURFELS ? s->surfels > 0.0
-                                                              : m != SSGI_PLAN_FIELD || s->occluders > 0;
-    if (row->wanted != s->wanted || !given || row->thickness > s->thickness || row->history > s->history) return 0;
-    /* skip directional methods when the energy above band 0 is negligible */
+    const int m = row->method;
+    if (row->wanted != s->wanted || row->thickness > s->thickness || row->history > s->history) return 0;
+    if (m == SSGI_PLAN_SSDO && !s->map) return 0;
+    if (m == SSGI_PLAN_SURFELS && !(s->surfels > 0.0)) return 0;
+    if (m == SSGI_PLAN_FIELD && s->occluders < 1) return 0;
+    /* light from everywhere, or nearly so, has no direction: methods that know directions are taken to gain a tenth of
+       the uneven term */
     return row->wanted != SSGI_PLAN_LIGHT || (m != SSGI_PLAN_S3HO && m != SSGI_PLAN_SSDO)
-        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= 0.1 * (double)s->error;
+        || sqrt(0.1 * term[SSGI__PLAN_UNEVEN]) >= SSGI__PLAN_NEGLIGIBLE * (double)s->error;
 }
 
-/* Beyond the choice's own: depth passes, fields, surfels, which are the fewer the larger they are. */
+/* A choice's own cost, and that of depth passes, fields, surfels. Surfels go with 1 / size^2, texels of splats with
+   1 / size^(1/2). */
 SSGI__FN float ssgi__plan_cost(const ssgi__plan_row *row, const ssgi_plan_scene *s)
 {
     const int gpu = s->device == SSGI_PLAN_GPU;
-    const float larger = row->size > 0.0f ? 0.015f / row->size : 1.0f;
+    const float finer = row->size > 0.0f ? SSGI__PLAN_SURFEL / row->size : 1.0f;
     float cost = row->cost[gpu];
     if (row->thickness >= SSGI_PLAN_BACK) cost += s->depth_pass * (row->thickness == SSGI_PLAN_SLABS ? 3.0f : 1.0f);
     if (row->method == SSGI_PLAN_FIELD)
-        cost += (gpu ? 0.3f : 0.6f) * (float)s->occluders * (s->coverage > 0.0f ? s->coverage : 0.1f);
+        cost += ssgi__plan_costs[gpu].occluder * (float)s->occluders
+              * (s->coverage > 0.0f ? s->coverage : SSGI__PLAN_COVERAGE);
     if (row->method == SSGI_PLAN_SURFELS)
-        cost += ssgi__plan_splats[gpu][0] * (float)(s->splats > 0.0 ? s->splats : 170.0) * sqrtf(larger)
-              + ssgi__plan_splats[gpu][1] * (float)s->surfels * larger * larger;
+        cost += ssgi__plan_costs[gpu].texel * (float)(s->splats > 0.0 ? s->splats : SSGI__PLAN_TEXELS) * sqrtf(finer)
+              + ssgi__plan_costs[gpu].surfel * (float)s->surfels * finer * finer;
     return cost;
 }
 
 SSGI_DEF int ssgi_plan_choice(ssgi_plan *plan, int i, const ssgi_plan_scene *s)
 {
     const ssgi__plan_row *row = &ssgi__plan_rows[i >= 0 && i < SSGI_PLAN_CHOICES ? i : 0];
-    const ssgi_plan settings = {
-        row->method, row->thickness,      row->half,       row->directions, row->steps, row->bands, row->history,
-        0,           row->directions > 0, row->resolution, row->size,       0.0f,       0.0f,       0,
-        ""
-    };
+    const float *energy;
     double term[SSGI__PLAN_TERMS], square = 0.0;
     if (!plan || !s || i < 0 || i >= SSGI_PLAN_CHOICES) return 0;
     ssgi__plan_terms(term, row, s);
     if (!ssgi__plan_fits(row, s, term)) return 0;
-    *plan = settings;
+    memset(plan, 0, sizeof *plan);
+    plan->method = row->method;
+    plan->thickness = row->thickness;
+    plan->half = row->half;
+    plan->directions = row->directions;
+    plan->steps = row->steps;
+    plan->bands = row->bands;
+    plan->history = row->history;
+    plan->filter_radius = row->directions > 0;
+    plan->resolution = row->resolution;
+    plan->size = row->size;
     for (int k = 0; k < SSGI__PLAN_TERMS; ++k) square += term[k] * (double)row->term[k];
     plan->error = (float)sqrt(square);
     plan->cost = ssgi__plan_cost(row, s);
-    const float *energy = s->energy[0] > 0.0f ? s->energy : ssgi__plan_sky;
-    while (plan->bands > 1 /* bands whose energy is negligible */
+    /* bands whose energy is negligible are left out; a band is taken to matter by 0.02 of its share of the energy */
+    energy = ssgi__plan_energy(s);
+    while (plan->bands > 1
            && sqrt(0.02 * term[SSGI__PLAN_UNOCCLUDED] * (double)energy[plan->bands - 1] / (double)energy[0])
-                  < 0.1 * (double)s->error)
+                  < SSGI__PLAN_NEGLIGIBLE * (double)s->error)
         --plan->bands;
+    if (row->method != SSGI_PLAN_SURFELS) return 1;
     /* level k ends at 3 of its radii, half a size times 2^(k - 1), when epsilon is 0.1 */
-    if (row->method == SSGI_PLAN_SURFELS)
-        for (plan->levels = 1; plan->levels < SSGI_SPLAT_LEVELS
-                               && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s);)
-            ++plan->levels;
+    plan->levels = 1;
+    while (plan->levels < SSGI_SPLAT_LEVELS
+           && (double)row->size * 1.5 * (1 << (plan->levels - 1)) < ssgi__plan_radius(s))
+        ++plan->levels;
     return 1;
 }
 
-SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
+SSGI__FN ssgi_result ssgi__plan_bad(const ssgi_plan_scene *s, const char **why)
 {
-    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
-    static const char *const extra[2][4] = { { "", ", solid", ", back faces", ", slabs" }, { "", ", history" } };
-    static const int ten[5] = { 10000, 1000, 100, 10, 1 };
-    ssgi_plan best, p;
-    float goal = 0.0f, figure[3] = { 0.0f, 0.0f, 0.0f };
-    const char *words;
-    char *at;
-    int tried = 0, found = 0, digit = 0;
-    SSGI__THERE(plan);
     SSGI__CHECK(s, "scene: must not be NULL");
     SSGI__CHECK(s->wanted >= SSGI_PLAN_VISIBILITY && s->wanted <= SSGI_PLAN_OBJECTS,
                 "scene.wanted: must be SSGI_PLAN_VISIBILITY .. SSGI_PLAN_OBJECTS");
     SSGI__CHECK(s->device >= 0 && s->device <= 1 && s->thickness >= 0 && s->thickness <= SSGI_PLAN_SLABS
                     && s->history >= 0 && s->history <= 1 && s->occluders >= 0,
-                "scene.device, .thickness, .history, .occluders: must be 0..1, "
-                "0..3, 0..1, 0 or more");
+                "scene.device, .thickness, .history, .occluders: must be 0..1, 0..3, 0..1, 0 or more");
     SSGI__CHECK(ssgi__positive(&s->error, 1) && ssgi__positive(&s->budget, 1) && ssgi__positive(&s->screen_radius, 1)
                     && ssgi__positive(&s->albedo, 1) && ssgi__positive(&s->depth_pass, 1)
                     && ssgi__positive(&s->coverage, 1),
-                "scene.error, .budget, .screen_radius, .albedo, .depth_pass, "
-                ".coverage: must be finite and 0 or more");
+                "scene.error, .budget, .screen_radius, .albedo, .depth_pass, .coverage: must be finite and 0 or more");
     SSGI__CHECK(ssgi__within((float)s->surfels, 0.0f, 1e18f) && ssgi__within((float)s->splats, 0.0f, 1e18f),
                 "scene.surfels, .splats: must be finite and 0 or more");
     SSGI__CHECK(ssgi__positive(s->energy, 4), "scene.energy: must be finite and 0 or more");
@@ -3739,35 +3829,65 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
     SSGI__CHECK(ssgi__positive(&s->survey.occlusion, 1) && ssgi__positive(&s->survey.detail, 1)
                     && ssgi__positive(&s->survey.solid, 1) && ssgi__positive(&s->survey.slabs, 1),
                 "scene.survey: must be finite and 0 or more");
+    return SSGI_OK;
+}
+
+SSGI__FN char *ssgi__plan_word(char *at, const char *word)
+{
+    while (*word) *at++ = *word++;
+    return at;
+}
+
+/* An error in 4 decimals: by hand, as there is no stdio.h here, and a locale would choose the point. */
+SSGI__FN char *ssgi__plan_figure(char *at, float x)
+{
+    const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
+    *at++ = (char)('0' + n / 10000);
+    *at++ = '.';
+    for (int unit = 1000; unit; unit /= 10) *at++ = (char)('0' + n / unit % 10);
+    return at;
+}
+
+/* plan->why: "hsao, slabs: errs by 0.0123, the cheapest of all choices within 5 % of 0.0130". It has room for the
+   longest. */
+SSGI__FN void ssgi__plan_sentence(ssgi_plan *plan, float error)
+{
+    static const char *const method[] = { "nothing", "hsao", "ssdo", "s3ho", "dss", "fields" };
+    static const char *const thickness[] = { "", ", solid", ", back faces", ", slabs" };
+    char *at = plan->why;
+    if (!plan->meets && error > 0.0f) {
+        at = ssgi__plan_figure(ssgi__plan_word(at, "cannot be met: "), error);
+        at = ssgi__plan_word(at, "; the nearest: ");
+    }
+    at = ssgi__plan_word(ssgi__plan_word(at, method[plan->method]), thickness[plan->thickness]);
+    at = ssgi__plan_word(at, plan->history ? ", history: errs by " : ": errs by ");
+    at = ssgi__plan_figure(at, plan->error);
+    if (plan->meets) at = ssgi__plan_figure(ssgi__plan_word(at, ", the cheapest of all choices within 5 % of "), error);
+    else if (!(error > 0.0f)) at = ssgi__plan_word(at, ", the least that may be had");
+    *at = 0;
+}
+
+SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, const char **why)
+{
+    ssgi_plan best, p;
+    float goal = 0.0f;
+    int tried = 0, found = 0;
+    SSGI__THERE(plan);
+    SSGI__TRY(ssgi__plan_bad(s, why));
     memset(&best, 0, sizeof best);
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) {
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the least error, or the one asked for */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (!tried++ || p.error < goal) goal = p.error;
     }
     if (goal < s->error) goal = s->error;
-    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest within 5 % of the goal */
+    for (int i = 0; i < SSGI_PLAN_CHOICES; ++i) { /* the cheapest within 5 % of it */
         if (!ssgi_plan_choice(&p, i, s) || (s->budget > 0.0f && p.cost > s->budget)) continue;
         if (p.error > 1.05f * goal || (found && p.cost >= best.cost)) continue;
         p.meets = s->error > 0.0f && p.error <= 1.05f * s->error;
         best = p;
         found = 1;
     }
-    figure[0] = best.meets || !(s->error > 0.0f) ? best.error : s->error;
-    figure[1] = best.meets ? s->error : best.error;
-    words = best.meets      ? "*: errs by #.####, the cheapest of all choices within 5 % of #.####"
-          : s->error > 0.0f ? "cannot be met: #.####; the nearest: *: errs by #.####"
-                            : "*: errs by #.####, the least that may be had";
-    for (at = best.why; *words; ++words) { /* digits by hand: no stdio.h, no locale */
-        const float x = figure[digit / 5];
-        const int n = (int)((x < 9.9999f ? x : 9.9999f) * 1e4f + 0.5f);
-        const char *const said[3] = { method[best.method], extra[0][best.thickness], extra[1][best.history] };
-        for (int k = 0; k < 3 && *words == '*'; ++k)
-            for (const char *m = said[k]; *m; ++m) *at++ = *m;
-        if (*words == '#') {
-            *at++ = (char)('0' + n / ten[digit % 5] % 10);
-            ++digit;
-        } else if (*words != '*') *at++ = *words;
-    }
+    ssgi__plan_sentence(&best, s->error);
     *plan = best;
     return SSGI_OK;
 }
