@@ -68,8 +68,8 @@
       >>frame  what changes per frame    >>rows  the table of inputs and outputs    >>passes  main of each stage
       >>library  GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
-                outputs in >>rows. An accumulator: #if lines in ssgi_gather, an output row, its field in >>desc.
-                An input: a row. What a text reads is what its functions name; nothing else says it again.
+                outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
+                field in >>desc. An input: a row. What a text reads is what its functions name; nothing else says it.
 
    OTHER LANGUAGES     ssgi_gl_choice_at, _member_at and _reflect have all names, limits and offsets; the repository's
                        make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
@@ -165,16 +165,16 @@ enum {
     SSGI_GL_MARCH,      /* hsao: the paper's deflected ray, and normal rays above it [HSAO08 3.1-3.3] */
 };
 
-/* desc.thickness: how far visible surfaces reach, away from the viewer. */
+/* desc.thickness: how far visible surfaces reach, away from the viewer. Where there is no back face, or it is the
+   visible surface itself (a sheet), BACK and SLABS have frame.thickness. */
 enum {
     SSGI_GL_THICKNESS_CONSTANT = 0, /* frame.thickness */
     SSGI_GL_THICKNESS_SOLID,        /* without end */
-    SSGI_GL_THICKNESS_BACK,  /* to the nearest back face (t_ssgi_back: a depth pass, front faces culled); of sheets,
-                                and where there is none, frame.thickness */
-    SSGI_GL_THICKNESS_SLABS, /* and from the next front face behind that to its back face: two more, peeled */
+    SSGI_GL_THICKNESS_BACK,         /* to the nearest back face: t_ssgi_back, a depth pass with front faces culled */
+    SSGI_GL_THICKNESS_SLABS,        /* and from the next front face behind that to its back face: two peeled passes */
 };
 
-/* desc.falloff: an occluder's weight over its distance t; sets the distribution of samples along their directions. */
+/* desc.falloff: an occluder's weight over its distance t. Slices multiply with it, points are distributed by it. */
 enum {
     SSGI_GL_FALLOFF_LINEAR = 0, /* 1 - t/radius, the paper's */
     SSGI_GL_FALLOFF_SQUARE,     /* 1 - (t/radius)^2: what a bounce needs that restores what virtual point lights clamp
@@ -188,11 +188,11 @@ enum {
     SSGI_GL_FADE_LAMBDA, /* 1 / (1 + lambda d), the paper's: not 0 at the radius [S3HO12 2.1] */
 };
 
-/* desc.environment: where the light of the environment comes from. */
+/* desc.environment: what the light of the environment is read from. */
 enum {
     SSGI_GL_ENVIRONMENT_NONE = 0,
-    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions for the price of the visibility */
-    SSGI_GL_ENVIRONMENT_MAP, /* world space, a look-up a direction: ssgi_environment_map */
+    SSGI_GL_ENVIRONMENT_SH,  /* frame.harmonics: all directions at the cost of the visibility alone */
+    SSGI_GL_ENVIRONMENT_MAP, /* a texture in world space, read once a direction: ssgi_environment_map */
 };
 
 /* desc.bounce: estimator of what an occluded direction receives. */
@@ -218,11 +218,11 @@ enum {
     SSGI_GL_RADIANCE_ALBEDO,    /* albedo alone: what s3ho reads, whose light comes later */
 };
 
-/* desc.transfer: what the coefficients of s3ho hold. */
+/* desc.transfer: what the coefficients of s3ho hold. From 3 bands on three sets take 6 targets (GLES has 4). */
 enum {
     SSGI_GL_TRANSFER_DIRECT = 0, /* one set: the transfer of unoccluded directions */
-    SSGI_GL_TRANSFER_BOTH,       /* one a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
-    SSGI_GL_TRANSFER_REFLECTED,  /* one a channel: what occluders reflect. 6 targets from 3 bands on (GLES: 4) */
+    SSGI_GL_TRANSFER_BOTH,       /* a set a channel: that, and unoccluded light reflected by occluders [S3HO12 2.3] */
+    SSGI_GL_TRANSFER_REFLECTED,  /* a set a channel: what occluders reflect alone */
 };
 
 /* desc.shading: how the coefficients are shaded. */
@@ -264,7 +264,8 @@ enum {
     SSGI_GL_COEFFICIENTS, /* of s3ho */
 };
 
-/* desc.onto: how the result is put onto your picture, by blending. Light is added, times albedo, where not NONE. */
+/* desc.onto: how ambient visibility is put onto your picture, by blending. Light is added, times albedo, by any of them
+   but NONE. */
 enum {
     SSGI_GL_ONTO_NONE = 0,
     SSGI_GL_ONTO_MULTIPLY,      /* linear values. In a picture that holds direct light that is dimmed, too */
@@ -272,8 +273,8 @@ enum {
     SSGI_GL_ONTO_AMBIENT,       /* what is occluded of t_ssgi_ambient, the picture's ambient part, is subtracted */
 };
 
-/* desc.restore: what is filtered instead of light. Unoccluded light is exact at every pixel and differs across creases:
-   blur puts it back unfiltered, at full size. */
+/* desc.restore: what history and blur filter instead of light. Unoccluded light is known exactly at every pixel and
+   differs across creases, which a filter would smooth: blur puts it back unfiltered, at full size. */
 enum {
     SSGI_GL_RESTORE_NONE = 0,
     SSGI_GL_RESTORE_RATIO,      /* light over unoccluded light, 0..1 in each channel [HHM18] */
@@ -287,92 +288,108 @@ enum {
 };
 
 /* What you choose when a program is built. Zero is the default everywhere; counts become literal constants in the text,
-   and what is off leaves no text behind. A comment begins with the passes that look at the field; the others ignore it,
-   but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the field that is not. */
+   and what is off leaves no text behind. A comment begins with the passes that look at the field, where its heading
+   does not tell; the others ignore it, but it must be in its limits [0..1 where none is told]. ssgi_gl_check names the
+   field that is not. */
 typedef struct ssgi_gl_desc {
-    /* every pass */
-    int pass;          /* SSGI_GL_SSAO .. */
-    int dialect;       /* SSGI_GL_330 .. */
-    int orthographic;  /* 1: the camera is orthographic (ssgi_view.orthographic says so) */
+    /* ---- the text */
+    int pass;    /* SSGI_GL_SSAO .. */
+    int dialect; /* SSGI_GL_330 .. */
+    int lines;   /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
+
+    /* ---- the camera */
+    int orthographic; /* 1: it is orthographic (ssgi_view.orthographic says so) */
+    int oblique;      /* DEPTH_WINDOW   1: its near plane may be oblique (ssgi_view.oblique) */
+    int left_handed;  /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
+
+    /* ---- your textures */
     int depth;         /* SSGI_GL_DEPTH_WINDOW .. */
     int normal;        /* SSGI_GL_NORMAL_SIGNED .. */
     int world_normals; /* 1: the normals are in world space; frame.rotation turns them into view space */
-    int half;          /* gathers, shade, history   1: a pixel of every 2x2, rounded up; blur   1: to full size */
-    int lines;         /* 1: #line directives, so that a compiler's "0:N" is line N of this header */
-    int left_handed;   /* 1: view-space normals have +z away from the viewer; all else: ssgi_view_from_projection */
-    int oblique;       /* DEPTH_WINDOW   1: the near plane may be oblique (ssgi_view.oblique) */
-    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS; the rest is yours to resolve. Sample 0 is
+    int multisampled;  /* 1: t_ssgi_depth and t_ssgi_normal are sampler2DMS, the rest is yours to resolve. Sample 0 is
                           read: one surface, at one place in every pixel, so that planes stay planes. Not in 300es */
-    int array;         /* 1: your textures (depth, normal, back, albedo, direct, ambient, objects, motion) are arrays
-                          with a slice a view, as for stereo: frame.slice. What passes write stays 2D */
+    int array;         /* 1: depth, normal, back, albedo, direct, ambient, objects and motion are array textures with a
+                          slice a view, as for stereo: frame.slice. What passes write stays 2D */
 
-    /* gathers: ssao, hsao, ssdo, s3ho; and what tests points as they do: lights, hsao's normal rays */
+    /* ---- gathers, which are ssao, hsao, ssdo, s3ho: where they look. lights tests points as they do */
+    int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao always has points */
+    int directions;  /* slices, march   [limit: 0..32] [default: slices 1, march 6]  slices have two each; N_d */
+    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; of lights points on a segment */
+    int steps;       /* [limit: 0..64] [default: 6; points 1]  on each direction, N_s; of points the first occluded one
+                        counts */
+    int normal_rays; /* hsao by march   [limit: 0..8]  rays above the horizon, per direction, N_n; 0: none */
     int noise;       /* SSGI_GL_NOISE_GRADIENT .. */
-    int search;      /* hsao, ssdo, s3ho   SSGI_GL_SLICES ..; ssao has points */
-    int directions;  /* [limit: 0..32] [default: slices 1, march 6]  slices (two directions each), or N_d */
-    int samples;     /* points   [limit: 0..64] [default: 16; lights 8]  directions; on a segment */
-    int steps;       /* [limit: 0..64] [default: 6; points 1]  N_s, a direction; of points the first occluded */
-    int thickness;   /* SSGI_GL_THICKNESS_CONSTANT .. */
-    int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
     int kernel;      /* points   0: one set in the text, turned by noise; 1: M sets in a texture, chosen by it */
-    int fade;        /* points   SSGI_GL_FADE_NONE .. */
-    int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
-    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: solid from an odd one to
-                        the next; an odd last one as thickness says */
+    int half;        /* gathers, shade, history   1: for one pixel of every 2x2, rounded up; blur   1: to full size */
+
+    /* ---- gathers, lights: what occludes */
+    int thickness;   /* SSGI_GL_THICKNESS_CONSTANT .. */
+    int layers;      /* all but slices   [limit: 0..8] [default: 1]  peeled depth layers: it is solid from an odd one to
+                        the next; an odd last one is as thick as thickness says */
     int views;       /* all but slices   [limit: 0..4]  extra cameras (views): a point is visible if one sees it in
                         front of its depth; occluded if none does and one finds it inside a solid */
-    int view_layers; /* [limit: 0..8] [default: 1]  depth layers of each extra camera (view) */
-    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the lit layer, of hidden senders */
-    int normal_rays; /* hsao by march   [limit: 0..8]  N_n: rays above the horizon, per direction; 0 = none */
+    int view_layers; /* all but slices   [limit: 0..8] [default: 1]  depth layers of each extra camera */
+    int falloff;     /* points, slices   SSGI_GL_FALLOFF_LINEAR .. */
+    int fade;        /* points   SSGI_GL_FADE_NONE .. */
+    int range;       /* points   1: no surfaces beyond the radius or below the receiver's plane [S3HO12 2.1] */
     int hard;        /* hsao, splat, ssdo by slices   1: no attenuation, all within the radius occludes fully */
 
-    /* ssdo, and lights */
-    int environment; /* and blur   SSGI_GL_ENVIRONMENT_NONE .. */
-    int bounce;      /* SSGI_GL_BOUNCE_NONE ..; ssdo: not both NONE; both share the visibility, two targets */
-    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; until blur with this desc
-                        and colour = 1 o_ssgi_light is not light; a bounce alone is not restored */
-    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side seen, slices a quarter from
-                        the other. splat   surfels occlude from both sides: for sheets and leaves */
+    /* ---- light: ssdo, lights, senders */
+    int environment; /* ssdo, blur, history, surfels, splat   SSGI_GL_ENVIRONMENT_NONE .. */
+    int bounce;      /* ssdo   SSGI_GL_BOUNCE_NONE ..; environment and bounce are not both NONE. With both, two targets
+                        are written from one visibility. compose   1: adds t_ssgi_bounce */
+    int two_sided;   /* ssdo, s3ho   1: senders shine from both sides; 0: from the side that is seen, while in slices
+                        the other side sends a quarter of that. splat   1: surfels occlude from both sides, for
+                        sheets */
     int radiance;    /* senders   SSGI_GL_RADIANCE_LIGHT .. */
-    int shadow;      /* lights   SSGI_GL_SHADOW_SEGMENT .. */
+    int receiver;    /* ssdo, lights, senders   [limit: 0..7, below layers]  the depth layer that is lit: so that hidden
+                        surfaces send, too */
+    int shadow;      /* lights, surfels, splat   SSGI_GL_SHADOW_SEGMENT .. */
     int accumulate;  /* lights   1: adds to t_ssgi_light, what an earlier pass of this frame wrote */
+    int restore;     /* ssdo, s3ho shaded, shade, history, blur   SSGI_GL_RESTORE_NONE ..; with another o_ssgi_light
+                        is not light until blur has drawn with this desc and colour = 1. A bounce alone is not
+                        restored */
 
-    /* s3ho, shade, blur of coefficients */
-    int bands;    /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  squared: how many; bent: 2 */
+    /* ---- coefficients: s3ho, shade, blur of them */
+    int bands;    /* and ssdo with SH   [limit: 0..4] [default: 4; ssdo 3]  bands^2 coefficients; bent ones need 2 */
     int packed;   /* 0: targets of four floats, up to four; 1: halves in RGBA32UI, eight a target, up to two */
-    int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing
-                     is restored, since it has no unoccluded light */
+    int transfer; /* SSGI_GL_TRANSFER_DIRECT ..; three sets must be packed. blur, history   REFLECTED: nothing is
+                     restored, since it has no unoccluded light */
     int shaded;   /* s3ho   1: no coefficients, shaded with frame.harmonics at once; shade is not drawn */
-    int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient
-                     visibility times the residual of unoccluded irradiance (ssgi_sh_residual) */
+    int residual; /* s3ho shaded, ssdo with SH, shade by HARMONICS, transfer not REFLECTED   1: adds ambient visibility
+                     times the residual of unoccluded irradiance (ssgi_sh_residual) */
     int shading;  /* shade   SSGI_GL_SHADING_HARMONICS .. */
-    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a
-                     POINT is a sphere of radius min_distance */
+    int lights;   /* shade   1: adds rows of t_ssgi_lights as harmonics, occluded by the coefficients alone; a POINT is
+                     a sphere of radius min_distance */
     int albedo;   /* shade   1: writes outgoing radiance; 0: irradiance over pi */
 
-    /* field; surfels, shuffle, splat, unshuffle, smooth, sum */
-    int objects;      /* field   SSGI_GL_OBJECTS_NONE .. */
+    /* ---- fields */
+    int objects; /* field   SSGI_GL_OBJECTS_NONE .. */
+
+    /* ---- surfels: surfels, shuffle, splat, unshuffle, smooth, sum */
     int effect;       /* splat, unshuffle, smooth, sum   SSGI_GL_EFFECT_OCCLUSION .. */
-    int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach, and the taps of the last's smoothing */
+    int levels;       /* [limit: 0..7] [default: 5]  each doubles the reach; the last's smoothing doubles its
+                         taps */
     int tessellate;   /* surfels, splat   0: from a buffer of surfels; 1: patches: not in 330, 300es, 310es */
     int sends;        /* surfels, splat when tessellate   SSGI_GL_SENDS_COLOUR .. */
-    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what
-                         is nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
-    int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1:
-                         its centre alone, as published, which finds half at 1/3 radius from a wall */
+    int span;         /* hsao, ssdo by slices; splat, sum up to BOUNCE   [limit: 0..64] [units: surfel radii]  what is
+                         nearer is left to slices, the rest and what is hidden to surfels; 0: all to surfels */
+    int near_samples; /* splat   [limit: 0..16]  points over a surfel's disc for pixels within 4 of its radii; 0, 1: its
+                         centre alone, as published, which finds half at 1/3 radius from a wall */
     int axis;         /* smooth   0: along x; 1: along y */
 
-    /* blur, history, compose */
-    int colour;         /* SSGI_GL_GREY .. ; coefficients are blur's alone: history goes behind shade */
+    /* ---- filters: blur, history, compose */
+    int colour;         /* SSGI_GL_GREY ..; of coefficients blur alone: history goes behind shade */
+    int filter;         /* blur   SSGI_GL_BILATERAL .. */
+    int filter_radius;  /* blur   [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1 is
+                           3x3 */
+    int filter_normals; /* blur, smooth   1: neighbours' normals are compared, too: 1 more fetch each */
     int motion;         /* history   1: t_ssgi_motion says where each pixel was; 0: the camera alone moves */
-    int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE ..; what they write */
-    int filter;         /* SSGI_GL_BILATERAL, SSGI_GL_GAUSSIAN */
-    int filter_radius;  /* [limit: 0..4] [default: bilateral 1, Gaussian 2]  pixels, of half size when half: 1: 3x3 */
-    int filter_normals; /* and smooth   1: neighbours' normals are compared too, 1 more fetch each */
+    int onto;           /* blur of ambient visibility, compose   SSGI_GL_ONTO_NONE .. */
 
-    /* your own text */
-    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL = ours */
-    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL = none */
+    /* ---- your own text */
+    const char *version; /* your first line(s) instead of "#version ..", verbatim; NULL: ours */
+    const char *fetch;   /* your GLSL, verbatim before ours where a CUSTOM choice is read; NULL: none */
 } ssgi_gl_desc;
 
 /* Measured settings: the points of the README's chart. Sets what trades cost for accuracy in desc->pass with
@@ -1907,9 +1924,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 /* ---- The walk: planes through the view direction, from near to far [TLG23]. Each side has 32 sectors of equal
    cosine-weighted measure. The sectors that a tap is first to cover are occluded by its surface, attenuated by its
-   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the sectors
-   between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over the
-   tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
+   distance; the surface has the thickness of desc.thickness. Taps of one surface are joined: they also cover the
+   sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
+   the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
 
 { "ssgi_surfel_radius", __LINE__ + 1,
     "float ssgi_surfel_radius(float depth) {\n"
