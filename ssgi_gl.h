@@ -406,27 +406,29 @@ enum { SSGI_GL_FAST, SSGI_GL_BALANCED, SSGI_GL_BEST };
 
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why);
 
-/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work, with its settings and the filter's;
-   the rest stays. ssdo and s3ho have restore, s3ho is shaded, residual, ssdo without an environment has MAP. Yours
-   to add: a bounce (ssdo's with ssgi_gl_chain.reuse), and plan->history, which is ssgi_gl_chain.history. Surfels,
-   fields: the pass that draws them. Bad input, or NOTHING: desc stays. */
+/* A plan of ssgi_plan_make (ssgi.h) as a desc: the pass that does most of the work (of surfels and fields the one that
+   draws them), with its settings and the filter's; the rest stays. ssdo and s3ho get restore; s3ho gets shaded and
+   residual; ssdo without an environment gets MAP. Left to you: a bounce (ssdo's with ssgi_gl_chain.reuse), and
+   plan->history, which is ssgi_gl_chain.history. Bad input, or a plan of NOTHING, leaves desc as it is. */
 SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, const char **why);
 
-/* SSGI_OK, or which field is wrong and what it may be ("desc.steps: must be 0..64"). */
+/* SSGI_OK, or SSGI_BAD_ARGUMENT and which field is wrong and what it may be ("desc.steps: must be 0..64"). */
 SSGI_DEF ssgi_result ssgi_gl_check(const ssgi_gl_desc *desc, const char **why);
 
-/* An int of ssgi_gl_desc (version and fetch are the only fields that are none): 0 .. most. values: an enum's words, in
-   order from 0, blanks between; the sentence has the prefix that makes enumerators of them. Other fields': "". */
+/* A field of ssgi_gl_desc that is an int: all but version and fetch. */
 typedef struct ssgi_gl_choice {
-    const char *name, *values, *sentence;
-    size_t offset;
-    int most;
+    const char *name;     /* "search" */
+    const char *values;   /* an enum's words in order from 0, blanks between: "SLICES POINTS MARCH"; of others "" */
+    const char *sentence; /* what it must be; of an enum with the prefix that makes enumerators of the words */
+    size_t offset;        /* bytes into ssgi_gl_desc */
+    int most;             /* its largest value; the least is 0 */
 } ssgi_gl_choice;
 
-SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i); /* the i-th; NULL past the last */
+/* The i-th field; NULL past the last. */
+SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
 
-/* What a good desc means: its pass's defaults in place, and 0 what that does not look at. Both have the same text.
-     desc   [limit: not NULL, passes ssgi_gl_check] */
+/* What a desc means: its pass's defaults in place, and 0 where the pass does not look. Both have the same text.
+     desc   [limit: not NULL, one that ssgi_gl_check takes] */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
@@ -441,22 +443,24 @@ SSGI_DEF size_t ssgi_gl_emit(char *out, size_t capacity, const ssgi_gl_desc *des
 SSGI_DEF uint64_t ssgi_gl_key(const ssgi_gl_desc *desc);
 
 /* The GLSL of spherical harmonics alone, for your own shaders: twins of ssgi_sh_basis, _zonal and _rotate
-   (ssgi_sh_turn) and a dot product, over struct ssgi_sh { vec4 a, b, c, d; }, coefficient 4w + k in lane k
-   of the w-th (bands 1: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned for others. */
+   (ssgi_sh_turn) and a dot product. struct ssgi_sh { vec4 a, b, c, d; } holds coefficient 4w + k in lane k of word w,
+   as many words as the bands need (1 band: a.x; 2: a; 3: a, b, c.x). Like snprintf. bands [limit: 1..4]; 0 is returned
+   for others. */
 SSGI_DEF size_t ssgi_gl_sh(char *out, size_t capacity, int bands);
 
-/* The GLSL of fields for your own shaders, with its samplers, the same for every good desc but VULKAN's. float
-   ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal): the product of 1 - occlusion over rows
-   0 .. occluders - 1 but those of that object (0: none), in the space that ssgi_gl_occluder_set was given.
-   GLES: after "precision highp float; precision highp int;"; VULKAN: after "#extension
-   GL_EXT_samplerless_texture_functions : require". Like snprintf; 0 for a bad desc. */
+/* The GLSL of fields for your own shaders, with its samplers:
+     float ssgi_field_visibility(int occluders, int object, vec3 position, vec3 normal);
+   It returns the product of 1 - occlusion over rows 0 .. occluders - 1 of t_ssgi_occluders, but for those of that
+   object (0: none), in the space that ssgi_gl_occluder_set was given. The text is the same for every good desc but
+   VULKAN's. In GLES it needs "precision highp float; precision highp int;" before it, in VULKAN the extension
+   GL_EXT_samplerless_texture_functions. Like snprintf; 0 for a bad desc. */
 SSGI_DEF size_t ssgi_gl_field(char *out, size_t capacity, const ssgi_gl_desc *desc);
 
 SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the last */
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
-/* ssgi_gl_io.kind. CAPTURE: a varying for transform feedback */
+/* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
 enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
 
 /* One input or output of a pass: the very row that its declaration was printed from. */
@@ -473,7 +477,8 @@ typedef struct ssgi_gl_io {
 
 #define SSGI_GL_MAX_IO 48
 
-/* Writes the rows of a pass in this variant, as the text has them, at most capacity; returns how many, 0: a bad desc */
+/* Writes the rows of a pass in this variant, as the text has them, at most `capacity`; returns how many there are, 0
+   for a bad desc. */
 SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int capacity);
 
 /* Row i of kind PARAM, whatever the pass: the members of ssgi_gl_frame, then of ssgi_gl_views; NULL past the last. */
@@ -482,21 +487,31 @@ SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 /* ==== >>steps ================================================================================================== */
 /* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
-    ssgi_gl_desc desc;   /* SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT; passes around it have its choices, too. SSDO with
-                            an environment and a bounce: that light, then its bounce. S3HO with a transfer: its senders
-                            first. SPLAT by LIGHT: of desc.environment; then with desc.bounce what surfels send */
-    ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc; another: none */
+    /* ---- what is drawn */
+    ssgi_gl_desc desc;   /* pass SSAO, HSAO, SSDO, S3HO, FIELD or SPLAT. The passes around it are drawn with its
+                            choices, too: SSDO with an environment and a bounce draws that light, then its bounce; S3HO
+                            with a transfer its senders first; SPLAT by LIGHT with a bounce then what surfels send */
+    ssgi_gl_desc lights; /* pass LIGHTS: your lights are added to the environment's, with this desc. Another pass:
+                            none */
     int width, height;   /* [units: pixels] [limit: 1..16384]  of the image: ssgi_gl_frame.size */
-    int blur;            /* 1: what is gathered is filtered */
-    int history;         /* 1: it is averaged over frames before */
-    int vectors;         /* s3ho   1: coefficients are filtered, then shaded: for light that changes; 0: light is */
-    int reuse;           /* ssdo   1: senders send the last frame's light, so that one gather does both */
-    int vpls;            /* ssdo   1: lights adds virtual point lights to the bounce, which restores what they clamp */
-    int direct;          /* 1: senders send your own radiance, too (t_ssgi_direct) */
-    int surfels;         /* splat  1: from what pass surfels wrote this frame: surfels lit, or from patches */
-    int hidden_sky;      /* splat  1: desc.environment lights surfels that the picture does not show, unoccluded */
-    int unsmoothed;      /* splat  1: levels are added unfiltered */
-    int precise;         /* 1: targets of 32-bit floats; 2: coefficients, too. Else 16 bits, 8 for what is final */
+
+    /* ---- how it is filtered */
+    int blur;       /* 1: what is gathered is filtered within surfaces */
+    int history;    /* 1: before that it is averaged over frames */
+    int vectors;    /* s3ho   1: coefficients are filtered, then shaded, for light that changes; 0: light is filtered */
+    int unsmoothed; /* splat   1: levels are added unfiltered */
+
+    /* ---- what is sent */
+    int reuse;  /* ssdo   1: senders send the last frame's light, so that one gather does light and bounce */
+    int vpls;   /* ssdo   1: pass lights adds virtual point lights to the bounce, which restores what they clamp */
+    int direct; /* 1: senders send your own radiance, too (t_ssgi_direct) */
+
+    /* ---- surfels */
+    int surfels;    /* splat   1: pass surfels writes them this frame: lit, or from patches */
+    int hidden_sky; /* splat   1: desc.environment lights surfels that the picture does not show, unoccluded */
+
+    /* ---- targets */
+    int precise; /* 0: 16-bit floats, 8 bits for what is final; 1: 32-bit floats; 2: for coefficients, too */
 } ssgi_gl_chain;
 
 /* What a texture of yours is: ssgi_gl_input.meaning. */
@@ -535,160 +550,208 @@ typedef struct ssgi_gl_input {
     const char *name, *type;      /* as in the text: "t_ssgi_depth", "sampler2D" */
     int unit;                     /* of the sampler: ssgi_gl_io.slot */
     unsigned target;              /* GL_TEXTURE_2D .. */
-    int meaning;                  /* -1: a texture of the steps; else yours, SSGI_GL_YOUR_DEPTH .. */
-    int texture, last;            /* its number, -1: yours; 1: as the last frame left it */
+    int meaning;                  /* a texture of yours: SSGI_GL_YOUR_DEPTH ..; -1: one that the steps write */
+    int texture;                  /* of the latter its number; -1: yours */
+    int last;                     /* 1: as the last frame left it */
     const ssgi_gl_format *format; /* of the steps' textures; NULL: yours, as ssgi_gl_io.format says */
-    int width, height;            /* of the steps' textures; of yours the least */
+    int width, height;            /* of the steps' textures; of yours the least that is needed */
 } ssgi_gl_input;
 
+/* ssgi_gl_output.result. A chain has one texture of LIGHT, or of BOUNCE, or both; with desc.onto neither. */
+enum {
+    SSGI_GL_RESULT_NONE = 0,
+    SSGI_GL_RESULT_LIGHT, /* light, ambient visibility or bent normals */
+    SSGI_GL_RESULT_BOUNCE,
+};
+
 typedef struct ssgi_gl_output {
-    const char *name;
-    int texture; /* number, from 0 in the order of first use; -1: your picture */
-    const ssgi_gl_format *format;
-    int slices, slice; /* 0: GL_TEXTURE_2D; else an array texture of so many layers, drawn into layer `slice` */
-    int kept;          /* 1: there are two of it, which change places each frame: history */
-    int result;        /* SSGI_GL_RESULT_NONE .. */
+    const char *name;             /* as in the text: "o_ssgi_ao" */
+    int texture;                  /* its number, from 0 in the order of first use; -1: your picture */
+    const ssgi_gl_format *format; /* NULL: your picture's */
+    int slices, slice;            /* 0: GL_TEXTURE_2D; else an array of so many layers, drawn into layer `slice` */
+    int kept;                     /* 1: make two of it, which change places each frame: history */
+    int result;                   /* SSGI_GL_RESULT_NONE .. */
 } ssgi_gl_output;
 
-/* LIGHT: or ambient visibility, or bent normals. A chain has one of it, or of BOUNCE, or both; on your picture neither
-   is asked for. */
-enum { SSGI_GL_RESULT_NONE = 0, SSGI_GL_RESULT_LIGHT, SSGI_GL_RESULT_BOUNCE };
-
-enum { SSGI_GL_SIZE_FULL = 0, SSGI_GL_SIZE_HALF, SSGI_GL_SIZE_LEVELS };
+/* ssgi_gl_step.size */
+enum {
+    SSGI_GL_SIZE_FULL = 0,
+    SSGI_GL_SIZE_HALF,   /* of the image, rounded up */
+    SSGI_GL_SIZE_LEVELS, /* of all levels: ssgi_splat_size */
+};
 
 /* One draw. Text of each stage: ssgi_gl_emit of desc. */
 typedef struct ssgi_gl_step {
     ssgi_gl_desc desc;
-    int size, width, height; /* SSGI_GL_SIZE_FULL ..; of the image in the targets, at frame.target (HALF: half of it) */
-    int inputs, outputs;
+
+    /* ---- where: the image in the targets begins at frame.target, of HALF at half of that */
+    int size;          /* SSGI_GL_SIZE_FULL .. */
+    int width, height; /* [units: pixels] of that image */
+
+    /* ---- what it reads and writes */
+    int inputs, outputs; /* how many */
     ssgi_gl_input input[16];
     ssgi_gl_output output[6];
-    int frame;          /* uniform block: 0 yours; 1 + 2v that of extra camera v (its G-buffer, too); 2 + 2v the same,
-                           rotation from its view space to yours; 9 yours, lights being the virtual point lights */
-    unsigned primitive; /* GL_TRIANGLES ..; of SURFELS captured, rasteriser discarded */
+    int frame; /* the uniform block. 0: yours. 1 + 2v: that of extra camera v, whose G-buffer it reads, too. 2 + 2v: the
+                  same with rotation from its view space to yours. 9: yours, with virtual point lights as lights */
+
+    /* ---- the draw */
+    unsigned primitive;      /* GL_TRIANGLES ..; those of SURFELS are captured, rasteriser discarded */
     int vertices, instances; /* 0: as many as you have: surfels, occluders, three a triangle */
     unsigned blend[3];       /* equation, source, destination; 0: off */
     int clear;               /* 1: the targets are cleared first, to clear_to in each component */
     float clear_to;
 } ssgi_gl_step;
 
-/* Writes the draws in their order, at most capacity; returns how many there are, also with steps NULL and capacity 0;
-   0 for a bad chain (why says what). Clear the steps' textures to 0 when you make them, and again when the size
-   changes. With desc.onto the last step draws onto your picture. */
+/* Writes the draws in their order, at most `capacity`; returns how many there are, also with steps NULL and capacity 0;
+   0 for a bad chain, and why. Clear the steps' textures to 0 when you make them, and again when the size changes. With
+   desc.onto the last step draws onto your picture. */
 SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chain *chain, const char **why);
 
-/* What GL has: at a unit, or a target (unit and filter are not looked at). format: GL_TEXTURE_INTERNAL_FORMAT, 0 =
-   nothing; filter: GL_TEXTURE_MIN_FILTER; compare: GL_TEXTURE_COMPARE_MODE. */
+/* What GL has at a unit, or as a target. */
 typedef struct ssgi_gl_bound {
-    unsigned target, format;
+    unsigned target; /* GL_TEXTURE_2D ..; of targets not looked at */
+    unsigned format; /* GL_TEXTURE_INTERNAL_FORMAT; 0: nothing is bound */
     int width, height;
-    unsigned filter, compare;
+    unsigned filter;  /* GL_TEXTURE_MIN_FILTER; of targets not looked at */
+    unsigned compare; /* GL_TEXTURE_COMPARE_MODE; of targets not looked at */
 } ssgi_gl_bound;
 
-/* What would be drawn wrong, in a sentence that names step, texture and unit; like snprintf, 0: nothing. For debug
-   builds: units of 16, targets of step->outputs, NULL = not looked at. */
+/* For debug builds: what would be drawn wrong, in a sentence that names step, texture and unit. Like snprintf; 0 when
+   nothing would.
+     units      what is bound at each of 16 units; NULL: not looked at
+     targets    what each of step->outputs is drawn into; NULL: not looked at */
 SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_step *step, const ssgi_gl_bound units[16],
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
-/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140). */
+/* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140), in whose order
+   the members are. */
 typedef struct ssgi_gl_frame {
-    float project[4]; /* from ssgi_view */
+    /* ---- the camera: from ssgi_view */
+    float project[4];
     float unproject[4];
-    float decode[4];   /* depth[0], depth[1], clear, 0 */
+    float decode[4]; /* ssgi_view.depth[0], [1], clear; 0 */
+
+    /* ---- the image */
     int32_t origin[2]; /* [units: texels]  first texel of the image in the G-buffer's textures */
     int32_t size[2];   /* [units: pixels]  of the image. For a margin, larger than what is shown: scissor the passes
                           (but senders, and what lights them) to the inner rectangle and what their filters read */
     int32_t target[2]; /* [units: texels]  first texel of the image in what passes write; half of it in half size */
-    float radius;      /* [units: view] [limit: > 0]  farthest occluder */
-    float offset;      /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of points */
-    float thickness; /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness has
-                        no other; 1 radius suits ssao, 0.5 march, 0.4 light */
-    float phase;     /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
-    float fade;      /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
+
+    /* ---- gathers */
+    float radius;         /* [units: view] [limit: > 0]  farthest occluder */
+    float offset;         /* [units: half pixels] [default: 1.5]  lift along the normal, for nearest fetches of
+                             points */
+    float thickness;      /* [units: view] [limit: >= 0] [default: 0.6 radii]  of visible surfaces, where desc.thickness
+                             has no other; 1 radius suits ssao, 0.5 march, 0.4 light */
+    float phase;          /* [limit: 0..1]  turns the noise; 0, or another value each frame where frames are averaged */
+    float fade;           /* [units: view] [default: 0.3 radii]  where occluders begin to fade; the radius: nowhere */
     float distance_clamp; /* [units: radii] [default: 0.25]  clamp of the distance in BOUNCE_PATCH */
     float gain;           /* [default: 1]  of the patches' area in BOUNCE_PATCH: the paper's strength of the bounce */
-    float max_slope;      /* [default: 20]  largest slope, tan of light against normal, that maps' bias follows */
+    float max_slope;      /* [default: 20]  shadow maps: their bias follows slopes, tan of light against normal, to
+                             here */
     int32_t lights;       /* how many rows of t_ssgi_lights */
     float lambda;         /* [units: 1/radius] [limit: >= 0] [default: 4]  desc.fade LAMBDA */
-    float rotation[12];   /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
-    float harmonics[48];  /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
-    float surfel[4];      /* surfels, smooth: ssgi_gl_surfels_set */
-    float mesh[16];       /* surfels: mesh to view space, column-major; identity by default */
-    float dipole[16];     /* EFFECT_SCATTER: ssgi_gl_dipole_set */
-    float keep_small;     /* surfels: ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
-    float near_depth;     /* field, splat: lower bound of the frame's view depths [units: view] [default: the near
-                             plane]: the last frame's minimum, for instance, culls most of what is around the eye */
-    float sent;           /* EFFECT_BOUNCE and after [limit: > 0] [default: 1]: radiance that counts as bright:
-                             ssgi_gl_sent_set makes the result linear in the light */
-    float epsilon;        /* splat: the least that a surfel is drawn for [default: 0.1]: form factor, or that times what
-                             it sends over `sent` (times the lobe's peak) */
-    float exponent;       /* EFFECT_SPECULAR [limit: >= 0] [default: 32] */
-    float history;        /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
-    int32_t level[2];     /* [units: texels]  of one level: ssgi_splat_size */
-    float window[4];      /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
-    float last_to[16];    /* history: view space to the last frame's pixels (times depth when perspective) and depth */
-    float last_from[16];  /* and back: ssgi_gl_frame_history */
-    float oblique[2];     /* desc.oblique: from ssgi_view */
-    int32_t slice, unused; /* desc.array: the layer of your array textures; fills the block's last 16 bytes */
+
+    /* ---- the world */
+    float rotation[12];  /* world to view, 3 columns padded to 4: all that is in the world; identity by default */
+    float harmonics[48]; /* ENVIRONMENT_SH, SHADING_HARMONICS, desc.shaded: ssgi_gl_harmonics_set; black by default */
+
+    /* ---- surfels, and fields */
+    float surfel[4];  /* ssgi_gl_surfels_set */
+    float mesh[16];   /* mesh to view space, column-major; identity by default */
+    float dipole[16]; /* EFFECT_SCATTER: ssgi_gl_dipole_set */
+    float keep_small; /* ssgi_surfel_desc.keep_small: ssgi_gl_surfels_set */
+    float near_depth; /* field, splat   [units: view] [default: the near plane]  lower bound of the frame's view depths:
+                         the last frame's minimum, for instance, culls most of what is around the eye */
+    float sent;       /* EFFECT_BOUNCE and after   [limit: > 0] [default: 1]  radiance that counts as bright:
+                         ssgi_gl_sent_set makes the result linear in the light */
+    float epsilon;    /* splat   [default: 0.1]  the least that a surfel is drawn for: form factor, or that times what
+                         it sends over `sent` (times the lobe's peak) */
+    float exponent;   /* EFFECT_SPECULAR   [limit: >= 0] [default: 32] */
+
+    /* ---- the rest, where std140 has room for it */
+    float history;       /* [limit: >= 0] [default: 0; 16 from ssgi_gl_frame_history]  frames averaged; 0: anew */
+    int32_t level[2];    /* surfels   [units: texels]  of one level: ssgi_splat_size */
+    float window[4];     /* desc.lights: ssgi_sh_window of 4 bands, or of as many as desc.bands; Hann's by default */
+    float last_to[16];   /* history: view space to the last frame's pixels (times depth when perspective) and depth */
+    float last_from[16]; /* and back: ssgi_gl_frame_history */
+    float oblique[2];    /* desc.oblique: from ssgi_view */
+    int32_t slice;       /* desc.array: the layer of your array textures */
+    int32_t unused;      /* fills the block's last 16 bytes */
 } ssgi_gl_frame;
 
-/* Fills a frame: view, image at the origin of textures and targets, else defaults. radius [units: view] [limit: > 0] */
+/* Fills a frame: view, image at the origin of textures and targets, else defaults.
+     radius   [units: view] [limit: > 0] */
 SSGI_DEF ssgi_result ssgi_gl_frame_init(ssgi_gl_frame *frame, const ssgi_view *view, float radius, const char **why);
 
-/* Sets history, last_to, last_from. view and last_world_to_view: of the last frame, as GL had them, jitter and all, its
-   kind of projection this frame's; matrices are rigid. Another size is refused: leave history 0 then, and at a cut. */
+/* Sets history, last_to, last_from. Leave history 0 at a cut and where the size changes.
+     view, last_world_to_view    of the last frame, as GL had them, jitter and all; view has this frame's kind of
+                                 projection and size
+     matrices                    [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view *view,
                                            const float main_world_to_view[16], const float last_world_to_view[16],
                                            const char **why);
 
-/* frame.phase of frame number k, in [0,1): the noise of any few frames in a row is spread evenly. */
+/* frame.phase of frame number k, in [0,1): spreads the noise of any few frames in a row evenly. */
 SSGI_DEF float ssgi_gl_phase(uint32_t k);
 
-/* Sets what surfels are made with: view, desc (frame.radius takes the place of max_distance) and mesh_to_view as in
-   ssgi_surfels; levels as in desc.levels. splits: draw the mesh with splits * splits instances; ssgi_surfels_predict
-   tells how many it asks for. */
+/* Sets what surfels are made with. Draw the mesh with desc->splits * desc->splits instances; ssgi_surfels_predict tells
+   how many splits it asks for.
+     view, desc     as in ssgi_surfels, but frame.radius takes the place of max_distance
+     levels         desc.levels [limit: 1..7]
+     mesh_to_view   as source.to_view; NULL: stays as it is */
 SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *view, const ssgi_surfel_desc *desc,
                                          int levels, const float *mesh_to_view, const char **why);
 
-/* Sets frame->dipole; unit: view units of the dipole's unit of length (0.001 when it is per mm and the scene in m). */
+/* Sets frame->dipole.
+     unit   [limit: > 0] view units in the dipole's unit of length (0.001 when it is in mm and the scene in m) */
 SSGI_DEF ssgi_result ssgi_gl_dipole_set(ssgi_gl_frame *frame, const ssgi_dipole *dipole, float unit, const char **why);
 
-/* Sets frame->harmonics: coefficients [3*i + c] of 1..4 bands in the world, turned by world_to_view (may be NULL). */
+/* Sets frame->harmonics.
+     coefficients    [3*i + c], in the world [limit: finite]
+     bands           [limit: 1..4]
+     world_to_view   turns them [limit: rigid; NULL: none] */
 SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *coefficients, int bands,
                                            const float *world_to_view, const char **why);
 
-/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Hardware depths in slices of one array
-   texture, camera v's layer j in slice v * view_layers + j, from texel 0,0 on; each camera may use a part of it. */
+/* The extra cameras (desc.views): the uniform block "ssgi_views", binding 1. Their hardware depths are slices of one
+   array texture, t_ssgi_views: camera v's layer j is slice v * view_layers + j, from texel 0,0 on. A camera may use a
+   part of its slice. */
 typedef struct ssgi_gl_views {
-    float to[4][16];    /* view space to x, y, z, 1: pixels (times z if perspective), that camera's depth; columns */
-    float from[4][16];  /* back */
+    float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
+    float from[4][16];  /* and back */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float size[4][4];   /* [units: pixels]  width, height; slack: what lies less before a surface is not known to be in
-                           the open, at depth 1 when perspective; 0 */
+    float size[4][4];   /* [units: pixels]  width, height; slack [units: view, at depth 1 when perspective]: what lies
+                           closer before a surface is not known to be in the open; 0 */
 } ssgi_gl_views;
 
-/* Sets camera i of 0..3. Matrices are rigid, world to view: the main camera's, the extra one's (`view`). An oblique
-   view is refused. */
+/* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
+     matrices   [limit: rigid, finite] world to view space */
 SSGI_DEF ssgi_result ssgi_gl_views_set(ssgi_gl_views *views, int i, const ssgi_view *view,
                                        const float main_world_to_view[16], const float extra_world_to_view[16],
                                        const char **why);
 
-/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. All zero but the first eight
-   members is a light without a shadow map. A SPOT lights only what its map sees, with desc.shadow MAP or FILL: six of
-   them are a point light with a cube of maps. */
+/* ssgi_gl_light.kind. With desc.shadow MAP or FILL a SPOT lights only what its map sees: six of them are a point light
+   with a cube of maps. */
 enum { SSGI_GL_SUN = 0, SSGI_GL_POINT, SSGI_GL_SPOT, SSGI_GL_VPL };
 
+/* A light: one row of the texture t_ssgi_lights, 8 texels of RGBA32F, byte for byte. With zeros from patch on it
+   has no shadow map. */
 typedef struct ssgi_gl_light {
-    float at[3], kind; /* SUN: unit vector to the light; else where it is; view space. kind: SSGI_GL_SUN .. */
-    float colour[3], min_distance; /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its
-                                      normal. min_distance: clamp of the distance in 1/d^2; of a SUN with several maps
-                                      (desc.shadow MAP or FILL), as rows from fine to wide: how many of them follow */
-    float normal[3], patch; /* VPL: unit normal, falls off by the cosine. patch: width of a texel of the map, at depth 1
-                               when perspective: 2 tan(angle/2) / texels */
-    float map[3][4];        /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
-    float decode[4];        /* of its ssgi_view: depth[0], [1], clear, orthographic */
-    float tile[4];          /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
+    float at[3];        /* view space. SUN: unit vector to the light; else where it is */
+    float kind;         /* SSGI_GL_SUN .. */
+    float colour[3];    /* SUN: irradiance facing it; POINT, SPOT: radiant intensity; VPL: that along its normal */
+    float min_distance; /* clamp of the distance in 1/d^2. SUN: how many of the rows that follow are the same sun with a
+                           wider map each (desc.shadow MAP or FILL) */
+    float normal[3];    /* VPL: unit normal, from which it falls off by the cosine */
+
+    /* ---- the shadow map: ssgi_gl_light_map */
+    float patch;     /* width of a texel of the map, at depth 1 when perspective: 2 tan(angle/2) / texels */
+    float map[3][4]; /* rows: view space to x, y (texels in the tile, times depth if perspective), its depth */
+    float decode[4]; /* of its ssgi_view: depth[0], [1], clear, orthographic */
+    float tile[4];   /* [units: texels]  x, y, width, height of the map in t_ssgi_shadow; width 0: no map */
 } ssgi_gl_light;
 
 /* Gives a light its shadow map, drawn by a camera with the projection of `view`. Sets map, patch, decode, tile. An
@@ -699,21 +762,24 @@ SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *vi
                                        const float main_world_to_view[16], const float light_world_to_view[16],
                                        const char **why);
 
-/* Sets frame->sent for surfels under lights (their rows; SPOT within its map; unshadowed) and sky, the mean radiance of
-   the environment: half of all radiance sent comes from surfels that send as much or more, in their largest component.
-   Unchanged where nothing is sent. surfels: colour as yet unshaded.
-     sky    [limit: >= 0, finite]; NULL = black */
+/* Sets frame->sent to a radiance such that half of all that is sent comes from surfels that send as much or more, in
+   their largest component. It stays where nothing is sent.
+     surfels    with their colours as yet unlit [limit: finite]
+     lights     rows of t_ssgi_lights that light them, unshadowed; a SPOT within its map [limit: finite]
+     sky        mean radiance of the environment [limit: >= 0, finite; NULL: black] */
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why);
 
 /* An occluder: a row of t_ssgi_occluders, 10 texels of RGBA32F, byte for byte. Made by ssgi_gl_occluder_set. */
 typedef struct ssgi_gl_occluder {
-    float at[3], radius;              /* the sphere that it darkens, view space */
-    float to_field[3][4];             /* view space to the occluder's coordinates about the field's centre: rows */
-    float ramp, reach, inside, power; /* ssgi_field_limits */
-    float low[8], span[8], resolution;
-    float slice, baked_reach, object; /* of t_ssgi_fields; ssgi_field.reach; number for desc.objects, 0 = none */
+    float at[3], radius;               /* the sphere that it darkens, view space */
+    float to_field[3][4];              /* view space to the occluder's coordinates about the field's centre: rows */
+    float ramp, reach, inside, power;  /* ssgi_field_limits */
+    float low[8], span[8], resolution; /* ssgi_field */
+    float slice;                       /* of t_ssgi_fields */
+    float baked_reach;                 /* ssgi_field.reach */
+    float object;                      /* its number for desc.objects; 0: none */
 } ssgi_gl_occluder;
 
 /* Sets an occluder where it stands now.
