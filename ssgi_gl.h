@@ -723,8 +723,8 @@ typedef struct ssgi_gl_views {
     float to[4][16];    /* view space to x, y (pixels, times z if perspective), that camera's depth z, 1; columns */
     float from[4][16];  /* and back */
     float decode[4][4]; /* ssgi_view.depth[0], [1], clear, orthographic */
-    float size[4][4];   /* [units: pixels]  width, height; slack [units: view, at depth 1 when perspective]: what lies
-                           closer before a surface is not known to be in the open; 0 */
+    float size[4][4];   /* [units: pixels]  width, height; [units: view, at depth 1 when perspective]  slack: of what is
+                           closer before a surface it is not known that it is visible; 0 */
 } ssgi_gl_views;
 
 /* Sets camera i of 0..3: view and extra_world_to_view are the extra camera's. An oblique view is refused.
@@ -3212,133 +3212,186 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>rows: inputs and outputs ================================================================================== */
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
-   of captures, count up in this order. bytes: of a member; 1: a texture of yours, which desc.array makes an array. */
+   of captures, count up in this order. */
 typedef struct ssgi_gl__row {
     const char *when;
-    size_t bytes;
+    size_t bytes; /* of a member; 1: a texture of yours, which desc.array makes an array */
     ssgi_gl_io io;
 } ssgi_gl__row;
 
 /* clang-format off */
-#define SSGI_GL__C(name, of) { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
-#define SSGI_GL__IN(block, prefix, of, member, type, units) \
+#define SSGI_GL__ROW_CONSTANT(name, of) \
+    { NULL, 0, { "SSGI_" #name, SSGI_GL_CONSTANT, "int", 0, offsetof(ssgi_gl_desc, of), "" } }
+#define SSGI_GL__ROW_MEMBER(block, prefix, of, member, type, units) \
     { NULL, sizeof ((of *)0)->member, { prefix #member, SSGI_GL_PARAM, type, block, offsetof(of, member), units } }
-#define SSGI_GL__P(member, type, units) SSGI_GL__IN(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
-#define SSGI_GL__V(member, type, units) SSGI_GL__IN(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
-#define SSGI_GL__T(name, unit, when, type, is) { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__Y(name, unit, when, type, is) { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
-#define SSGI_GL__O(name, when, type, is)       { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
-#define SSGI_GL__A(name, type, is)             { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
-#define SSGI_GL__K(name, type, is)             { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
+#define SSGI_GL__ROW_FRAME(member, type, units) \
+    SSGI_GL__ROW_MEMBER(0, "u_ssgi_", ssgi_gl_frame, member, type, units)
+#define SSGI_GL__ROW_VIEWS(member, type, units) \
+    SSGI_GL__ROW_MEMBER(1, "u_ssgi_view_", ssgi_gl_views, member, type, units)
+#define SSGI_GL__ROW_TEXTURE(name, unit, when, type, is) \
+    { when, 0, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__ROW_YOURS(name, unit, when, type, is) \
+    { when, 1, { "t_ssgi_" name, SSGI_GL_TEXTURE, type, unit, 0, is } }
+#define SSGI_GL__ROW_OUTPUT(name, when, type, is) { when, 0, { "o_ssgi_" name, SSGI_GL_OUTPUT, type, 0, 0, is } }
+#define SSGI_GL__ROW_ATTRIBUTE(name, type, is)    { NULL, 0, { "a_ssgi_" name, SSGI_GL_ATTRIBUTE, type, 0, 0, is } }
+#define SSGI_GL__ROW_CAPTURE(name, type, is)      { NULL, 0, { "v_ssgi_" name, SSGI_GL_CAPTURE, type, 0, 0, is } }
+
 /* What s3ho writes and shade and blur read: a texture and an output of one name. */
-#define SSGI_GL__FLOATS(name, unit, is) \
-    SSGI_GL__T(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
-    SSGI_GL__O(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
-#define SSGI_GL__HALVES(name, unit, is) \
-    SSGI_GL__T(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
-    SSGI_GL__O(name, "packed", "uvec4", "RGBA32UI: " is)
+#define SSGI_GL__ROWS_FLOATS(name, unit, is) \
+    SSGI_GL__ROW_TEXTURE(name, unit, "!packed", "sampler2D", SSGI_GL__HDR ": " is), \
+    SSGI_GL__ROW_OUTPUT(name, "!packed", "vec4", SSGI_GL__HDR ": " is)
+#define SSGI_GL__ROWS_HALVES(name, unit, is) \
+    SSGI_GL__ROW_TEXTURE(name, unit, "packed", "usampler2D", "RGBA32UI: " is), \
+    SSGI_GL__ROW_OUTPUT(name, "packed", "uvec4", "RGBA32UI: " is)
 #define SSGI_GL__HDR "RGBA32F or RGBA16F"
 
 static const ssgi_gl__row ssgi_gl__rows[] = {
-    SSGI_GL__C(SAMPLES, samples), SSGI_GL__C(DIRECTIONS, directions), SSGI_GL__C(STEPS, steps),
-    SSGI_GL__C(NORMAL_RAYS, normal_rays), SSGI_GL__C(LAYERS, layers), SSGI_GL__C(VIEWS, views),
-    SSGI_GL__C(VIEW_LAYERS, view_layers), SSGI_GL__C(RECEIVER, receiver), SSGI_GL__C(LEVELS, levels),
-    SSGI_GL__C(NEAR_SAMPLES, near_samples), SSGI_GL__C(AXIS, axis), SSGI_GL__C(FILTER_RADIUS, filter_radius),
-    SSGI_GL__C(SPAN, span),
+    SSGI_GL__ROW_CONSTANT(SAMPLES, samples),
+    SSGI_GL__ROW_CONSTANT(DIRECTIONS, directions),
+    SSGI_GL__ROW_CONSTANT(STEPS, steps),
+    SSGI_GL__ROW_CONSTANT(NORMAL_RAYS, normal_rays),
+    SSGI_GL__ROW_CONSTANT(LAYERS, layers),
+    SSGI_GL__ROW_CONSTANT(VIEWS, views),
+    SSGI_GL__ROW_CONSTANT(VIEW_LAYERS, view_layers),
+    SSGI_GL__ROW_CONSTANT(RECEIVER, receiver),
+    SSGI_GL__ROW_CONSTANT(LEVELS, levels),
+    SSGI_GL__ROW_CONSTANT(NEAR_SAMPLES, near_samples),
+    SSGI_GL__ROW_CONSTANT(AXIS, axis),
+    SSGI_GL__ROW_CONSTANT(FILTER_RADIUS, filter_radius),
+    SSGI_GL__ROW_CONSTANT(SPAN, span),
 
-    SSGI_GL__P(project, "vec4", "pixels per view xy / depth; pixels"),
-    SSGI_GL__P(unproject, "vec4", "view xy / depth per pixel"),
-    SSGI_GL__P(decode, "vec4", "window depth to view depth"), SSGI_GL__P(origin, "ivec2", "texels"),
-    SSGI_GL__P(size, "ivec2", "pixels"), SSGI_GL__P(target, "ivec2", "texels"),
-    SSGI_GL__P(radius, "float", "view units"), SSGI_GL__P(offset, "float", "half pixels"),
-    SSGI_GL__P(thickness, "float", "view units"), SSGI_GL__P(phase, "float", "turns"),
-    SSGI_GL__P(fade, "float", "view units"), SSGI_GL__P(distance_clamp, "float", "radii"),
-    SSGI_GL__P(gain, "float", ""), SSGI_GL__P(max_slope, "float", "tan"),
-    SSGI_GL__P(lights, "int", "rows of t_ssgi_lights"), SSGI_GL__P(lambda, "float", "per radius"),
-    SSGI_GL__P(rotation, "mat3", "world to view"),
-    SSGI_GL__P(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
-    SSGI_GL__P(surfel, "vec4", "view radius per depth; near plane; radius per distance outside the frustum; splits"),
-    SSGI_GL__P(mesh, "mat4", "mesh to view"), SSGI_GL__P(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
-    SSGI_GL__P(keep_small, "float", "1: small triangles keep all of their surfels"),
-    SSGI_GL__P(near_depth, "float", "view units"), SSGI_GL__P(sent, "float", "what counts as bright"),
-    SSGI_GL__P(epsilon, "float", ""), SSGI_GL__P(exponent, "float", ""), SSGI_GL__P(history, "float", "frames"),
-    SSGI_GL__P(level, "ivec2", "texels of a level"), SSGI_GL__P(window, "vec4", "a band"),
-    SSGI_GL__P(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
-    SSGI_GL__P(last_from, "mat4", "and back"),
-    SSGI_GL__P(oblique, "vec2", "window depth per pixel"), SSGI_GL__P(slice, "int", "of your textures"),
-    SSGI_GL__V(to, "mat4[4]", "view space to pixels (times depth) and depth"), SSGI_GL__V(from, "mat4[4]", "and back"),
-    SSGI_GL__V(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
-    SSGI_GL__V(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
+    SSGI_GL__ROW_FRAME(project, "vec4", "pixels per view xy / depth; pixels"),
+    SSGI_GL__ROW_FRAME(unproject, "vec4", "view xy / depth per pixel"),
+    SSGI_GL__ROW_FRAME(decode, "vec4", "window depth to view depth"),
+    SSGI_GL__ROW_FRAME(origin, "ivec2", "texels"),
+    SSGI_GL__ROW_FRAME(size, "ivec2", "pixels"),
+    SSGI_GL__ROW_FRAME(target, "ivec2", "texels"),
+    SSGI_GL__ROW_FRAME(radius, "float", "view units"),
+    SSGI_GL__ROW_FRAME(offset, "float", "half pixels"),
+    SSGI_GL__ROW_FRAME(thickness, "float", "view units"),
+    SSGI_GL__ROW_FRAME(phase, "float", "turns"),
+    SSGI_GL__ROW_FRAME(fade, "float", "view units"),
+    SSGI_GL__ROW_FRAME(distance_clamp, "float", "radii"),
+    SSGI_GL__ROW_FRAME(gain, "float", ""),
+    SSGI_GL__ROW_FRAME(max_slope, "float", "tan"),
+    SSGI_GL__ROW_FRAME(lights, "int", "rows of t_ssgi_lights"),
+    SSGI_GL__ROW_FRAME(lambda, "float", "per radius"),
+    SSGI_GL__ROW_FRAME(rotation, "mat3", "world to view"),
+    SSGI_GL__ROW_FRAME(harmonics, "vec4[12]", "light, view space: coefficients 4w .. 4w + 3 of channel c at 3w + c"),
+    SSGI_GL__ROW_FRAME(surfel, "vec4",
+                       "view radius per depth; near plane; radius per distance outside the frustum; splits"),
+    SSGI_GL__ROW_FRAME(mesh, "mat4", "mesh to view"),
+    SSGI_GL__ROW_FRAME(dipole, "vec4[4]", "z_r, z_v, sigma_tr, alpha'/4"),
+    SSGI_GL__ROW_FRAME(keep_small, "float", "1: small triangles keep all of their surfels"),
+    SSGI_GL__ROW_FRAME(near_depth, "float", "view units"),
+    SSGI_GL__ROW_FRAME(sent, "float", "what counts as bright"),
+    SSGI_GL__ROW_FRAME(epsilon, "float", ""),
+    SSGI_GL__ROW_FRAME(exponent, "float", ""),
+    SSGI_GL__ROW_FRAME(history, "float", "frames"),
+    SSGI_GL__ROW_FRAME(level, "ivec2", "texels of a level"),
+    SSGI_GL__ROW_FRAME(window, "vec4", "a band"),
+    SSGI_GL__ROW_FRAME(last_to, "mat4", "view space to the last frame's pixels (times depth) and depth"),
+    SSGI_GL__ROW_FRAME(last_from, "mat4", "and back"),
+    SSGI_GL__ROW_FRAME(oblique, "vec2", "window depth per pixel"),
+    SSGI_GL__ROW_FRAME(slice, "int", "of your textures"),
 
-    SSGI_GL__Y("depth", 0, "!multisampled", "sampler2D", "hardware depth (any, compare mode off) or R32F view depth, "
-               "NEAREST"),
-    SSGI_GL__Y("normal", 1, "!receiver && !multisampled", "sampler2D", "RGBA16F, RGB10_A2, RG16F .. as desc.normal "
-               "says, NEAREST"),
-    SSGI_GL__T("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
-    SSGI_GL__T("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
-    SSGI_GL__T("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__T("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
-    SSGI_GL__T("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
-    SSGI_GL__T("views", 4, NULL, "sampler2DArray", "hardware depth, slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__T("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
-    SSGI_GL__T("view_senders", 6, NULL, "usampler2DArray", "RG32UI: slice camera * view_layers + layer, NEAREST"),
-    SSGI_GL__T("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
-    SSGI_GL__T("environment", 8, NULL, "sampler2D", "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
-    SSGI_GL__T("irradiance", 9, NULL, "sampler2DArray", "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with "
-               "desc.residual ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
-    SSGI_GL__T("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
-    SSGI_GL__T("shadow", 11, NULL, "sampler2D", "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
-    SSGI_GL__T("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
-    SSGI_GL__T("bounce", 10, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
-    SSGI_GL__Y("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
-    SSGI_GL__Y("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
-    SSGI_GL__T("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
-    SSGI_GL__Y("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
-    SSGI_GL__Y("back", 13, "thickness != SLABS", "sampler2D", "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
-    SSGI_GL__Y("back", 13, "thickness == SLABS", "sampler2D", "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest "
-               "back face; next front face behind it; next back face behind that"),
-    SSGI_GL__T("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
-    SSGI_GL__Y("objects", 3, NULL, "usampler2D", "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
-    SSGI_GL__T("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
-    SSGI_GL__T("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
-    SSGI_GL__T("levels", 3, NULL, "sampler2D", "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
-    SSGI_GL__T("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
-    SSGI_GL__T("history", 2, NULL, "sampler2D", "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
-    SSGI_GL__T("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
-    SSGI_GL__Y("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
+    SSGI_GL__ROW_VIEWS(to, "mat4[4]", "view space to pixels (times depth) and depth"),
+    SSGI_GL__ROW_VIEWS(from, "mat4[4]", "and back"),
+    SSGI_GL__ROW_VIEWS(decode, "vec4[4]", "window depth to view depth; w: orthographic"),
+    SSGI_GL__ROW_VIEWS(size, "vec4[4]", "pixels; z: slack of surfaces, per depth"),
 
-    SSGI_GL__O("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
-    SSGI_GL__O("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
-    SSGI_GL__O("ao", "pass != FIELD && pass != BLUR", "vec2", "RG32F or RG16F: ambient visibility, view depth; R8 or "
-               "R16F if nothing filters"),
-    SSGI_GL__O("picture", NULL, "vec4", "your picture"),
-    SSGI_GL__O("light", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
-    SSGI_GL__O("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
-    SSGI_GL__O("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
-    SSGI_GL__O("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
-    SSGI_GL__O("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
-    SSGI_GL__O("sender", NULL, "uvec2", "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 "
-               "bits of exponent and 14, octahedral view-space normal as 6 6"),
-    SSGI_GL__O("bent", NULL, "vec4", "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
-    SSGI_GL__O("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
-    SSGI_GL__O("levels", "effect == OCCLUSION", "float", "R32F, or R16F that loses what is below 1/2000: form factors"),
-    SSGI_GL__O("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
-    SSGI_GL__FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
-    SSGI_GL__HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
-    SSGI_GL__FLOATS("sh1", 3, "coefficients 4..7"),
-    SSGI_GL__HALVES("sh1", 3, "coefficients 8..15; R32UI suffices for 3 bands"),
-    SSGI_GL__FLOATS("sh2", 4, "coefficients 8..11; R16F suffices for 3 bands"),
-    SSGI_GL__FLOATS("sh3", 5, "coefficients 12..15"),
-    SSGI_GL__HALVES("red0", 6, "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2"),
-    SSGI_GL__HALVES("red1", 7, "coefficients 8..15 of red; R32UI suffices for 3 bands"),
-    SSGI_GL__HALVES("green0", 8, "the same of green"), SSGI_GL__HALVES("green1", 11, "the same of green"),
-    SSGI_GL__HALVES("blue0", 14, "the same of blue"), SSGI_GL__HALVES("blue1", 15, "the same of blue"),
+    SSGI_GL__ROW_YOURS("depth", 0, "!multisampled", "sampler2D",
+                       "hardware depth (any, compare mode off) or R32F view depth, NEAREST"),
+    SSGI_GL__ROW_YOURS("normal", 1, "!receiver && !multisampled", "sampler2D",
+                       "RGBA16F, RGB10_A2, RG16F .. as desc.normal says, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("depth", 0, "multisampled", "sampler2DMS", "hardware depth or R32F view depth: sample 0"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "multisampled", "sampler2DMS", "RGBA16F .. as desc.normal says: sample 0"),
+    SSGI_GL__ROW_TEXTURE("normal", 1, "receiver", "sampler2DArray", "normals of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_TEXTURE("layers", 2, NULL, "sampler2DArray", "layers 2 .. in slices 0 ..: as t_ssgi_depth, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("noise", 3, NULL, "sampler2D", "RGBA16F, any size, NEAREST: your noise in z, w"),
+    SSGI_GL__ROW_TEXTURE("views", 4, NULL, "sampler2DArray",
+                         "hardware depth, slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("senders", 5, NULL, "usampler2DArray", "RG32UI: what senders wrote, a slice a layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("view_senders", 6, NULL, "usampler2DArray",
+                         "RG32UI: slice camera * view_layers + layer, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("kernel", 7, NULL, "sampler2D", SSGI_GL__HDR ", a row a set, NEAREST: ssgi_kernel"),
+    SSGI_GL__ROW_TEXTURE("environment", 8, NULL, "sampler2D",
+                         "RGB16F .., NEAREST: ssgi_environment_map, a sample's solid angle"),
+    SSGI_GL__ROW_TEXTURE("irradiance", 9, NULL, "sampler2DArray",
+                         "RGB16F .., NEAREST: ssgi_environment_map, solid angle 0, with desc.residual "
+                         "ssgi_sh_residual's map; for cones k of n ssgi_environment_cone, cosine k/n"),
+    SSGI_GL__ROW_TEXTURE("lights", 10, NULL, "sampler2D", "RGBA32F, 8 wide, NEAREST: a row a ssgi_gl_light"),
+    SSGI_GL__ROW_TEXTURE("shadow", 11, NULL, "sampler2D",
+                         "hardware depth, compare mode off, NEAREST: shadow maps as tiles"),
+    SSGI_GL__ROW_TEXTURE("light", 12, NULL, "sampler2D", SSGI_GL__HDR ", NEAREST: what ssdo, shade or lights wrote"),
+    SSGI_GL__ROW_TEXTURE("bounce", 10, NULL, "sampler2D",
+                         SSGI_GL__HDR ", NEAREST: what ssdo or s3ho wrote of the bounce"),
+    SSGI_GL__ROW_YOURS("ambient", 14, NULL, "sampler2D", "RGBA16F .., NEAREST: the ambient light in your picture"),
+    SSGI_GL__ROW_YOURS("albedo", 13, "!receiver", "sampler2D", "RGBA8, RGBA16F .., NEAREST: linear albedo"),
+    SSGI_GL__ROW_TEXTURE("albedo", 13, "receiver", "sampler2DArray", "albedos of layers 2 .. in slices 0 .., NEAREST"),
+    SSGI_GL__ROW_YOURS("direct", 14, NULL, "sampler2D", "RGBA16F, R11F_G11F_B10F .., NEAREST: your outgoing radiance"),
+    SSGI_GL__ROW_YOURS("back", 13, "thickness != SLABS", "sampler2D",
+                       "as t_ssgi_depth, or 16 bits, NEAREST: nearest back face"),
+    SSGI_GL__ROW_YOURS("back", 13, "thickness == SLABS", "sampler2D",
+                       "RGBA16F or RGBA32F, each as t_ssgi_depth, NEAREST: nearest back face; next front face behind "
+                       "it; next back face behind that"),
+    SSGI_GL__ROW_TEXTURE("occluders", 2, NULL, "sampler2D", "RGBA32F, 10 wide, NEAREST: a row an ssgi_gl_occluder"),
+    SSGI_GL__ROW_YOURS("objects", 3, NULL, "usampler2D",
+                       "R8UI, R16UI or R32UI, NEAREST: the object that is seen, 0 = none"),
+    SSGI_GL__ROW_TEXTURE("fields", 4, NULL, "usampler2DArray", "RG32UI, NEAREST: ssgi_field.texels, a slice a field"),
+    SSGI_GL__ROW_TEXTURE("shuffled", 2, NULL, "usampler2D", "RGBA32UI, NEAREST: what shuffle wrote"),
+    SSGI_GL__ROW_TEXTURE("levels", 3, NULL, "sampler2D",
+                         "what splat, unshuffle or smooth wrote, in this order, NEAREST"),
+    SSGI_GL__ROW_TEXTURE("ao", 9, NULL, "sampler2D", "RG32F or RG16F, NEAREST: what ssao, hsao or history wrote"),
+    SSGI_GL__ROW_TEXTURE("history", 2, NULL, "sampler2D",
+                         "what this wrote for the last frame, NEAREST: o_ssgi_ao, _light"),
+    SSGI_GL__ROW_TEXTURE("means", 3, NULL, "sampler2D", "likewise: o_ssgi_means"),
+    SSGI_GL__ROW_YOURS("motion", 4, NULL, "sampler2D", "RG16F, NEAREST: pixels from where a point was to where it is"),
 
-    SSGI_GL__A("position", "vec3", "mesh space"), SSGI_GL__A("normal", "vec3", "mesh space, any length; 0: the face's"),
-    SSGI_GL__A("colour", "vec3", "of ssgi_surfel"), SSGI_GL__A("surfel0", "vec4", "ssgi_surfel: position, radius"),
-    SSGI_GL__A("surfel1", "vec4", "normal, seed"), SSGI_GL__A("surfel2", "vec4", "colour"),
-    SSGI_GL__K("surfel0", "vec4", "ssgi_surfel: position, radius"), SSGI_GL__K("surfel1", "vec4", "normal, seed"),
-    SSGI_GL__K("surfel2", "vec4", "colour") };
+    SSGI_GL__ROW_OUTPUT("ao", "pass == FIELD", "float", "R8, R16F ..: factor of ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass == BLUR", "float", "R8 or R16F: ambient visibility"),
+    SSGI_GL__ROW_OUTPUT("ao", "pass != FIELD && pass != BLUR", "vec2",
+                        "RG32F or RG16F: ambient visibility, view depth; R8 or R16F if nothing filters"),
+    SSGI_GL__ROW_OUTPUT("picture", NULL, "vec4", "your picture"),
+    SSGI_GL__ROW_OUTPUT("light", NULL, "vec4",
+                        SSGI_GL__HDR ": irradiance over pi (shade with albedo: radiance), view depth"),
+    SSGI_GL__ROW_OUTPUT("means", NULL, "vec4", SSGI_GL__HDR ": means of 3x3 over a few frames, over all, how many; 0"),
+    SSGI_GL__ROW_OUTPUT("bounce", NULL, "vec4", SSGI_GL__HDR ": irradiance over pi from the bounce, view depth"),
+    SSGI_GL__ROW_OUTPUT("specular", NULL, "vec4", SSGI_GL__HDR ": radiance of the lobe, view depth"),
+    SSGI_GL__ROW_OUTPUT("scatter", NULL, "vec4", SSGI_GL__HDR ": radiance, view depth"),
+    SSGI_GL__ROW_OUTPUT("sender", NULL, "uvec2",
+                        "RG32UI: outgoing radiance as 9 9 9 bits and 5 of exponent; view depth as 6 bits of exponent "
+                        "and 14, octahedral view-space normal as 6 6"),
+    SSGI_GL__ROW_OUTPUT("bent", NULL, "vec4",
+                        "RGBA16F ..: mean free direction, view space, unit; cosine of half the cone"),
+    SSGI_GL__ROW_OUTPUT("shuffled", NULL, "uvec4", "RGBA32UI: view-space position, octahedral normal as 16 16"),
+    SSGI_GL__ROW_OUTPUT("levels", "effect == OCCLUSION", "float",
+                        "R32F, or R16F that loses what is below 1/2000: form factors"),
+    SSGI_GL__ROW_OUTPUT("levels", "effect != OCCLUSION", "vec4", SSGI_GL__HDR ": what surfels bring, form factors"),
+    SSGI_GL__ROWS_FLOATS("sh0", 2, "coefficients 0..3; R16F suffices for 1 band"),
+    SSGI_GL__ROWS_HALVES("sh0", 2, "coefficients 0..7; R32UI suffices for 1 band, RG32UI for 2"),
+    SSGI_GL__ROWS_FLOATS("sh1", 3, "coefficients 4..7"),
+    SSGI_GL__ROWS_HALVES("sh1", 3, "coefficients 8..15; R32UI suffices for 3 bands"),
+    SSGI_GL__ROWS_FLOATS("sh2", 4, "coefficients 8..11; R16F suffices for 3 bands"),
+    SSGI_GL__ROWS_FLOATS("sh3", 5, "coefficients 12..15"),
+    SSGI_GL__ROWS_HALVES("red0", 6, "coefficients 0..7 of red; R32UI suffices for 1 band, RG32UI for 2"),
+    SSGI_GL__ROWS_HALVES("red1", 7, "coefficients 8..15 of red; R32UI suffices for 3 bands"),
+    SSGI_GL__ROWS_HALVES("green0", 8, "the same of green"),
+    SSGI_GL__ROWS_HALVES("green1", 11, "the same of green"),
+    SSGI_GL__ROWS_HALVES("blue0", 14, "the same of blue"),
+    SSGI_GL__ROWS_HALVES("blue1", 15, "the same of blue"),
+
+    SSGI_GL__ROW_ATTRIBUTE("position", "vec3", "mesh space"),
+    SSGI_GL__ROW_ATTRIBUTE("normal", "vec3", "mesh space, any length; 0: the face's"),
+    SSGI_GL__ROW_ATTRIBUTE("colour", "vec3", "of ssgi_surfel"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__ROW_ATTRIBUTE("surfel2", "vec4", "colour"),
+
+    SSGI_GL__ROW_CAPTURE("surfel0", "vec4", "ssgi_surfel: position, radius"),
+    SSGI_GL__ROW_CAPTURE("surfel1", "vec4", "normal, seed"),
+    SSGI_GL__ROW_CAPTURE("surfel2", "vec4", "colour")
+};
 
 /* clang-format on */
 
@@ -3418,80 +3471,88 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* Names and values are those of #if lines, too. */
-#define SSGI_GL__I(field, n) \
-    { \
-#field, "", "desc." #field ": must be 0.." #n, offsetof(ssgi_gl_desc, field), n \
-    }
-#define SSGI_GL__B(field) \
-    { \
-#field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 \
-    }
-#define SSGI_GL__N(field, last, prefix, values) \
-    { \
-#field, values, "desc." #field ": must be " prefix "_ and one of " values, offsetof(ssgi_gl_desc, field), last \
-    }
-#define SSGI_GL__E(field, KIND, LAST, values) SSGI_GL__N(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, values)
+/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or 1.
+   ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. WORDS: the same with a prefix of its own. */
+/* clang-format off */
+#define SSGI_GL__FIELD_COUNT(field, most) \
+    { #field, "", "desc." #field ": must be 0.." #most, offsetof(ssgi_gl_desc, field), most }
+#define SSGI_GL__FIELD_SWITCH(field) \
+    { #field, "", "desc." #field ": must be 0 or 1", offsetof(ssgi_gl_desc, field), 1 }
+#define SSGI_GL__FIELD_WORDS(field, last, prefix, words) \
+    { #field, words, "desc." #field ": must be " prefix "_ and one of " words, offsetof(ssgi_gl_desc, field), last }
+#define SSGI_GL__FIELD_ENUM(field, KIND, LAST, words) \
+    SSGI_GL__FIELD_WORDS(field, SSGI_GL_##KIND##_##LAST, "SSGI_GL_" #KIND, words)
+/* clang-format on */
+
 static const ssgi_gl_choice ssgi_gl__fields[] = {
-    SSGI_GL__N(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
-               "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE "
-               "SPLAT UNSHUFFLE SMOOTH SUM BLUR HISTORY COMPOSE"),
-    SSGI_GL__N(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
-    SSGI_GL__E(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
-    SSGI_GL__E(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
-    SSGI_GL__B(orthographic),
-    SSGI_GL__B(world_normals),
-    SSGI_GL__B(half),
-    SSGI_GL__B(lines),
-    SSGI_GL__B(left_handed),
-    SSGI_GL__B(oblique),
-    SSGI_GL__B(multisampled),
-    SSGI_GL__B(array),
-    SSGI_GL__E(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
-    SSGI_GL__I(samples, 64),
-    SSGI_GL__I(steps, 64),
-    SSGI_GL__E(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
-    SSGI_GL__E(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"),
-    SSGI_GL__B(kernel),
-    SSGI_GL__E(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
-    SSGI_GL__B(range),
-    SSGI_GL__I(layers, 8),
-    SSGI_GL__I(views, 4),
-    SSGI_GL__I(view_layers, 8),
-    SSGI_GL__I(receiver, 7),
-    SSGI_GL__N(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
-    SSGI_GL__I(directions, 32),
-    SSGI_GL__I(normal_rays, 8),
-    SSGI_GL__B(hard),
-    SSGI_GL__E(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
-    SSGI_GL__E(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
-    SSGI_GL__E(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
-    SSGI_GL__B(two_sided),
-    SSGI_GL__E(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
-    SSGI_GL__E(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
-    SSGI_GL__B(accumulate),
-    SSGI_GL__I(bands, 4),
-    SSGI_GL__B(packed),
-    SSGI_GL__E(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
-    SSGI_GL__B(shaded),
-    SSGI_GL__B(residual),
-    SSGI_GL__E(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
-    SSGI_GL__B(lights),
-    SSGI_GL__B(albedo),
-    SSGI_GL__E(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
-    SSGI_GL__E(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
-    SSGI_GL__I(levels, 7),
-    SSGI_GL__B(tessellate),
-    SSGI_GL__E(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
-    SSGI_GL__I(span, 64),
-    SSGI_GL__I(near_samples, 16),
-    SSGI_GL__B(axis),
-    SSGI_GL__N(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
-    SSGI_GL__N(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"),
-    SSGI_GL__I(filter_radius, 4),
-    SSGI_GL__B(filter_normals),
-    SSGI_GL__B(motion),
-    SSGI_GL__E(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
+    SSGI_GL__FIELD_WORDS(pass, SSGI_GL_PASSES - 1, "SSGI_GL",
+                         "SSAO HSAO SSDO S3HO LIGHTS SENDERS SHADE FIELD SURFELS SHUFFLE SPLAT UNSHUFFLE SMOOTH SUM "
+                         "BLUR HISTORY COMPOSE"),
+    SSGI_GL__FIELD_WORDS(dialect, SSGI_GL_DIALECTS - 1, "SSGI_GL", "330 410 450 300ES 310ES 320ES VULKAN"),
+    SSGI_GL__FIELD_SWITCH(lines),
+
+    SSGI_GL__FIELD_SWITCH(orthographic),
+    SSGI_GL__FIELD_SWITCH(oblique),
+    SSGI_GL__FIELD_SWITCH(left_handed),
+
+    SSGI_GL__FIELD_ENUM(depth, DEPTH, CUSTOM, "WINDOW LINEAR CUSTOM"),
+    SSGI_GL__FIELD_ENUM(normal, NORMAL, CUSTOM, "SIGNED UNSIGNED OCTAHEDRAL FROM_DEPTH CUSTOM"),
+    SSGI_GL__FIELD_SWITCH(world_normals),
+    SSGI_GL__FIELD_SWITCH(multisampled),
+    SSGI_GL__FIELD_SWITCH(array),
+
+    SSGI_GL__FIELD_WORDS(search, SSGI_GL_MARCH, "SSGI_GL", "SLICES POINTS MARCH"),
+    SSGI_GL__FIELD_COUNT(directions, 32),
+    SSGI_GL__FIELD_COUNT(samples, 64),
+    SSGI_GL__FIELD_COUNT(steps, 64),
+    SSGI_GL__FIELD_COUNT(normal_rays, 8),
+    SSGI_GL__FIELD_ENUM(noise, NOISE, TEXTURE, "GRADIENT TEXTURE"),
+    SSGI_GL__FIELD_SWITCH(kernel),
+    SSGI_GL__FIELD_SWITCH(half),
+
+    SSGI_GL__FIELD_ENUM(thickness, THICKNESS, SLABS, "CONSTANT SOLID BACK SLABS"),
+    SSGI_GL__FIELD_COUNT(layers, 8),
+    SSGI_GL__FIELD_COUNT(views, 4),
+    SSGI_GL__FIELD_COUNT(view_layers, 8),
+    SSGI_GL__FIELD_ENUM(falloff, FALLOFF, SQUARE, "LINEAR SQUARE"),
+    SSGI_GL__FIELD_ENUM(fade, FADE, LAMBDA, "NONE SMOOTH LAMBDA"),
+    SSGI_GL__FIELD_SWITCH(range),
+    SSGI_GL__FIELD_SWITCH(hard),
+
+    SSGI_GL__FIELD_ENUM(environment, ENVIRONMENT, MAP, "NONE SH MAP"),
+    SSGI_GL__FIELD_ENUM(bounce, BOUNCE, PATCH, "NONE SOLID_ANGLE PATCH"),
+    SSGI_GL__FIELD_SWITCH(two_sided),
+    SSGI_GL__FIELD_ENUM(radiance, RADIANCE, ALBEDO, "LIGHT DIRECT BOTH ALBEDO"),
+    SSGI_GL__FIELD_COUNT(receiver, 7),
+    SSGI_GL__FIELD_ENUM(shadow, SHADOW, NONE, "SEGMENT MAP FILL NONE"),
+    SSGI_GL__FIELD_SWITCH(accumulate),
+    SSGI_GL__FIELD_ENUM(restore, RESTORE, DIFFERENCE, "NONE RATIO DIFFERENCE"),
+
+    SSGI_GL__FIELD_COUNT(bands, 4),
+    SSGI_GL__FIELD_SWITCH(packed),
+    SSGI_GL__FIELD_ENUM(transfer, TRANSFER, REFLECTED, "DIRECT BOTH REFLECTED"),
+    SSGI_GL__FIELD_SWITCH(shaded),
+    SSGI_GL__FIELD_SWITCH(residual),
+    SSGI_GL__FIELD_ENUM(shading, SHADING, BENT, "HARMONICS BENT_NORMAL BENT_CONE BENT"),
+    SSGI_GL__FIELD_SWITCH(lights),
+    SSGI_GL__FIELD_SWITCH(albedo),
+
+    SSGI_GL__FIELD_ENUM(objects, OBJECTS, CUSTOM, "NONE TEXTURE CUSTOM"),
+
+    SSGI_GL__FIELD_ENUM(effect, EFFECT, SCATTER, "OCCLUSION LIGHT BOUNCE SPECULAR SCATTER"),
+    SSGI_GL__FIELD_COUNT(levels, 7),
+    SSGI_GL__FIELD_SWITCH(tessellate),
+    SSGI_GL__FIELD_ENUM(sends, SENDS, CUSTOM, "COLOUR LIGHTS CUSTOM"),
+    SSGI_GL__FIELD_COUNT(span, 64),
+    SSGI_GL__FIELD_COUNT(near_samples, 16),
+    SSGI_GL__FIELD_SWITCH(axis),
+
+    SSGI_GL__FIELD_WORDS(colour, SSGI_GL_COEFFICIENTS, "SSGI_GL", "GREY COLOUR COEFFICIENTS"),
+    SSGI_GL__FIELD_WORDS(filter, SSGI_GL_GAUSSIAN, "SSGI_GL", "BILATERAL GAUSSIAN"),
+    SSGI_GL__FIELD_COUNT(filter_radius, 4),
+    SSGI_GL__FIELD_SWITCH(filter_normals),
+    SSGI_GL__FIELD_SWITCH(motion),
+    SSGI_GL__FIELD_ENUM(onto, ONTO, AMBIENT, "NONE MULTIPLY MULTIPLY_SRGB AMBIENT")
 };
 
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
@@ -3589,38 +3650,60 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i)
     return i >= 0 && i < SSGI_GL__FIELDS ? &ssgi_gl__fields[i] : NULL;
 }
 
+/* What a preset sets. Of points directions and normal_rays stay as they are, of the others samples, range and fade. */
+typedef struct ssgi_gl__preset {
+    int half, samples, directions, steps, normal_rays;
+    int fades; /* 1: range, and fade SMOOTH */
+} ssgi_gl__preset;
+
+enum { SSGI_GL__OF_SSAO, SSGI_GL__OF_SLICES, SSGI_GL__OF_MARCH, SSGI_GL__OF_POINTS, SSGI_GL__OF_LIGHTS };
+
+/* clang-format off */
+static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
+    /* half, samples, directions, steps, normal_rays, fades */
+    { { 0,  8, 0,  1, 0, 0 },       /* ssao: FAST */
+      { 0, 16, 0,  1, 0, 0 },       /*       BALANCED */
+      { 0, 32, 0,  1, 0, 0 } },     /*       BEST */
+    { { 1,  0, 1,  4, 0, 0 },       /* slices: FAST */
+      { 1,  0, 2,  8, 0, 0 },       /*         BALANCED */
+      { 0,  0, 2, 10, 0, 0 } },     /*         BEST */
+    { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
+      { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
+      { 0,  0, 8, 18, 2, 0 } },     /*        BEST */
+    { { 1,  4, 0,  4, 0, 1 },       /* points of ssdo, s3ho: FAST; several along a direction, as single ones miss more */
+      { 0,  4, 0,  4, 0, 1 },       /*                       BALANCED */
+      { 0,  8, 0,  6, 0, 1 } },     /*                       BEST */
+    { { 0,  4, 0,  1, 0, 0 },       /* segments of lights: FAST */
+      { 0,  8, 0,  1, 0, 0 },       /*                     BALANCED */
+      { 0, 16, 0,  1, 0, 0 } } };   /*                     BEST */
+
+/* clang-format on */
+
+static int ssgi_gl__presets_of(const ssgi_gl_desc *desc)
+{
+    if (desc->pass == SSGI_GL_SSAO) return SSGI_GL__OF_SSAO;
+    if (desc->pass == SSGI_GL_LIGHTS) return SSGI_GL__OF_LIGHTS;
+    if (desc->search == SSGI_GL_SLICES) return SSGI_GL__OF_SLICES;
+    return desc->search == SSGI_GL_MARCH ? SSGI_GL__OF_MARCH : SSGI_GL__OF_POINTS;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_preset(ssgi_gl_desc *desc, int preset, const char **why)
 {
-    static const struct counts {
-        unsigned char half, samples, directions, steps, rays, faded;
-    } table[5][3] = {
-        /* of ssao; slices; march; ssdo and s3ho, whose points along a direction miss less than single ones; lights */
-        { { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 }, { 0, 32, 0, 1, 0, 0 } },
-        { { 1, 0, 1, 4, 0, 0 }, { 1, 0, 2, 8, 0, 0 }, { 0, 0, 2, 10, 0, 0 } },
-        { { 0, 0, 4, 6, 0, 0 }, { 0, 0, 6, 9, 1, 0 }, { 0, 0, 8, 18, 2, 0 } },
-        { { 1, 4, 0, 4, 0, 1 }, { 0, 4, 0, 4, 0, 1 }, { 0, 8, 0, 6, 0, 1 } },
-        { { 0, 4, 0, 1, 0, 0 }, { 0, 8, 0, 1, 0, 0 }, { 0, 16, 0, 1, 0, 0 } }
-    };
-
+    const ssgi_gl__preset *set;
     SSGI_GL__TRY(ssgi_gl_check(desc, why));
     SSGI_GL__CHECK(preset >= 0 && preset <= SSGI_GL_BEST, "preset: must be SSGI_GL_FAST, _BALANCED or _BEST");
     if (desc->pass > SSGI_GL_SHADE && desc->pass != SSGI_GL_BLUR && desc->pass != SSGI_GL_HISTORY)
-        return SSGI_OK; /* these have no quality settings in the shader */
-    const struct counts *c = table[desc->pass == SSGI_GL_SSAO       ? 0
-                                   : desc->pass == SSGI_GL_LIGHTS   ? 4
-                                   : desc->search == SSGI_GL_SLICES ? 1
-                                   : desc->search == SSGI_GL_MARCH  ? 2
-                                                                    : 3]
-                           + preset;
-    desc->half = c->half;
-    desc->steps = c->steps;
-    if (c->samples) {
-        desc->samples = c->samples;
-        desc->range = c->faded;
-        desc->fade = c->faded ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
+        return SSGI_OK; /* nothing in these trades cost for accuracy */
+    set = &ssgi_gl__presets[ssgi_gl__presets_of(desc)][preset];
+    desc->half = set->half;
+    desc->steps = set->steps;
+    if (set->samples) {
+        desc->samples = set->samples;
+        desc->range = set->fades;
+        desc->fade = set->fades ? SSGI_GL_FADE_SMOOTH : SSGI_GL_FADE_NONE;
     } else {
-        desc->directions = c->directions;
-        desc->normal_rays = c->rays;
+        desc->directions = set->directions;
+        desc->normal_rays = set->normal_rays;
     }
     if (desc->pass == SSGI_GL_SSDO && desc->environment) desc->restore = SSGI_GL_RESTORE_RATIO;
     desc->filter = SSGI_GL_BILATERAL;
@@ -4255,15 +4338,57 @@ SSGI_DEF ssgi_result ssgi_gl_surfels_set(ssgi_gl_frame *frame, const ssgi_view *
     return SSGI_OK;
 }
 
+/* Irradiance over pi of a surfel by a light of colour 1, without occlusion; the light's kind as >>light of the library
+   tells it apart. */
+static double ssgi_gl__light_on(const ssgi_surfel *s, const ssgi_gl_light *l)
+{
+    const int sun = l->kind<0.5f, spot = l->kind> 1.5f && l->kind<2.5f, vpl = l->kind> 2.5f;
+    const double least = (double)l->min_distance * (double)l->min_distance;
+    double to[3], q[3], d = 0.0, facing = 0.0, from = 0.0; /* q: the surfel in the light's map */
+    for (int c = 0; c < 3; ++c) {
+        to[c] = (double)l->at[c] - (sun ? 0.0 : (double)s->position[c]);
+        d += to[c] * to[c];
+        facing += to[c] * (double)s->normal[c];
+        from -= to[c] * (double)l->normal[c];
+        q[c] = (double)l->map[c][3];
+        for (int k = 0; k < 3; ++k) q[c] += (double)l->map[c][k] * (double)s->position[k];
+    }
+    if (!(d > 0.0) || !(facing > 0.0)) return 0.0;
+    if (sun && l->min_distance > 0.0f) return 0.0; /* the row of its widest map counts */
+    if (spot && l->tile[2] > 0.0f
+        && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
+             && q[1] < q[2] * (double)l->tile[3]))
+        return 0.0;
+    if (vpl) facing *= from > 0.0 ? from / sqrt(d) : 0.0;
+    facing /= sqrt(d) * 3.14159265358979;
+    return sun ? facing : facing / (d > least ? d : least);
+}
+
+/* The largest component of what a surfel sends. */
+static double ssgi_gl__sent_by(const ssgi_surfel *s, const ssgi_gl_light *lights, int light_count, const float *sky)
+{
+    double light[3] = { 0.0, 0.0, 0.0 }, sent = 0.0;
+    for (int c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
+    for (int k = 0; k < light_count; ++k) {
+        const double share = ssgi_gl__light_on(s, &lights[k]);
+        for (int c = 0; c < 3; ++c) light[c] += share * (double)lights[k].colour[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        light[c] *= (double)s->colour[c];
+        sent = light[c] > sent ? light[c] : sent;
+    }
+    return sent < (double)SSGI_FAR ? sent : 0.0;
+}
+
 SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *surfels, size_t count,
                                       const ssgi_gl_light *lights, int light_count, const float sky[3],
                                       const char **why)
 {
-    enum { BINS = 256 }; /* of what is sent, below the most */
+    enum { BINS = 256 }; /* of radiances below the most, each 1/8 of an octave: down to 2^-32 of it */
 
-    const double octave = 8.0;
+    const double octave = 8.0; /* bins */
     double sum[BINS] = { 0 }, most = 0.0, all = 0.0, below = 0.0;
-    int b, c;
+    int b;
     SSGI_GL__THERE(frame);
     SSGI_GL__CHECK(surfels || !count, "surfels: must not be NULL when there are any");
     SSGI_GL__CHECK(lights || light_count <= 0, "lights: must not be NULL when there are any");
@@ -4275,47 +4400,19 @@ SSGI_DEF ssgi_result ssgi_gl_sent_set(ssgi_gl_frame *frame, const ssgi_surfel *s
     for (int k = 0; k < light_count; ++k)
         SSGI_GL__CHECK(ssgi_gl__within((const float *)&lights[k], (int)(sizeof *lights / sizeof(float)), 1e30f),
                        "lights: must be finite");
-    for (int pass = 0; pass < 2; ++pass)
-        for (size_t i = 0; i < count; ++i) {
-            const ssgi_surfel *s = &surfels[i];
-            double light[3] = { 0 }, sent = 0.0;
-            for (c = 0; sky && c < 3; ++c) light[c] = (double)sky[c];
-            for (int k = 0; k < light_count; ++k) {
-                const ssgi_gl_light *l = &lights[k];
-                const double least = (double)l->min_distance * (double)l->min_distance;
-                double to[3], d, g = 0.0, from = 0.0, q[3];
-                for (c = 0; c < 3; ++c) {
-                    to[c] = (double)l->at[c] - (l->kind > 0.5f ? (double)s->position[c] : 0.0);
-                    g += to[c] * (double)s->normal[c];
-                    from -= to[c] * (double)l->normal[c];
-                    q[c] = (double)l->map[c][3];
-                    for (b = 0; b < 3; ++b) q[c] += (double)l->map[c][b] * (double)s->position[b];
-                }
-                d = to[0] * to[0] + to[1] * to[1] + to[2] * to[2];
-                if (!(d > 0.0) || !(g > 0.0) || (l->kind < 0.5f && l->min_distance > 0.0f)) continue;
-                if (l->kind > 2.5f) g *= from > 0.0 ? from / sqrt(d) : 0.0;
-                if (l->kind > 1.5f && l->kind < 2.5f && l->tile[2] > 0.0f
-                    && !(q[2] > 0.0 && q[0] >= 0.0 && q[0] < q[2] * (double)l->tile[2] && q[1] >= 0.0
-                         && q[1] < q[2] * (double)l->tile[3]))
-                    continue;
-                g /= sqrt(d) * 3.14159265358979;
-                if (l->kind > 0.5f) g /= d > least ? d : least;
-                for (c = 0; c < 3; ++c) light[c] += g * (double)l->colour[c];
-            }
-            for (c = 0; c < 3; ++c) {
-                light[c] *= (double)s->colour[c];
-                sent = light[c] > sent ? light[c] : sent;
-            }
-            if (!(sent > 0.0 && sent < (double)SSGI_FAR)) continue;
-            if (!pass) {
-                most = sent > most ? sent : most;
-                continue;
-            }
-            b = (int)(octave * log2(most / sent));
-            sent *= (double)s->radius * (double)s->radius;
-            sum[b < BINS ? b : BINS - 1] += sent;
-            all += sent;
-        }
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        most = sent > most ? sent : most;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        const double sent = ssgi_gl__sent_by(&surfels[i], lights, light_count, sky);
+        const double flux = sent * (double)surfels[i].radius * (double)surfels[i].radius;
+        if (!(sent > 0.0)) continue;
+        b = (int)(octave * log2(most / sent));
+        sum[b < BINS ? b : BINS - 1] += flux;
+        all += flux;
+    }
+    /* the median, within its bin by the share of the bin that it takes */
     for (b = 0; b < BINS && below + sum[b] < 0.5 * all; ++b) below += sum[b];
     if (all > 0.0 && b < BINS)
         frame->sent = (float)(most * exp2(-(b + 1 - (below + sum[b] - 0.5 * all) / sum[b]) / octave));
@@ -4516,36 +4613,72 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
-static const ssgi_gl_format ssgi_gl__formats[] = { /* 16 bits, 32 bits, 32-bit integers of R, RG, RGBA; R8 */
-                                                   { "R16F", 0x822d, 0x1903, 0x140b, 2 },
-                                                   { "R32F", 0x822e, 0x1903, 0x1406, 4 },
-                                                   { "R32UI", 0x8236, 0x8d94, 0x1405, 4 },
-                                                   { "RG16F", 0x822f, 0x8227, 0x140b, 4 },
-                                                   { "RG32F", 0x8230, 0x8227, 0x1406, 8 },
-                                                   { "RG32UI", 0x823c, 0x8228, 0x1405, 8 },
-                                                   { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 },
-                                                   { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },
-                                                   { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 },
-                                                   { "R8", 0x8229, 0x1903, 0x1401, 1 }
+/* GL's numbers by GL's names, as no GL header is read here. */
+#define SSGI_GL__POINTS 0x0000u
+#define SSGI_GL__TRIANGLES 0x0004u
+#define SSGI_GL__PATCHES 0x000eu
+#define SSGI_GL__TEXTURE_2D 0x0de1u
+#define SSGI_GL__TEXTURE_2D_ARRAY 0x8c1au
+#define SSGI_GL__TEXTURE_2D_MULTISAMPLE 0x9100u
+#define SSGI_GL__ZERO 0x0000u
+#define SSGI_GL__ONE 0x0001u
+#define SSGI_GL__DST_COLOR 0x0306u
+#define SSGI_GL__FUNC_ADD 0x8006u
+#define SSGI_GL__FUNC_REVERSE_SUBTRACT 0x800bu
+#define SSGI_GL__LINEAR 0x2601u
+#define SSGI_GL__NEAREST_MIPMAP_NEAREST 0x2700u /* the first of the filters between mip levels, which are the last */
+#define SSGI_GL__DEPTH_COMPONENT 0x1902u
+#define SSGI_GL__DEPTH_COMPONENT16 0x81a5u /* 24 and 32 follow */
+#define SSGI_GL__DEPTH_COMPONENT32 0x81a7u
+#define SSGI_GL__DEPTH24_STENCIL8 0x88f0u
+#define SSGI_GL__DEPTH_COMPONENT32F 0x8cacu
+#define SSGI_GL__DEPTH32F_STENCIL8 0x8cadu
+#define SSGI_GL__R8I 0x8231u /* of one and two channels all integers are between these */
+#define SSGI_GL__RG32UI 0x823cu
+#define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
+#define SSGI_GL__RGB8I 0x8d8fu
+
+/* Formats of targets: by their channels, then by the kind of number. The columns are internal format, format, type. */
+enum { SSGI_GL__R, SSGI_GL__RG, SSGI_GL__RGBA, SSGI_GL__CHANNELS };
+
+enum { SSGI_GL__HALF, SSGI_GL__FLOAT, SSGI_GL__UINT, SSGI_GL__KINDS };
+
+static const ssgi_gl_format ssgi_gl__formats[SSGI_GL__CHANNELS][SSGI_GL__KINDS] = {
+    { { "R16F", 0x822d, 0x1903, 0x140b, 2 },       /* RED, HALF_FLOAT */
+      { "R32F", 0x822e, 0x1903, 0x1406, 4 },       /* RED, FLOAT */
+      { "R32UI", 0x8236, 0x8d94, 0x1405, 4 } },    /* RED_INTEGER, UNSIGNED_INT */
+    { { "RG16F", 0x822f, 0x8227, 0x140b, 4 },      /* RG, HALF_FLOAT */
+      { "RG32F", 0x8230, 0x8227, 0x1406, 8 },      /* RG, FLOAT */
+      { "RG32UI", 0x823c, 0x8228, 0x1405, 8 } },   /* RG_INTEGER, UNSIGNED_INT */
+    { { "RGBA16F", 0x881a, 0x1908, 0x140b, 8 },    /* RGBA, HALF_FLOAT */
+      { "RGBA32F", 0x8814, 0x1908, 0x1406, 16 },   /* RGBA, FLOAT */
+      { "RGBA32UI", 0x8d70, 0x8d99, 0x1405, 16 } } /* RGBA_INTEGER, UNSIGNED_INT */
 };
+static const ssgi_gl_format ssgi_gl__r8 = { "R8", 0x8229, 0x1903, 0x1401, 1 }; /* RED, UNSIGNED_BYTE */
+
+/* By ssgi_gl_input.meaning: the texture's name less t_ssgi_. */
 static const char *const ssgi_gl__yours[SSGI_GL_YOURS] = {
     "depth",  "layers",      "back",       "views",  "normal", "albedo",    "normal", "albedo",  "direct", "noise",
     "kernel", "environment", "irradiance", "lights", "shadow", "occluders", "fields", "objects", "motion", "ambient"
 };
 
-/* Steps as they are added. written: the last texture of a name, less o_ssgi_ or t_ssgi_; light, bounce: -1: none;
-   picture: a step has drawn onto yours. */
+/* Steps as they are added. */
 typedef struct ssgi_gl__build {
     const ssgi_gl_chain *chain;
-    ssgi_gl_step *steps, spare;
-    int capacity, count, textures, names, light, bounce, picture;
+    ssgi_gl_step *steps, spare; /* spare: for what is beyond the capacity */
+    int capacity, count;
+    int textures;      /* numbers given so far */
+    int light, bounce; /* which of them hold the result; -1: none */
+    int picture;       /* 1: a step has drawn onto yours */
+    const char *why;   /* what is wrong; NULL: nothing */
+
+    /* the texture that was last written under a name, less o_ssgi_ or t_ssgi_; -1: none */
+    int names;
 
     struct {
         const char *name;
         int texture;
     } written[32];
-
-    const char *why;
 } ssgi_gl__build;
 
 static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
@@ -4560,93 +4693,120 @@ static int *ssgi_gl__texture(ssgi_gl__build *b, const char *name)
     return &b->written[i].texture;
 }
 
+/* The format of an output: what it needs, in as few bits as chain.precise lets it have. */
 static const ssgi_gl_format *ssgi_gl__format(const ssgi_gl_chain *chain, const ssgi_gl_desc *d, const ssgi_gl_io *out)
 {
     const char last = out->name[strlen(out->name) - 1], size = out->type[strlen(out->type) - 1];
-    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT, sh = !strncmp(out->name, "o_ssgi_sh", 9);
-    const int wide = chain->precise > sh && !(blended && d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN);
-    const int whole = *out->type == 'u', halves = whole && size == '4';
-    int lanes = *out->type == 'f' ? 0 : size == '2' ? 1 : 2;
-    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[8];
-    if ((sh || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2')))) lanes = 0;
-    if (halves && d->bands == 2) lanes = 1;
-    if (*out->type == 'f' && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__formats[9];
-    return &ssgi_gl__formats[3 * lanes + (whole ? 2 : wide)];
+    const int single = *out->type == 'f', whole = *out->type == 'u', halves = whole && size == '4';
+    const int coefficients = !strncmp(out->name, "o_ssgi_sh", 9);
+    const int gles = d->dialect >= SSGI_GL_300ES && d->dialect < SSGI_GL_VULKAN; /* does not blend 32-bit floats */
+    const int blended = d->pass == SSGI_GL_FIELD || d->pass == SSGI_GL_SPLAT;
+    const int wide = chain->precise > coefficients && !(blended && gles);
+    int channels = single ? SSGI_GL__R : size == '2' ? SSGI_GL__RG : SSGI_GL__RGBA;
+    if (d->pass == SSGI_GL_SHUFFLE) return &ssgi_gl__formats[SSGI_GL__RGBA][SSGI_GL__UINT];
+    /* coefficients that do not fill their last texture: 1 in the first, the 9th in the second or third */
+    if ((coefficients || halves) && (d->bands == 1 || (d->bands == 3 && last == (halves ? '1' : '2'))))
+        channels = SSGI_GL__R;
+    if (halves && d->bands == 2) channels = SSGI_GL__RG;
+    if (single && !wide && d->pass != SSGI_GL_SPLAT) return &ssgi_gl__r8;
+    return &ssgi_gl__formats[channels][whole ? SSGI_GL__UINT : wide ? SSGI_GL__FLOAT : SSGI_GL__HALF];
 }
 
-/* frame: as ssgi_gl_step has it. Textures that it reads are yours, or what was last written under their names. */
+/* Where a step draws: the image's size in its targets. d: resolved. */
+static void ssgi_gl__step_size(ssgi_gl_step *s, const ssgi_gl_chain *chain, const ssgi_gl_desc *d)
+{
+    const int half = d->half && d->pass != SSGI_GL_BLUR;
+    int level[2] = { 0, 0 };
+    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
+    s->width = (chain->width + half) >> half;
+    s->height = (chain->height + half) >> half;
+    if (d->pass < SSGI_GL_SHUFFLE || d->pass > SSGI_GL_SMOOTH) return;
+    ssgi_splat_size(level, chain->width, chain->height, d->levels, NULL);
+    s->size = SSGI_GL_SIZE_LEVELS;
+    s->width = level[0];
+    s->height = level[1] * d->levels;
+}
+
+/* How it draws: a triangle over all of it; a quad of two a field, and a surfel and level; or patches. d: resolved. */
+static void ssgi_gl__step_draw(ssgi_gl_step *s, const ssgi_gl_desc *d)
+{
+    static const unsigned multiply[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__DST_COLOR, SSGI_GL__ZERO };
+    static const unsigned add[3] = { SSGI_GL__FUNC_ADD, SSGI_GL__ONE, SSGI_GL__ONE };
+    static const unsigned subtract[3] = { SSGI_GL__FUNC_REVERSE_SUBTRACT, SSGI_GL__ONE, SSGI_GL__ONE };
+    const int field = d->pass == SSGI_GL_FIELD, splat = d->pass == SSGI_GL_SPLAT, surfels = d->pass == SSGI_GL_SURFELS;
+    const int patches = d->tessellate && (surfels || splat);
+    s->primitive = patches ? SSGI_GL__PATCHES : surfels ? SSGI_GL__POINTS : SSGI_GL__TRIANGLES;
+    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d->levels : 3;
+    s->instances = !(field || splat || patches);
+    s->clear = field || splat;
+    s->clear_to = (float)field; /* fields multiply, surfels add up */
+    if (splat || (d->onto && d->colour != SSGI_GL_GREY)) memcpy(s->blend, add, sizeof add);
+    else if (d->onto == SSGI_GL_ONTO_AMBIENT) memcpy(s->blend, subtract, sizeof subtract);
+    else if (field || d->onto) memcpy(s->blend, multiply, sizeof multiply);
+}
+
+/* A texture that it reads: yours, or what was last written under its name. */
+static void ssgi_gl__step_input(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
+{
+    ssgi_gl_input *in = &s->input[s->inputs++];
+    const char *const name = row->name + strlen("t_ssgi_"), end = row->type[strlen(row->type) - 1];
+    int m = 0;
+    while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
+    in->name = row->name;
+    in->type = row->type;
+    in->unit = row->slot;
+    in->target = end == 'y' ? SSGI_GL__TEXTURE_2D_ARRAY       /* sampler2DArray */
+               : end == 'S' ? SSGI_GL__TEXTURE_2D_MULTISAMPLE /* sampler2DMS */
+                            : SSGI_GL__TEXTURE_2D;
+    if (m < SSGI_GL_YOURS) {
+        in->texture = -1;
+        in->meaning = m;
+        if (d->receiver && m == SSGI_GL_YOUR_NORMAL) in->meaning = SSGI_GL_YOUR_LAYER_NORMALS;
+        if (d->receiver && m == SSGI_GL_YOUR_ALBEDO) in->meaning = SSGI_GL_YOUR_LAYER_ALBEDOS;
+        if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !s->frame) {
+            in->width = b->chain->width;
+            in->height = b->chain->height;
+        }
+        return;
+    }
+    in->meaning = -1;
+    in->last = d->pass == SSGI_GL_HISTORY && (!strcmp(name, "history") || !strcmp(name, "means"));
+    /* of history its own outputs, which are numbered next; -1: what a later step writes */
+    in->texture = in->last ? b->textures + !strcmp(name, "means") : *ssgi_gl__texture(b, name);
+}
+
+static void ssgi_gl__step_output(ssgi_gl__build *b, ssgi_gl_step *s, const ssgi_gl_desc *d, const ssgi_gl_io *row)
+{
+    ssgi_gl_output *out = &s->output[s->outputs++];
+    out->name = row->name;
+    out->format = d->onto ? NULL : ssgi_gl__format(b->chain, d, row);
+    out->kept = d->pass == SSGI_GL_HISTORY;
+    if (d->pass == SSGI_GL_SENDERS) return; /* a slice of what all of them write: ssgi_gl__send */
+    out->texture = d->onto ? -1 : b->textures++;
+    b->picture |= d->onto != SSGI_GL_ONTO_NONE;
+    *ssgi_gl__texture(b, row->name + strlen("o_ssgi_")) = out->texture;
+}
+
+/* A step more. frame: as ssgi_gl_step has it. */
 static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, int pass, int frame)
 {
-    /* multiply, add, subtract */
-    static const unsigned blend[3][3] = { { 0x8006, 0x0306, 0 }, { 0x8006, 1, 1 }, { 0x800b, 1, 1 } };
-    const int field = pass == SSGI_GL_FIELD, splat = pass == SSGI_GL_SPLAT, surfels = pass == SSGI_GL_SURFELS;
     ssgi_gl_step *s = b->count < b->capacity ? &b->steps[b->count] : &b->spare;
     ssgi_gl_io row[SSGI_GL_MAX_IO];
     ssgi_gl_desc d = *desc;
-    int rows, patches, half, level[2] = { 0, 0 };
+    int rows;
     d.pass = pass;
     ++b->count;
     memset(s, 0, sizeof *s);
     if (b->why || ssgi_gl_check(&d, &b->why) != SSGI_OK) return s;
-    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     s->desc = d;
     s->frame = frame;
+    rows = ssgi_gl_reflect(&d, row, SSGI_GL_MAX_IO);
     d = ssgi_gl_resolve(&d);
-    half = d.half && pass != SSGI_GL_BLUR;
-    s->size = half ? SSGI_GL_SIZE_HALF : SSGI_GL_SIZE_FULL;
-    s->width = (b->chain->width + half) >> half;
-    s->height = (b->chain->height + half) >> half;
-    if (pass >= SSGI_GL_SHUFFLE && pass <= SSGI_GL_SMOOTH) {
-        s->size = SSGI_GL_SIZE_LEVELS;
-        ssgi_splat_size(level, b->chain->width, b->chain->height, d.levels, NULL);
-        s->width = level[0];
-        s->height = level[1] * d.levels;
-    }
-    patches = d.tessellate && (surfels || splat);
-    s->primitive = patches ? 0xe : surfels ? 0 : 4;
-    s->vertices = patches || surfels ? 0 : field ? 6 : splat ? 6 * d.levels : 3;
-    s->instances = !(field || splat || patches);
-    s->clear = field || splat;
-    s->clear_to = (float)field;
-    if (s->clear || d.onto)
-        memcpy(s->blend,
-               blend[splat || (d.onto && d.colour)    ? 1
-                     : d.onto == SSGI_GL_ONTO_AMBIENT ? 2
-                                                      : 0],
-               sizeof s->blend);
+    ssgi_gl__step_size(s, b->chain, &d);
+    ssgi_gl__step_draw(s, &d);
     for (int i = 0; i < rows; ++i) { /* textures come before the outputs of their names */
-        ssgi_gl_input *in = &s->input[s->inputs];
-        ssgi_gl_output *out = &s->output[s->outputs];
-        const char *const name = row[i].name + 7, end = row[i].type[strlen(row[i].type) - 1];
-        if (row[i].kind == SSGI_GL_TEXTURE) {
-            int m = 0;
-            ++s->inputs;
-            in->name = row[i].name;
-            in->type = row[i].type;
-            in->unit = row[i].slot; /* GL_TEXTURE_2D_ARRAY, _2D_MULTISAMPLE, _2D */
-            in->target = end == 'y' ? 0x8c1a : end == 'S' ? 0x9100 : 0x0de1;
-            while (m < SSGI_GL_YOURS && strcmp(ssgi_gl__yours[m], name)) ++m;
-            if (m != SSGI_GL_YOUR_VIEWS && m <= SSGI_GL_YOUR_ALBEDO && !frame) {
-                in->width = b->chain->width;
-                in->height = b->chain->height;
-            }
-            in->last = pass == SSGI_GL_HISTORY && m == SSGI_GL_YOURS && (*name == 'h' || *name == 'm');
-            in->texture = in->last           ? b->textures + (*name == 'm') /* its own, which are numbered next */
-                        : m == SSGI_GL_YOURS ? *ssgi_gl__texture(b, name)
-                                             : -1; /* -1: what is written later */
-            in->meaning = m == SSGI_GL_YOURS                                                   ? -1
-                        : d.receiver && (m == SSGI_GL_YOUR_NORMAL || m == SSGI_GL_YOUR_ALBEDO) ? m + 2
-                                                                                               : m;
-        } else if (row[i].kind == SSGI_GL_OUTPUT) {
-            ++s->outputs;
-            out->name = row[i].name;
-            out->format = d.onto ? NULL : ssgi_gl__format(b->chain, &d, &row[i]);
-            out->kept = pass == SSGI_GL_HISTORY;
-            if (pass == SSGI_GL_SENDERS) continue; /* a slice of what all of them write */
-            out->texture = d.onto ? -1 : b->textures++;
-            b->picture |= d.onto != SSGI_GL_ONTO_NONE;
-            *ssgi_gl__texture(b, name) = out->texture;
-        }
+        if (row[i].kind == SSGI_GL_TEXTURE) ssgi_gl__step_input(b, s, &d, &row[i]);
+        if (row[i].kind == SSGI_GL_OUTPUT) ssgi_gl__step_output(b, s, &d, &row[i]);
     }
     return s;
 }
@@ -4939,8 +5099,11 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
                                   int width, int height)
 {
     const unsigned f = is->format;
-    const int integer = (f >= 0x8231 && f <= 0x823c) || (f >= 0x8d70 && f <= 0x8d8f), m = in ? in->meaning : -1;
-    const int depth = f == 0x1902 || (f >= 0x81a5 && f <= 0x81a7) || f == 0x88f0 || f == 0x8cac || f == 0x8cad;
+    const int integer = (f >= SSGI_GL__R8I && f <= SSGI_GL__RG32UI) || (f >= SSGI_GL__RGBA32UI && f <= SSGI_GL__RGB8I);
+    const int depth = f == SSGI_GL__DEPTH_COMPONENT || f == SSGI_GL__DEPTH24_STENCIL8
+                   || f == SSGI_GL__DEPTH_COMPONENT32F || f == SSGI_GL__DEPTH32F_STENCIL8
+                   || (f >= SSGI_GL__DEPTH_COMPONENT16 && f <= SSGI_GL__DEPTH_COMPONENT32);
+    const int m = in ? in->meaning : -1;
     if (!f) return "nothing is bound";
     if (in && is->target != in->target) return "is of another target than its sampler (2D, array, multisample)";
     if (format && f != format->internal) return "is not of the format that the step names";
@@ -4948,9 +5111,10 @@ static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *
     if (depth && m > SSGI_GL_YOUR_VIEWS && m != SSGI_GL_YOUR_SHADOW) return "must not hold depth";
     if (is->width < width || is->height < height) return "is smaller than what is drawn";
     if (in && format && width > 1 && is->width >= 2 * width - 1) return "is of full size where half is meant";
-    if (!in || in->target == 0x9100) return NULL; /* samples are not filtered */
-    if (is->filter >= 0x2700) return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
-    if (is->filter == 0x2601 && (depth || integer)) return "must have GL_NEAREST as its filter";
+    if (!in || in->target == SSGI_GL__TEXTURE_2D_MULTISAMPLE) return NULL; /* samples are not filtered */
+    if (is->filter >= SSGI_GL__NEAREST_MIPMAP_NEAREST)
+        return "must have GL_NEAREST as its minifying filter: this one wants mip levels";
+    if (is->filter == SSGI_GL__LINEAR && (depth || integer)) return "must have GL_NEAREST as its filter";
     return is->compare ? "must have GL_NONE as its compare mode" : NULL;
 }
 
