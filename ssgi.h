@@ -823,7 +823,7 @@ static double ssgi__light(float x, float least)
 
 static double ssgi__luminance(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-/* rgb times a weight; returns the luminance of that */
+/* A radiance times a weight. Returns its luminance. */
 SSGI__FN double ssgi__light3(double out[3], const float *rgb, float least, double weight)
 {
     for (int c = 0; c < 3; ++c) out[c] = weight * ssgi__light(rgb[c], least);
@@ -863,7 +863,7 @@ SSGI__FN void ssgi__floats(float out[3], const double v[3])
     for (int i = 0; i < 3; ++i) out[i] = (float)v[i];
 }
 
-/* returns the length that it had; 0 stays 0 */
+/* Returns the length that it had; 0 stays 0. */
 SSGI__FN double ssgi__normalise(double v[3])
 {
     const double length = sqrt(ssgi__dot(v, v));
@@ -1004,7 +1004,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
 {
-    const double cos40 = 0.76604444311897803520; /* half of 100 degrees: sine and cosine change places */
+    const double sin50 = 0.76604444311897803520, cot50 = 0.83909963117728001176; /* of half the widest angle */
     const double r = (double)radius;
     double was[3][3], axis[3][3], turn[3], eye[3] = { 0, 0, 0 }, distance, near_plane, far_plane;
     float view[16] = { 0 }, clip[16] = { 0 };
@@ -1021,13 +1021,15 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");
+
+    /* z looks away from the centre; x is across the main camera's y, or where that is z its forward direction */
     for (int k = 0; k < 3; ++k) { /* the main eye stands at minus the translation, in its own axes */
         for (int i = 0; i < 3; ++i)
             eye[k] += was[i][k] * (r * (double)displacement[i] - (double)main_world_to_view[12 + i]);
         axis[2][k] = eye[k] - (double)centre[k];
     }
     distance = ssgi__normalise(axis[2]);
-    if (distance < 1e-6 * r) {
+    if (distance < 1e-6 * r) { /* at the centre: as the main camera looks */
         memcpy(axis[2], was[2], sizeof axis[2]);
         ssgi__normalise(axis[2]);
     }
@@ -1038,15 +1040,16 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     }
     ssgi__cross(axis[1], axis[2], axis[0]);
     ssgi__cross(turn, was[0], was[1]);
-    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k];
+    for (int k = 0; k < 3 && ssgi__dot(turn, was[2]) < 0.0; ++k) axis[0][k] = -axis[0][k]; /* mirrored */
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) view[4 * k + i] = (float)axis[i][k];
         view[12 + i] = (float)-ssgi__dot(axis[i], eye);
     }
     view[15] = 1.0f;
+
     near_plane = 0.02 * r;
     far_plane = distance + r;
-    clip[0] = clip[5] = (float)(distance * cos40 > r ? sqrt((distance - r) * far_plane) / r : 0.83909963117728001176);
+    clip[0] = clip[5] = (float)(distance * sin50 > r ? sqrt((distance - r) * far_plane) / r : cot50);
     clip[10] = (float)(-(far_plane + near_plane) / (far_plane - near_plane));
     clip[11] = -1.0f;
     clip[14] = (float)(-2.0 * far_plane * near_plane / (far_plane - near_plane));
@@ -1131,7 +1134,8 @@ SSGI_DEF ssgi_result ssgi_kernel(float *out, int sets, int samples, const char *
 
 #define SSGI__SH_MOST (SSGI_SH_MAX_BANDS * SSGI_SH_MAX_BANDS)
 
-/* norm * Q_lm(z) * Re or Im (x + iy)^m, where Q_lm sin^m is the associated Legendre function without its sign */
+/* Function m of band l is norm * Q_lm(z) * Re or Im (x + iy)^|m|, where Q_lm sin^m is the associated Legendre function
+   without its sign. Q follows by the recurrence in l. */
 SSGI__FN void ssgi__sh_basis(double *out, int bands, const double d[3])
 {
     /* sqrt((2l+1) (l-m)! / (4 pi (l+m)!)), times sqrt(2) for m > 0, at l (l+1)/2 + m */
@@ -1235,10 +1239,10 @@ SSGI_DEF ssgi_result ssgi_sh_project_equirect(float *out, int bands, const float
     return SSGI_OK;
 }
 
-/* solid angle of the rectangle from (0,0) to (x,y) at distance 1 */
+/* Solid angle of the rectangle from (0,0) to (x,y) at distance 1. */
 SSGI__FN double ssgi__rectangle(double x, double y) { return atan(x * y / sqrt(x * x + y * y + 1.0)); }
 
-/* GL table 8.19, s and t in [-1,1] */
+/* The direction of a place on a face, s and t in [-1,1]: OpenGL 4.6, table 8.19. */
 SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
 {
     static const signed char across[6][3] = { { 0, 0, -1 }, { 0, 0, 1 }, { 1, 0, 0 },
@@ -1250,7 +1254,8 @@ SSGI__FN void ssgi__cube_direction(double out[3], int face, double s, double t)
     ssgi__normalise(out);
 }
 
-SSGI__FN int ssgi__cube_place(float at[2], const float w[3]) /* the face, at in [-1,1] */
+/* The face of GL's cube map that a direction meets, and where: at in [-1,1]. */
+SSGI__FN int ssgi__cube_place(float at[2], const float w[3])
 {
     const float x = fabsf(w[0]), y = fabsf(w[1]), z = fabsf(w[2]);
     if (x >= y && x >= z) {
@@ -1359,8 +1364,8 @@ SSGI_DEF void ssgi_sh_energy(float *out, int bands, const float *coefficients, i
         }
 }
 
-/* Means of the Legendre polynomials over [cosine, 1]: a cap's factor for each band. No cancellation at
-   cosine 1, as differences of polynomials would. */
+/* A cap's factor for each band: the means of the Legendre polynomials over [cosine, 1]. By a recurrence of their own,
+   as differences of polynomials would cancel near cosine 1. */
 SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
 {
     mean[0] = 1.0;
@@ -1369,7 +1374,7 @@ SSGI__FN void ssgi__sh_cap(double mean[SSGI_SH_MAX_BANDS], double cosine)
         mean[l] = ((2 * l - 1) * cosine * mean[l - 1] - (l - 2) * mean[l - 2]) / (l + 1);
 }
 
-/* 0 if it is not a direction */
+/* A unit vector; 0 for what has no direction. */
 SSGI__FN int ssgi__direction(double d[3], const float *v)
 {
     if (!ssgi__finites(v, 3)) return 0;
@@ -1433,7 +1438,7 @@ SSGI__FN void ssgi__octahedral_texel(float out[3], int texel, int size)
     ssgi_octahedral_decode(e, out);
 }
 
-/* Intersection of the spans [a, a + la] and [b, b + lb]. */
+/* The intersection of [a, a + la] and [b, b + lb]. */
 SSGI__FN void ssgi__overlap(int *begin, int *end, int a, int la, int b, int lb)
 {
     *begin = a > b ? a : b;
@@ -1466,7 +1471,8 @@ SSGI__FN void ssgi__environment_cells(float cell[SSGI__CELLS_Y][SSGI__CELLS_X][3
     }
 }
 
-/* Weights: exp(kappa (cosine - 1)), or for kappa 0 the cosine, ramped up by slope; nothing for cosines up to least. */
+/* The environment averaged about every direction of an octahedral map. A cell's weight is exp(kappa (cosine - 1)), or
+   with kappa 0 the cosine, times a ramp that rises by `slope` from `least` on, up to which it is 0. */
 SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *rgb, int width, int height, float kappa,
                                              float least, float slope, const char **why)
 {
@@ -1511,14 +1517,14 @@ SSGI__FN ssgi_result ssgi__environment_lobes(float *out, int size, const float *
     return SSGI_OK;
 }
 
-#define SSGI__STEEP 1e30f /* no ramp */
+#define SSGI__STEEP 1e30f /* a slope that is no ramp */
 
 SSGI_DEF ssgi_result ssgi_environment_map(float *out, int size, const float *rgb, int width, int height,
                                           float solid_angle, const char **why)
 {
     const float kappa = solid_angle > 0.0f ? 12.5663706f / (solid_angle > 0.05f ? solid_angle : 0.05f) : 0.0f;
     SSGI__CHECK(ssgi__positive(&solid_angle, 1), "solid_angle: must be finite, 0 or above");
-    /* the lobe is below 1e-7 beyond that */
+    /* beyond cosine 1 - 16 / kappa the lobe is below 1e-7 of its peak */
     return ssgi__environment_lobes(out, size, rgb, width, height, kappa, kappa > 0.0f ? 1.0f - 16.0f / kappa : 0.0f,
                                    SSGI__STEEP, why);
 }
@@ -1534,9 +1540,9 @@ SSGI_DEF ssgi_result ssgi_environment_cone(float *out, int size, const float *rg
 }
 
 typedef struct ssgi__region {
-    int lower[2], upper[2];
+    int lower[2], upper[2]; /* columns, rows */
     double energy;
-} ssgi__region; /* columns, rows */
+} ssgi__region;
 
 #define SSGI__REGION_BINS 256
 
@@ -1677,8 +1683,7 @@ SSGI_DEF ssgi_result ssgi_vpl_choose(ssgi_vpl *out, int count, const float *posi
     }
     SSGI__CHECK(total > 0.0, "flux: must be above 0 somewhere");
     sum = here = ssgi__light3(rgb, flux, 0.0f, 1.0);
-    /* last guards the end against rounding */
-    k = 0;
+    k = 0; /* not beyond `last`, the last pixel with flux: rounding may miss the end */
     for (int i = 0; i < count; ++i) {
         const double at = (i + (double)ssgi_radical_inverse(2, (uint32_t)i)) / count * total;
         while (k < last && sum <= at) sum += here = ssgi__light3(rgb, flux + 3 * ++k, 0.0f, 1.0);
@@ -1732,7 +1737,7 @@ typedef struct ssgi__trace_job {
     const uint32_t *index;
 } ssgi__trace_job;
 
-/* finite and within the limit, by the bits: -ffast-math may drop any comparison */
+/* Finite and within the limit, by the bits: -ffast-math may drop any comparison. */
 static int ssgi__trace_sane(float x)
 {
     const float limit = SSGI__TRACE_LIMIT;
@@ -1800,7 +1805,7 @@ static float ssgi__trace_area(const float lower[3], const float upper[3])
     return x * y + y * z + z * x;
 }
 
-/* puts the items with the smallest centres along axis into the first want of count places [Hoare 1961] */
+/* Puts the items with the smallest centres along an axis into the first `want` of `count` places [Hoare 1961]. */
 SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_t want, int axis)
 {
     int64_t lower = 0, upper = (int64_t)count - 1, goal = (int64_t)want;
@@ -1823,7 +1828,8 @@ SSGI__FN void ssgi__trace_select(ssgi__trace_item *item, uint32_t count, uint32_
     }
 }
 
-/* splits a range of more than four in two, the first with a multiple of four items */
+/* Splits a range of more than four items in two, in the middle of the longest axis, moved so that the left part
+   gets a multiple of four. */
 SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range *range, ssgi__trace_range *left,
                                 ssgi__trace_range *right)
 {
@@ -1857,7 +1863,7 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* items are consumed before their block is written, so both share memory (see ssgi_trace_build) */
+/* Makes a leaf of a range's items. They are read before the block is written: both share memory, see ssgi_trace_build. */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
@@ -2137,7 +2143,8 @@ SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
     place[(side + 2) % 3] = 0;
 }
 
-SSGI__FN uint32_t ssgi__hash(uint32_t x) /* PCG's [O'Neill 2014] */
+/* The hash of PCG [O'Neill 2014]. */
+SSGI__FN uint32_t ssgi__hash(uint32_t x)
 {
     x = x * 747796405u + 2891336453u;
     x = ((x >> ((x >> 28) + 4)) ^ x) * 277803737u;
@@ -2213,7 +2220,7 @@ SSGI__FN int ssgi__surfel_triangle(ssgi__patch *p, const ssgi__surfel_maker *m, 
     return p->area > 0.0 && ssgi__finite((float)p->area);
 }
 
-/* smallest surfel radius in it: at the depth in its range that is nearest to the near plane */
+/* The smallest surfel radius in a patch: at the depth in its range that is nearest to the near plane. */
 SSGI__FN double ssgi__surfel_finest(const ssgi__patch *p, const ssgi__surfel_maker *m)
 {
     double low = 1e300, high = -1e300;
@@ -2682,7 +2689,7 @@ SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double norm
 
 /* ---- fits */
 
-/* a x = b for a symmetric 3x3, by Cramer's rule; 0 if it is singular */
+/* Solves a x = b for a symmetric 3x3 by Cramer's rule; 0 if it is singular. */
 SSGI__FN int ssgi__field_solve(double x[3], double a[3][3], double b[3])
 {
     double minor[3], determinant;
@@ -2736,7 +2743,8 @@ SSGI__FN double ssgi__field_descend(double u[3], const ssgi__field_data *data, s
     return error;
 }
 
-/* q of the unknowns: q0, q2 = m + e^u0, e^u2, q1 = m - e^((u0 + u2)/2) + e^u1, m = 1/most: above m on all of [0,1]. */
+/* The coefficients q of the unknowns u, such that the polynomial is above m = 1/most on all of [0,1]: q0 = m + e^u0,
+   q2 = m + e^u2, q1 = m - e^((u0 + u2)/2) + e^u1. */
 SSGI__FN void ssgi__field_bernstein(double q[3], const double u[3], double most)
 {
     q[0] = 1.0 / most + exp(u[0]);
@@ -2944,7 +2952,8 @@ SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3
     return facing > 1e-9 ? p->distance / facing : m->radius;
 }
 
-SSGI__FN void ssgi__field_spiral(double w[3], int i, int n) /* even over the sphere */
+/* Direction i of n, evenly spread over the sphere: a spiral by the golden angle. */
+SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
 {
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
@@ -3233,7 +3242,8 @@ SSGI__FN ssgi_result ssgi__field_check(const ssgi_field_desc *desc, const char *
     return SSGI_OK;
 }
 
-SSGI__FN size_t ssgi__field_floats(int resolution) /* of both maps, and of the errors */
+/* How many floats both maps of a bake take; the errors reuse the fine one. */
+SSGI__FN size_t ssgi__field_floats(int resolution)
 {
     const size_t fine = (size_t)(8 * 24 * resolution * resolution), held = 4 * SSGI__FIELD_HELD;
     return (fine > held ? fine : held) + fine / 4;
@@ -3432,7 +3442,8 @@ SSGI__FN void ssgi__field_numbers(float *number[SSGI__FIELD_NUMBERS], ssgi_field
     number[n++] = &f->max_error;
 }
 
-SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size) /* FNV-1a */
+/* FNV-1a's hash. */
+SSGI__FN uint64_t ssgi__field_checksum(const unsigned char *data, size_t size)
 {
     uint64_t h = 14695981039346656037u;
     for (; size; --size) h = (h ^ *data++) * 1099511628211u;

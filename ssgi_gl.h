@@ -825,7 +825,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>fetch: depth, position, normal, noise, environment ====================================================== */
 
 { "SSGI_FAR", __LINE__ + 1,
-    "const float SSGI_FAR = 1e18; // the view depth of nothing\n" },
+    "const float SSGI_FAR = 1e18; // view depth of background\n" },
 
 { "SSGI_PI", __LINE__ + 1,
     "const float SSGI_PI = 3.14159265;\n" },
@@ -835,7 +835,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_inside", __LINE__ + 1,
     "bool ssgi_inside(ivec2 p) {\n"
-    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // negative is large\n"
+    "    return uint(p.x) < uint(u_ssgi_size.x) && uint(p.y) < uint(u_ssgi_size.y); // uint(-1) is large\n"
     "}\n" },
 
 { "ssgi_decode", __LINE__ + 1,
@@ -870,7 +870,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_slabs", __LINE__ + 1,
-    "// view depths: the nearest back face at or behind what is seen, the next front face behind it, and its end\n"
+    "// view depths: nearest back face at or behind what is seen; next front face behind that, and its back face\n"
     "vec3 ssgi_slabs(ivec2 p) {\n"
     "    vec3 z = vec3(texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).x, 0.0, 0.0); // #if thickness == BACK\n"
     "    vec3 z = texelFetch(t_ssgi_back, p + u_ssgi_origin, 0).xyz; // #if thickness == SLABS\n"
@@ -887,7 +887,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_project", __LINE__ + 1,
-    "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point before the eye\n"
+    "vec2 ssgi_project(vec3 P) { // pixel position of a view-space point, P.z < 0\n"
     "    return P.xy * u_ssgi_project.xy + u_ssgi_project.zw; // #if orthographic\n"
     "    return P.xy * (u_ssgi_project.xy / -P.z) + u_ssgi_project.zw; // #if !orthographic\n"
     "}\n" },
@@ -919,7 +919,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float off = max(u_ssgi_near_depth + at.z, 0.0), r = sqrt(max(at.w * at.w - off * off, 0.0));\n"
     "    vec4 p = vec4(at.xy - r, at.xy + r) * u_ssgi_project.xyxy + u_ssgi_project.zwzw;\n"
     "#else\n"
-    "    // slopes of its tangents in the planes of x and of y, or where it meets the near depth\n"
+    "    // slopes of its tangents in the planes of x and of y, or of where it meets the near depth\n"
     "    float near = u_ssgi_near_depth, z = -at.z, r = at.w;\n"
     "    float chord = sqrt(max(r * r - (near - z) * (near - z), 0.0));\n"
     "    if (z + r <= near) return vec4(0.0);\n"
@@ -1013,7 +1013,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_environment", __LINE__ + 1,
-    "vec3 ssgi_environment(vec3 d) { // its radiance about a direction in the world\n"
+    "vec3 ssgi_environment(vec3 d) { // radiance about a direction in the world\n"
     "    ivec2 size = textureSize(t_ssgi_environment, 0), p = ivec2((ssgi_octahedral(d) * 0.5 + 0.5) * vec2(size));\n"
     "    return texelFetch(t_ssgi_environment, min(p, size - 1), 0).xyz;\n"
     "}\n" },
@@ -1037,7 +1037,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return mix(mix(a, b, t.x), mix(c, d, t.x), t.y);\n"
     "}\n" },
 
-/* ---- what senders write, one fetch a sample */
+/* ---- What senders write, for one fetch a sample: 64 bits. Radiance is m * 2^(e - 24), with 9 bits of m a channel and
+   5 of e. View depth is its float's exponent from 2^-20 on, in 6 bits, and 14 bits of its mantissa. The normal is 6
+   bits of each octahedral coordinate. */
 
 { "ssgi_unpack_radiance", __LINE__ + 1,
     "// what senders wrote: radiance; view depth; the way of the normal, not unit\n"
@@ -1060,7 +1062,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "// radiance in [0, 65408] as three mantissas of 9 bits and one exponent\n"
     "uint ssgi_pack_radiance(vec3 c) {\n"
     "    c = clamp(c, 0.0, 65408.0);\n"
-    "    // rounds up to the next exponent where 9 bits would overflow\n"
+    "    // 1 + 2^-10: what would round to 512 has the next exponent\n"
     "    float most = max(max(c.x, c.y), max(c.z, 6.1035156e-5)) * 1.0009775;\n"
     "    uint e = min((floatBitsToUint(most) >> 23u) - 111u, 31u);\n"
     "    uvec3 m = min(uvec3(c * uintBitsToFloat((151u - e) << 23u) + 0.5), uvec3(511u));\n"
@@ -1094,12 +1096,12 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "SSGI_SHEET", __LINE__ + 1,
-    "// a back face no farther behind the front than this, of its depth, is the front itself: half precision\n"
+    "// a back face closer behind the front than this, of its depth, is the front itself: half precision\n"
     "const float SSGI_SHEET = 0.0005;\n" },
 
 { "ssgi_slab_thickness", __LINE__ + 1,
-    "// Thickness of slabs that begin at z, clamped to least .. radius. Sheets, whose back face is the visible\n"
-    "// surface, and surfaces without a back face have ssgi_thickness().\n"
+    "// Thickness of slabs that begin at z, within least .. radius. Sheets, whose back face is what is seen,\n"
+    "// and surfaces without a back face have ssgi_thickness().\n"
     "vec2 ssgi_slab_thickness(vec2 z, vec2 back, vec2 least) {\n"
     "    vec2 front = z * (1.0 + SSGI_SHEET);\n"
     "    bvec2 closed = bvec2(back.x > front.x && back.x < SSGI_FAR, back.y > front.y && back.y < SSGI_FAR);\n"
@@ -1183,10 +1185,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_way", __LINE__ + 1,
-    "vec3 ssgi_way; // from the receiver to the sample\n" },
+    "vec3 ssgi_way; // receiver to sample\n" },
 
 { "ssgi_offer_sender", __LINE__ + 1,
-    "// of the surfaces that send around a sample the one closest to the segment is the sender\n"
+    "// keeps the sender that is closest to the segment from the receiver to the sample\n"
     "void ssgi_offer_sender(uvec2 s, vec3 Q) {\n"
     "    vec3 L = ssgi_radiance_from(s, Q), d = cross(Q - ssgi_P, ssgi_way);\n"
     "    float gap = dot(d, d);\n"
@@ -1213,7 +1215,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_solid_occludes", __LINE__ + 1,
-    "// weight of a solid that depth s at a pixel of camera v lies in\n"
+    "// weight of the solid around depth s at a pixel of camera v\n"
     "float ssgi_solid_occludes(ssgi_solid a, int v, ivec2 p, float s) {\n"
     "    ssgi_offer_sender(a.front_sender, ssgi_point(v, p, a.front)); // #if bounce\n"
     "    if (a.back < SSGI_FAR) ssgi_offer_sender(a.back_sender, ssgi_point(v, p, a.back)); // #if bounce\n"
@@ -1222,8 +1224,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_occupancy", __LINE__ + 1,
-    "// Depth s at a pixel of camera v: above 0 inside solid geometry, which is from an odd\n"
-    "// layer to the next; -1 in front of the visible surface by more than the slack; 0 unknown.\n"
+    "// What depth s is at a pixel of camera v: above 0, inside solid geometry, which is from an odd layer\n"
+    "// to the next; -1, before the visible surface by more than the slack; 0, unknown\n"
     "float ssgi_occupancy(int v, ivec2 p, float s, int layers, float slack) {\n"
     "    // without a layer for its far side geometry has ssgi_thickness() or no end; behind that is unknown\n"
     "    float found = 0.0;\n"
@@ -1234,7 +1236,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        if (a.back >= SSGI_FAR) back = a.front + ssgi_thickness(); // #if thickness != SOLID\n"
     "        if (!known && s <= a.front - slack) found = -1.0;\n"
     "        if (!known && s > a.front && s < back) found = ssgi_solid_occludes(a, v, p, s);\n"
-    "        // within the slack in front of a surface is unknown, too\n"
+    "        // within the slack before a surface it is unknown, too\n"
     "        known = known || s < back || a.back >= SSGI_FAR;\n"
     "    }\n"
     "    return found;\n"
@@ -1295,7 +1297,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 
 { "ssgi_blocked", __LINE__ + 1,
     "#if !(layers > 1 || views)\n"
-    "// occlusion of S: behind the visible surface within its thickness (desc.thickness); 0 off screen, behind the eye\n"
+    "// occlusion of S: within the thickness behind what is seen; 0 off screen or behind the eye\n"
     "float ssgi_blocked(vec3 S) {\n"
     "    ivec2 p = ivec2(floor(ssgi_project(S)));\n"
     "    float z = ssgi_depth(p); // #if !bounce\n"
@@ -1552,7 +1554,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* ==== >>light: lights, senders, shading of coefficients ========================================================= */
 
 { "SSGI_SUN", __LINE__ + 1,
-    "const float SSGI_SUN = 0.5; // ssgi_gl_light.kind is below\n" },
+    "const float SSGI_SUN = 0.5; // kinds of suns are below\n" },
 
 { "SSGI_POINT", __LINE__ + 1,
     "const float SSGI_POINT = 1.5;\n" },
@@ -1615,7 +1617,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slope = min(sqrt(max(1.0 - facing * facing, 0.0)) / (cosine * ray), u_ssgi_max_slope);\n"
     "    float width = s.facing.w * (flat_ ? 1.0 : q.z), bias = width * 0.70710678 * slope;\n"
     "    float z = ssgi_view_depth(decode, texelFetch(t_ssgi_shadow, ivec2(tile.xy + texel), 0).x);\n"
-    "    // a fiftieth of a texel, the rounding of the map's depth, and that of P\n"
+    "    // a fiftieth of a texel, the rounding of the map's depth, that of P\n"
     "    float slack = 0.02 * width + 3e-7 * abs(decode.y) * (flat_ ? 1.0 : q.z * q.z) - 2e-5 * P.z;\n"
     "    contact = max(q.z - slack - z, 0.0) * ray;\n"
     "    return q.z - bias - slack > z ? 1.0 : 0.0;\n"
@@ -1807,7 +1809,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reflected", __LINE__ + 1,
-    "// adds a sender's lobe times its albedo; o: its normal, w: the way [S3HO12 eq. 5], ours of solid angle\n"
+    "// adds a sender's cosine lobe times albedo [S3HO12 eq. 5], by solid angle; o: its normal; w: way to it\n"
     "void ssgi_reflected(inout ssgi_coefficients v, vec3 o, vec3 w, vec3 albedo) {\n"
     "    o = normalize(o);\n"
     "    if (dot(o, w) > 0.0) o = -o; // #if two_sided\n"
@@ -2055,7 +2057,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 t, up, n; // t in the tangent plane, up perpendicular to it; n: the normal over its projection's length\n"
     "    float cosg; // with sing, for ssgi_arc\n"
     "    vec2 sing, sectors, noise, share; // sectors per measure, rounding noise, the hemisphere's share per sector\n"
-    "    vec2 x, y; // change of a point's x, y per depth on its ray (perspective: plus x, y over depth)\n"
+    "    vec2 x, y; // a point's x, y along its ray, per depth (perspective: plus x, y over depth)\n"
     "};\n" },
 
 { "ssgi_slice_of", __LINE__ + 1,
@@ -2229,7 +2231,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_walk_slice", __LINE__ + 1,
-    "// a slice from near to far; pixels: of a radius along it\n"
+    "// a slice from near to far; pixels: that a radius along it covers\n"
     "void ssgi_walk_slice(ssgi_slice s, vec3 P, vec2 pixel, vec2 pixels, vec2 xi, inout ssgi_sums sums) {\n"
     "    float share = min(ssgi_span / u_ssgi_radius, 1.0); // of the radius // #if span\n"
     "    pixels *= share; // #if span\n"
@@ -2239,7 +2241,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "        u *= u;\n"
     "        ivec2 q0 = ivec2(floor(pixel + pixels * u.x)), q1 = ivec2(floor(pixel - pixels * u.y));\n"
     "        ssgi_taps t = ssgi_taps_at(s, P, q0, q1);\n"
-    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: from tap to tap\n"
+    "        vec2 gap = (u - w.u) * u_ssgi_radius, second = vec2(0.0); // gap: between taps\n"
     "        gap *= share; // #if span\n"
     "        w.u = u;\n"
     "        vec3 back0 = ssgi_slabs(t.q0), back1 = ssgi_slabs(t.q1); // #if thickness > SOLID\n"
@@ -2712,7 +2714,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_gloss", __LINE__ + 1,
-    "float ssgi_gloss; // solid angle over pi of what ssgi_form is of, times the lobe\n" },
+    "float ssgi_gloss; // solid angle over pi of ssgi_form's discs, times the lobe\n" },
 
 { "ssgi_disc", __LINE__ + 1,
     "float ssgi_disc(vec3 v, vec3 n, float rr) {\n"
@@ -3023,7 +3025,24 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_picture = vec4(light * texelFetch(t_ssgi_albedo, p + u_ssgi_origin, 0).xyz, 0.0);\n"
     "}\n" },
 
-/* ---- history: the mean over frames of what the last ones saw of this surface */
+/* ---- history: the mean over frames of what the last ones saw of this surface. Where light changes the average
+   follows: two running means of the 3x3 mean are kept, one over two frames (quick) and one over all. */
+
+/* How far quick may be from this frame's 3x3 mean, by the deviation of its pixels and by the mean: 0.7 deviations are
+   three to five times the noise of such a mean, so that what is beyond is a change. Of the mean 2 %, where nothing
+   deviates. */
+{ "SSGI_JUMP", __LINE__ + 1,
+    "const vec2 SSGI_JUMP = vec2(0.7, 0.02);\n" },
+
+/* How far the mean over all frames may be from quick: as far as the noise of a 3x3 mean goes, which is a quarter to a
+   seventh of the deviation; or 0.5 % of the mean, about a step of 8 bits. */
+{ "SSGI_DRIFT", __LINE__ + 1,
+    "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
+
+/* What share of the frames is forgotten where the mean had to follow as far as SSGI_DRIFT or more: of 16 frames two
+   stay. */
+{ "SSGI_FORGOTTEN", __LINE__ + 1,
+    "const float SSGI_FORGOTTEN = 0.85;\n" },
 
 { "ssgi_finite", __LINE__ + 1,
     "// no NaN, nothing beyond 1e9; by the bits, since compilers turn !(a < b) into a >= b\n"
@@ -3051,7 +3070,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_reproject", __LINE__ + 1,
-    "// a point's pixel and depth in the last frame\n"
+    "// P's pixel and depth in the last frame\n"
     "vec3 ssgi_reproject(vec3 P) {\n"
     "    P = (u_ssgi_last_to * vec4(P, 1.0)).xyz;\n"
     "    return P; // #if orthographic\n"
@@ -3074,6 +3093,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec4 light, means;\n"
     "};\n" },
 
+/* A texel shows P's plane if it is within the slack of it: half a footprint and a thousandth of the depth, which the
+   rounding of 16-bit depths takes. nearest: squared, in texels, how far off it may have been. */
 { "ssgi_last_of", __LINE__ + 1,
     "// Reprojects P: the closer of two texels of the last frame that shows P's plane and holds finite values, and\n"
     "// its offset in texels. Interpolation would blur over frames: that texel is kept whole and its offset is\n"
@@ -3109,6 +3130,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return best;\n"
     "}\n" },
 
+/* What is seen at a tap now is looked up in the last frame. Both depths are those of one surface if they differ by less
+   than the slack: half a texel's footprint, ten texels' times how far the last frame's texel lies beside the place, and
+   0.2 % of the depth. If they differ, the nearer surface counts if it occludes P: if its cosine times 1 - distance over
+   radius is above a twentieth. */
 { "ssgi_occluder_moved", __LINE__ + 1,
     "// Whether depth at a tap, `by` texels off, shows that an occluder of P came or went. along: how far P moved\n"
     "// on its own\n"
@@ -3127,8 +3152,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
     "}\n" },
 
+/* The direction is interleaved gradient noise, as ssgi_noise has it, the distance a second one that it does not
+   follow. */
 { "ssgi_occluders_moved", __LINE__ + 1,
-    "// Whether any of two taps says so, or any of those of the other pixels of a 2x2: these tell each other.\n"
+    "// whether one of two taps shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
     "bool ssgi_occluders_moved(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec2 xi = fract(fract(dot(vec2(h), vec2(0.0671, 0.00584))) * vec2(52.983, 386.77) + u_ssgi_phase);\n"
     "    vec2 reach = abs(u_ssgi_project.xy) * u_ssgi_radius / float(image.wide); // #if orthographic\n"
@@ -3148,8 +3175,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return max(moved, abs(dFdy(moved))) > 0.0;\n"
     "}\n" },
 
+/* A twentieth of the radius from the tangent plane, and a pixel, is as far as blur reaches (ssgi_blur_weight). */
 { "ssgi_neighbourhood", __LINE__ + 1,
-    "// mean of 3x3 within the surface, as blur will see them, and the deviation of a mean of as many\n"
+    "// of 3x3 pixels within the surface: mean, as blur will see it; deviation, larger where they are few\n"
     "vec2 ssgi_neighbourhood(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
     "    vec3 plane = ssgi_plane(P, n), sum = vec3(0.0);\n"
     "    float near = 1.0 / (0.05 * u_ssgi_radius + float(image.wide) * ssgi_footprint(-P.z));\n"
@@ -3179,16 +3207,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    if (z >= SSGI_FAR) return;\n"
     "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
     "    if (last.off.z > 0.0 && !moved) frames = min(last.means.z + 1.0, u_ssgi_history);\n"
-    "    // Where light changes the average follows: its 3x3 mean stays within the noise of recent frames',\n"
-    "    // a quarter to a seventh of their spread, more where few are of this surface.\n"
     "    vec2 around = ssgi_neighbourhood(h, P, n, image);\n"
-    "    float jump = 0.7 * around.y + 0.02 * abs(around.x);\n"
-    "    float drift = 0.2 * around.y + 0.005 * abs(around.x) + 1e-9;\n"
+    "    float jump = SSGI_JUMP.x * around.y + SSGI_JUMP.y * abs(around.x);\n"
+    "    float drift = SSGI_DRIFT.x * around.y + SSGI_DRIFT.y * abs(around.x) + 1e-9;\n"
     "    float quick = mix(last.means.x, around.x, 1.0 / min(frames, 2.0));\n"
     "    quick = clamp(quick, around.x - jump, around.x + jump);\n"
     "    float mean = mix(last.means.y, around.x, 1.0 / frames);\n"
     "    float by = clamp(mean, quick - drift, quick + drift) - mean;\n"
-    "    frames = max(frames * (1.0 - 0.85 * min(abs(by) / drift, 1.0)), 1.0);\n"
+    "    frames = max(frames * (1.0 - SSGI_FORGOTTEN * min(abs(by) / drift, 1.0)), 1.0);\n"
     "    if (!(mean > 0.0 && by < 2.0 * mean)) frames = 1.0; // #if colour == COLOUR && restore != DIFFERENCE\n"
     "    vec4 average = mix(last.light, now, 1.0 / frames);\n"
     "#if colour == COLOUR && restore == DIFFERENCE\n"
@@ -3471,8 +3497,8 @@ static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
         if (r_ != SSGI_OK) return r_; \
     } while (0)
 
-/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or 1.
-   ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. WORDS: the same with a prefix of its own. */
+/* One row a field, in the struct's order; names and words are those of #if lines, too. COUNT: 0 .. most. SWITCH: 0 or
+   1. ENUM: SSGI_GL_KIND_WORD for each word; LAST is the last of them. WORDS: the same with a prefix of its own. */
 /* clang-format off */
 #define SSGI_GL__FIELD_COUNT(field, most) \
     { #field, "", "desc." #field ": must be 0.." #most, offsetof(ssgi_gl_desc, field), most }
@@ -3557,10 +3583,11 @@ static const ssgi_gl_choice ssgi_gl__fields[] = {
 
 enum { SSGI_GL__FIELDS = (int)(sizeof ssgi_gl__fields / sizeof *ssgi_gl__fields) };
 
-/* head: after the version, be it ours or not. set: before bindings, NULL where there are none; textures: their first */
 typedef struct ssgi_gl__dialect {
-    const char *name, *version, *head, *set;
-    int textures;
+    const char *name, *version;
+    const char *head; /* behind the version, be it ours or yours */
+    const char *set;  /* in layout(), before a binding; NULL: no layout(binding) */
+    int textures;     /* binding of texture unit 0 */
 } ssgi_gl__dialect;
 
 #define SSGI_GL__ES \
@@ -3670,7 +3697,8 @@ static const ssgi_gl__preset ssgi_gl__presets[][SSGI_GL_BEST + 1] = {
     { { 0,  0, 4,  6, 0, 0 },       /* march: FAST */
       { 0,  0, 6,  9, 1, 0 },       /*        BALANCED */
       { 0,  0, 8, 18, 2, 0 } },     /*        BEST */
-    { { 1,  4, 0,  4, 0, 1 },       /* points of ssdo, s3ho: FAST; several along a direction, as single ones miss more */
+    /* several along a direction, as single ones miss more */
+    { { 1,  4, 0,  4, 0, 1 },       /* points of ssdo, s3ho: FAST */
       { 0,  4, 0,  4, 0, 1 },       /*                       BALANCED */
       { 0,  8, 0,  6, 0, 1 } },     /*                       BEST */
     { { 0,  4, 0,  1, 0, 0 },       /* segments of lights: FAST */
@@ -3735,7 +3763,8 @@ SSGI_DEF ssgi_result ssgi_gl_plan(ssgi_gl_desc *desc, const ssgi_plan *plan, con
     return SSGI_OK;
 }
 
-/* So that #if lines need not ask for the pass: s3ho has its transfer's bounce, harmonics where it keeps what is open */
+/* So that #if lines need not ask for the pass, s3ho has a bounce where it has a transfer, and an environment SH where
+   its coefficients hold unoccluded directions. */
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 {
     ssgi_gl_desc d = *desc;
@@ -3784,14 +3813,17 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 }
 
 /* ==== >>emit (implementation) ===================================================================================== */
-/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers */
+/* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers. A function reads
+   from *s on and leaves *s behind what it has read. */
+
 static int ssgi_gl__letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
+/* Length of the next word. *s moves over blanks, to its first letter. */
 static size_t ssgi_gl__word(const char **s)
-{ /* after blanks; *s is at its first letter */
+{
     size_t n = 0;
     while (**s == ' ') ++*s;
     while (ssgi_gl__letter((*s)[n])) ++n;
@@ -3806,8 +3838,9 @@ static const ssgi_gl_choice *ssgi_gl__field_named(const char *name, size_t lengt
     return NULL;
 }
 
+/* The value that a word or number stands for in a field; -1: none. */
 static int ssgi_gl__value(const ssgi_gl_choice *field, const char *name, size_t length)
-{ /* -1: there is none */
+{
     const char *s = field->values;
     size_t n;
     int value = 0;
@@ -3856,12 +3889,13 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
     }
 }
 
-/* ---- the lines of a function that a desc keeps; state: of each #if around: '+' kept, '-' not yet, '.' no more */
+/* ---- the lines of a function that a desc keeps */
+
 typedef struct ssgi_gl__reader {
-    const char *at;
+    const char *at; /* what is not read yet */
     const ssgi_gl_desc *d;
-    int line, depth;
-    char state[8];
+    int line, depth; /* of the header; how many #if are open */
+    char state[8];   /* of each of them: '+' kept, '-' not yet, '.' no more */
 } ssgi_gl__reader;
 
 /* The next line that is kept, without its newline and guard; NULL after the last. */
@@ -3887,8 +3921,10 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
             const int kept = !r->depth || *state == '+';
             s = line + 3;
             r->state[r->depth++] = kept ? ssgi_gl__any(&s, r->d) ? '+' : '-' : '.';
-        } else if (line[2] == 'n') --r->depth; /* #endif */
-        else { /* #elif, #else */ s = line + 5;
+        } else if (line[2] == 'n') { /* #endif */
+            --r->depth;
+        } else { /* #elif, #else */
+            s = line + 5;
             *state = *state != '-' ? '.' : line[3] == 's' || ssgi_gl__any(&s, r->d) ? '+' : '-';
         }
     }
@@ -3896,10 +3932,16 @@ static const char *ssgi_gl__next(ssgi_gl__reader *r, size_t *length)
 }
 
 /* ---- linking: what is named in what is kept */
+/* A hash table, with open addresses. */
+enum { SSGI_GL__SLOTS = 512 };
+
 typedef struct ssgi_gl__names {
-    const char *at[512];
-    unsigned char length[512], custom;
+    const char *at[SSGI_GL__SLOTS];
+    unsigned char length[SSGI_GL__SLOTS];
+    unsigned char custom; /* 1: a function of desc.fetch is named */
 } ssgi_gl__names;
+
+/* Whether a name is in the table; `add` puts it there, if it was not. */
 
 static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, int add)
 {
@@ -3907,13 +3949,13 @@ static int ssgi_gl__named(ssgi_gl__names *names, const char *s, size_t length, i
     size_t i;
     for (i = 0; i < length; ++i) h = (h ^ (unsigned char)s[i]) * 16777619u;
     for (h ^= h >> 15;; ++h) {
-        const char **at = &names->at[h % 512];
+        const char **at = &names->at[h % SSGI_GL__SLOTS];
         if (!*at && add) {
             *at = s;
-            names->length[h % 512] = (unsigned char)length;
+            names->length[h % SSGI_GL__SLOTS] = (unsigned char)length;
         }
         if (!*at) return 0;
-        if (names->length[h % 512] == length && !memcmp(*at, s, length)) return 1;
+        if (names->length[h % SSGI_GL__SLOTS] == length && !memcmp(*at, s, length)) return 1;
     }
 }
 
@@ -3935,7 +3977,8 @@ static void ssgi_gl__scan(ssgi_gl__names *names, const char *s, const char *end)
 }
 
 typedef struct ssgi_gl__stage {
-    unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS], fetch;
+    unsigned char code[SSGI_GL__CODES], row[SSGI_GL__ROWS]; /* 1: kept */
+    unsigned char fetch;                                    /* 1: desc.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
 /* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
@@ -3960,7 +4003,7 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
         stage->row[i] = ssgi_gl__named(&names, row->io.name, strlen(row->io.name), 0) && ssgi_gl__holds(row->when, d);
         if (d->array && stage->row[i] && row->bytes == 1) ssgi_gl__named(&names, "u_ssgi_slice", 12, 1);
     }
-    stage->fetch = (unsigned char)(names.custom << decodes); /* 2: your text calls ssgi_decode */
+    stage->fetch = (unsigned char)(names.custom << decodes);
 }
 
 /* A desc resolved and linked: its pass, what each stage keeps. */
@@ -3983,7 +4026,7 @@ static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int 
     return 1;
 }
 
-/* What Vulkan calls otherwise: a word, or the word itself. */
+/* What Vulkan calls a word, where it calls it otherwise. */
 static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length)
 {
     static const char *const words[][2] = { { "gl_InstanceID", "gl_InstanceIndex" },
@@ -3998,7 +4041,8 @@ static const char *ssgi_gl__word_of(int dialect, const char *word, size_t length
     return word;
 }
 
-/* Rows of a stage, or of all stages, each once. A uniform block has the same members in each stage that reads any. */
+/* Rows of a stage, or with SSGI_GL_STAGES of all, each once; a uniform block has the same members in each stage that
+   reads any. Returns how many there are. */
 static int ssgi_gl__collect(const ssgi_gl__program *p, int stage, ssgi_gl_io *out, int capacity)
 {
     int n = 0, slots[SSGI_GL_CAPTURE + 1] = { 0 }, block[2] = { 0 };
@@ -4039,7 +4083,7 @@ static void ssgi_gl__put(ssgi_gl__text *t, const char *s, size_t n)
     }
 }
 
-/* printf with %s, %d, and %f of 7 decimals [limit: below 100]; by integers, for the C library's follow the locale. */
+/* printf with %s, %d, and %f of 7 decimals [limit: below 100]. By integers, as the C library's follow the locale. */
 static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
 {
     va_list args;
@@ -4068,7 +4112,8 @@ static void ssgi_gl__print(ssgi_gl__text *t, const char *format, ...)
     va_end(args);
 }
 
-/* A uniform block: members in the order of its struct, which the rows have, gaps where this pass reads nothing. */
+/* A uniform block: members in the order of its struct, which is that of the rows; gaps where this pass reads
+   nothing. */
 static void ssgi_gl__print_block(ssgi_gl__text *t, const ssgi_gl_io *io, int n, int block, const char *set)
 {
     size_t at = 0;
@@ -4104,7 +4149,8 @@ static void ssgi_gl__print_kernel(ssgi_gl__text *t, int samples)
     ssgi_gl__print(t, ");\n");
 }
 
-/* A line in Vulkan's words; what goes from stage to stage has locations, counted up on either side: place. */
+/* A line in Vulkan's words. What goes from stage to stage gets locations; place: the next one out and the next one
+   in. */
 static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, int place[2])
 {
     const char *const line = s, *const end = s + length, *name = s, *word;
@@ -4450,7 +4496,7 @@ SSGI_DEF ssgi_result ssgi_gl_harmonics_set(ssgi_gl_frame *frame, const float *co
     return SSGI_OK;
 }
 
-/* a * b of two rigid world-to-view matrices: a after the inverse of b */
+/* Of two rigid world-to-view matrices: a after the inverse of b. */
 static void ssgi_gl__relative(double out[16], const float a[16], const float b[16])
 {
     memset(out, 0, 16 * sizeof *out);
@@ -4811,7 +4857,8 @@ static ssgi_gl_step *ssgi_gl__add(ssgi_gl__build *b, const ssgi_gl_desc *desc, i
     return s;
 }
 
-/* What was last written under that name is averaged over frames and filtered, if at all: the texture that holds it. */
+/* Averages what was last written under a name over frames and filters it, as the chain wants. Returns the texture that
+   holds it, -1: your picture does. */
 static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char *name)
 {
     const int grey = !strcmp(name, "ao");
@@ -4825,7 +4872,7 @@ static int ssgi_gl__filter(ssgi_gl__build *b, const ssgi_gl_desc *of, const char
     return b->picture ? -1 : *held;
 }
 
-/* Your lights over what `light` holds, -1: nothing. */
+/* Adds your lights to what texture `light` holds, -1: nothing. Returns the texture that holds the sum. */
 static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int light, int frame)
 {
     ssgi_gl_desc d = *lights;
@@ -4835,7 +4882,7 @@ static int ssgi_gl__light(ssgi_gl__build *b, const ssgi_gl_desc *lights, int lig
     return ssgi_gl__add(b, &d, SSGI_GL_LIGHTS, frame)->output[0].texture;
 }
 
-/* The desc for a layer of a camera, -1: the main one. */
+/* The desc for a depth layer as an extra camera sees it; camera -1: the main one. */
 static ssgi_gl_desc ssgi_gl__seen_by(const ssgi_gl__build *b, const ssgi_gl_desc *desc, int camera, int layer)
 {
     ssgi_gl_desc d = *desc;
@@ -4865,7 +4912,7 @@ static void ssgi_gl__send(ssgi_gl__build *b, int camera, int layer, int radiance
     out->slice = camera < 0 ? layer : camera * slices + layer;
 }
 
-/* What lights a layer of a camera at once, -1: nothing does. */
+/* The texture that holds what lights a layer of a camera directly; -1: nothing does. */
 static int ssgi_gl__direct(ssgi_gl__build *b, int camera, int layer)
 {
     const ssgi_gl_desc lights = ssgi_gl__seen_by(b, &b->chain->lights, camera, layer);
@@ -4928,7 +4975,7 @@ static void ssgi_gl__ssdo(ssgi_gl__build *b)
     if (chain->vpls) b->bounce = ssgi_gl__light(b, &chain->lights, b->bounce, 9);
 }
 
-/* Bent normals instead of light. */
+/* Whether the chain ends with bent normals instead of light. */
 static int ssgi_gl__directions_alone(const ssgi_gl_chain *chain)
 {
     const ssgi_gl_desc *const d = &chain->desc;
@@ -4960,7 +5007,8 @@ static void ssgi_gl__s3ho(ssgi_gl__build *b)
     b->light = ssgi_gl__light(b, &chain->lights, b->light, 0);
 }
 
-/* One effect of surfels, what slices see of it added. light: of what the picture shows, -1: none. */
+/* One effect of surfels, with what slices see of it (desc.span). light: the texture of light on what the picture shows,
+   -1: none. Returns the texture that holds the effect. */
 static int ssgi_gl__splat(ssgi_gl__build *b, const ssgi_gl_desc *of, int effect, int light)
 {
     const int lit = effect != SSGI_GL_EFFECT_OCCLUSION, bounce = effect == SSGI_GL_EFFECT_BOUNCE;
@@ -5009,7 +5057,7 @@ static void ssgi_gl__deep(ssgi_gl__build *b)
     if (chain->desc.bounce) b->bounce = ssgi_gl__splat(b, &d, SSGI_GL_EFFECT_BOUNCE, b->light);
 }
 
-/* What a chain is made of must be there, and go together. */
+/* What a chain lacks, or what of it does not go together, as a sentence; NULL: nothing. */
 static const char *ssgi_gl__chain_bad(const ssgi_gl_chain *chain)
 {
     if (!chain) return "chain: must not be NULL";
@@ -5094,7 +5142,7 @@ SSGI_DEF int ssgi_gl_steps(ssgi_gl_step *steps, int capacity, const ssgi_gl_chai
     return b.count;
 }
 
-/* What is wrong with the texture of an input, or (in NULL) of an output; NULL: nothing. */
+/* What is wrong with the texture of an input, or with `in` NULL of an output; NULL: nothing. */
 static const char *ssgi_gl__wrong(const ssgi_gl_bound *is, const ssgi_gl_input *in, const ssgi_gl_format *format,
                                   int width, int height)
 {
