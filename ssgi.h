@@ -981,8 +981,8 @@ SSGI_DEF float ssgi_pixel_footprint(const ssgi_view *view, float z)
     return ssgi__max(x, y) * (view->orthographic ? 1.0f : z);
 }
 
-/* Distance of a view-space point outside the frustum: the largest of those beyond the side planes and the near plane; 0
-   inside. The far plane is ignored. */
+/* Distance of a view-space point outside the frustum, 0 inside: the largest of those beyond the side planes and the
+   near plane. The far plane does not count. */
 SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
 {
     const double z = -point[2];
@@ -1722,9 +1722,11 @@ typedef struct ssgi__trace_item {
     uint32_t triangle;
 } ssgi__trace_item;
 
-typedef struct ssgi__trace_range { /* items to become one child */
+/* Items that become one child. */
+typedef struct ssgi__trace_range {
     uint32_t first, count, depth;
-    float lower[3], upper[3], clower[3], cupper[3]; /* bounds; bounds of the centres, times two */
+    float lower[3], upper[3];   /* bounds */
+    float clower[3], cupper[3]; /* bounds of the centres, times two */
 } ssgi__trace_range;
 
 typedef struct ssgi__trace_job {
@@ -1863,7 +1865,8 @@ SSGI__FN void ssgi__trace_split(ssgi__trace_item *items, const ssgi__trace_range
     ssgi__trace_bound(items, right);
 }
 
-/* Makes a leaf of a range's items. They are read before the block is written: both share memory, see ssgi_trace_build. */
+/* Makes a leaf of a range's items. They are read before the block is written: both share memory, see
+   ssgi_trace_build. */
 SSGI__FN void ssgi__trace_block_set(ssgi__trace_job *job, const ssgi__trace_range *range)
 {
     uint32_t id[4];
@@ -2125,8 +2128,10 @@ SSGI_DEF int ssgi_trace_any(const ssgi_trace *trace, const float origin[3], cons
 
 /* ==== >>surfels (implementation) =============================================================================== */
 
-/* Points of a triangle tessellated to one level all around, equal spacing, point mode: (3/4) i^2 + (3/2) i + 1 for even
-   i, 3 ceil(i/2)^2 for odd [DSS14 3.1]. 0 for a level outside 1..64. */
+/* Points of a triangle that is tessellated to level i all around, with equal spacing, in point mode [DSS14 section
+   3.1]: (3/4) i^2 + (3/2) i + 1 for an even i, 3 ceil(i/2)^2 for an odd one. 0 for a level outside 1..64. */
+#define SSGI__TESS_MOST 3169.0 /* at level 64, the tessellator's last */
+
 SSGI__FN int ssgi__tess_count(int level)
 {
     const int half = (level + 1) / 2;
@@ -2134,7 +2139,8 @@ SSGI__FN int ssgi__tess_count(int level)
     return level % 2 ? 3 * half * half : 3 * half * half + 3 * half + 1;
 }
 
-/* Point i of ring k, which has n - 2k segments a side: its place on the lattice of 1/n, from the ring's own corners. */
+/* Point i of a ring: its place on the lattice, counted from the ring's own corners. Ring k of level n has n - 2k
+   segments a side. */
 SSGI__FN void ssgi__tess_lattice(int place[3], int segments, int i)
 {
     const int side = segments ? i / segments : 0, along = segments ? i % segments : 0;
@@ -2151,16 +2157,18 @@ SSGI__FN uint32_t ssgi__hash(uint32_t x)
     return (x >> 22) ^ x;
 }
 
-/* The level, 1..64 (0 culls), at which so many discs have the triangle's area; beyond 3169 discs it needs splits. */
+/* The least level, 1..64, that has as many points as discs of the radius have the area; for more discs than level 64
+   has points the triangle needs splits. */
 SSGI__FN int ssgi__tess_level(double area, double radius)
 {
     const double discs = area / (SSGI__PI * radius * radius);
     if (!(discs > 3.0)) return 1;
-    return discs > 3169.0 ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
+    return discs > SSGI__TESS_MOST ? 64 : (int)ceil(sqrt((4.0 * discs - 1.0) / 3.0) - 1.0 - 1e-5);
 }
 
-/* Radius of a surfel at a view depth, s/2 image heights on the screen: r = scale * (|depth - near| + near), scale = s
-   tan(alpha/2) [DSS14 3.1]; behind the near plane they grow again. Orthographic: scale, s/2 heights, everywhere. */
+/* Radius of a surfel at a view depth [DSS14 section 3.1]: r = scale (|depth - near| + near), with scale = s
+   tan(alpha/2). That is s/2 image heights on the screen; behind the near plane surfels grow again. Orthographic: scale
+   everywhere. */
 SSGI__FN double ssgi__surfel_radius(const double scale[2], int orthographic, double depth)
 {
     return orthographic ? scale[0] : scale[0] * (fabs(depth - scale[1]) + scale[1]);
@@ -2249,7 +2257,8 @@ SSGI__FN double ssgi__surfel_outside(const ssgi__patch *p, const ssgi__surfel_ma
 
 SSGI__FN int ssgi__surfel_splits(const ssgi__patch *whole, const ssgi__surfel_maker *m, int most)
 {
-    const double r = ssgi__surfel_finest(whole, m), n = ceil(sqrt(whole->area / (SSGI__PI * r * r * 3169.0)) - 1e-5);
+    const double r = ssgi__surfel_finest(whole, m),
+                 n = ceil(sqrt(whole->area / (SSGI__PI * r * r * SSGI__TESS_MOST)) - 1e-5);
     return n < 1.0 ? 1 : n < most ? (int)n : most;
 }
 
@@ -2258,7 +2267,8 @@ SSGI__FN void ssgi__surfel_mix(double out[3], const double (*corner)[3], const d
     for (int i = 0; i < 3; ++i) out[i] = weight[0] * corner[0][i] + weight[1] * corner[1][i] + weight[2] * corner[2][i];
 }
 
-/* Part i of n * n, inset from the edges. 0: too far outside the frustum, or thinned out. Twin of main_levels. */
+/* Part number `part` of n * n of a triangle, inset from its edges. 0: too far outside the frustum, or thinned out. GLSL
+   twin: main_levels. */
 SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, const ssgi__patch *whole, int n, int part)
 {
     int row = (int)sqrt((double)part), place;
@@ -2304,7 +2314,7 @@ SSGI__FN int ssgi__surfel_part(ssgi__patch *p, const ssgi__surfel_maker *m, cons
     return 1;
 }
 
-/* Twin of the tessellation evaluation shader. */
+/* The surfel at a place of a ring. GLSL twin: main_points. */
 SSGI__FN void ssgi__surfel_point(ssgi_surfel *out, const ssgi__surfel_maker *m, const ssgi__patch *p, int ring,
                                  const int place[3])
 {
@@ -2436,7 +2446,7 @@ SSGI__FN void ssgi__surfel_divide(ssgi__divider *d, const float v[27], int depth
     aside = ssgi__surfel_outside(&p, m, middle, &extent) - extent;
     if (m->desc.max_distance > 0.0f && aside > (double)m->desc.max_distance) return;
     r = ssgi__surfel_finest(&p, m) + (aside > 0.0 ? (double)m->desc.offscreen_growth * aside : 0.0);
-    if (depth == 10 || p.area <= SSGI__PI * 3169.0 * r * r * m->desc.splits * m->desc.splits) {
+    if (depth == 10 || p.area <= SSGI__PI * SSGI__TESS_MOST * r * r * m->desc.splits * m->desc.splits) {
         if (d->count < d->capacity) memcpy(d->out + 27 * d->count, v, 27 * sizeof *v);
         ++d->count;
         return;
@@ -2477,13 +2487,15 @@ SSGI_DEF ssgi_result ssgi_surfels_divide(float *out, size_t capacity, size_t *co
     return SSGI_OK;
 }
 
-/* Beyond it a surfel's contribution is below epsilon; brightest: largest component of what it sends [DSS14 3.2, 4]. */
+/* Distance beyond which a surfel's contribution is below epsilon [DSS14 sections 3.2, 4]: where its form factor, r^2
+   over d^2 + r^2, times the largest component of what it sends is epsilon. */
 SSGI__FN double ssgi__surfel_reach(double radius, double brightest, double epsilon)
 {
     return brightest > epsilon ? radius * sqrt(brightest / epsilon - 1.0) : 0.0;
 }
 
-/* Distances that a level covers, (shell[0], shell[1]]: up to reach for 0, reach 2^(l-1) .. reach 2^l for l; to most. */
+/* The distances that a level covers, from shell[0] to shell[1]: level 0 up to reach, level l from reach 2^(l-1) to
+   reach 2^l, none beyond `most`. */
 SSGI__FN void ssgi__surfel_shell(double shell[2], double reach, int level, double most)
 {
     shell[0] = level > 0 ? fmin(ldexp(reach, level - 1), most) : 0.0;
@@ -2504,8 +2516,8 @@ SSGI__FN int ssgi__sphere_bounds(float bounds[4], const ssgi_view *view, const f
         const double x = (double)centre[axis], off = x * x + z * z - r * r, t = off > 0.0 ? sqrt(off) : 0.0;
         double end[2];
         for (int side = 0; side < 2; ++side) {
-            const double e = side ? r : -r, depth = z * t - x * e; /* of the tangent's point, over |c|^2 / t */
-            /* where it meets the front */
+            const double e = side ? r : -r, depth = z * t - x * e; /* of the tangent's point, times |c|^2 / t */
+            /* where the sphere meets the front */
             const double cut = x + (side ? 1.0 : -1.0) * (chord > 0.0 ? sqrt(chord) : 0.0);
             double slope = z < begin ? cut : x + e;
             if (!view->orthographic)
@@ -2595,7 +2607,7 @@ SSGI_DEF ssgi_result ssgi_surfels_predict(ssgi_surfel_cost *cost, const ssgi_sur
 SSGI_DEF ssgi_result ssgi_dipole_set(ssgi_dipole *dipole, const float sigma_s[3], const float sigma_a[3], float eta,
                                      const char **why)
 {
-    /* F_dr [JMLH01 2.3] */
+    /* F_dr, the diffuse Fresnel reflectance, and A [JMLH01 section 2.3] */
     const double n = (double)eta, inside = -1.440 / (n * n) + 0.710 / n + 0.668 + 0.0636 * n,
                  a = (1.0 + inside) / (1.0 - inside);
     SSGI__THERE3(dipole, sigma_s, sigma_a);
@@ -2628,7 +2640,7 @@ SSGI_DEF double ssgi_dipole_reflectance(const ssgi_dipole *d, int c, double r)
 /* ==== >>field (implementation) ================================================================================= */
 
 #define SSGI__FIELD_FEW 128  /* corners that approximate the hull */
-#define SSGI__FIELD_HELD 512 /* validation positions, with four normals each */
+#define SSGI__FIELD_HELD 512 /* validation positions, with four receivers each */
 
 /* ---- samples */
 
@@ -2661,8 +2673,9 @@ SSGI__FN void ssgi__field_axes(float axes[3][3], const double axis[3])
     ssgi__floats(axes[2], axis);
 }
 
-/* out[0]: solid angle, out[1..3]: vector irradiance (the integral of visibility times direction) of what `hit` (NULL:
-   trace) meets from a point, by rays within acos(cosine) of axis (unit). occlusion: NULL, or of receivers there. */
+/* What an occluder does to a point, by rays within acos(cosine) of a unit axis; `hit` NULL: ours.
+     out         solid angle of what is hit; its vector irradiance, which is the integral of the directions that are hit
+     occlusion   of four receivers with these normals, or NULL */
 SSGI__FN void ssgi__field_sample(double out[4], double occlusion[4], double normal[4][3], const ssgi_trace *trace,
                                  int (*hit)(void *, const float *, const float *), void *user, const float point[3],
                                  const double axis[3], float cosine, int rays, uint32_t seed)
@@ -2709,8 +2722,9 @@ SSGI__FN void ssgi__field_equation(double a[3][3], double b[3], const double d[3
     ssgi__along(b, b, r, d);
 }
 
-/* Levenberg and Marquardt's descent over three unknowns. f gives the error (and, where a is not NULL, its normal
-   equations: a += J J^T, b -= J residual); an error that is not below the last one, NaN included, is a step too far. */
+/* Levenberg and Marquardt's descent over three unknowns, until the error is at most `stop`. f gives the error, and
+   where a is not NULL adds its normal equations: J J^T to a, -J residual to b. An error that is not below the last one,
+   NaN included, is a step too far. */
 typedef struct ssgi__field_data {
     const double *radii, *values, *w;
     int count, chord;
@@ -2775,15 +2789,15 @@ SSGI__FN double ssgi__field_distance_error(const ssgi__field_data *data, const d
     return sum;
 }
 
-/* Fits 1/q to values in 0..most at radii, ascending, 3 at least: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2, t from 0 at
-   the first radius to 1 at the last: a quadratic in r as published [AOF05 eq. 6, 9], held above 1/most between them.
+/* Fits 1/q to values in 0..most at three or more radii, ascending: a quadratic in r as published [AOF05 eq. 6, 9], but
+   held above 1/most from the first radius, t = 0, to the last, t = 1: q = q0 (1-t)^2 + 2 q1 t (1-t) + q2 t^2.
    Returns the sum of squared errors. */
 SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *values, int count, double most)
 {
     const double m = 1.0 / most, first = values[0], last = values[count - 1];
     const ssgi__field_data data = { radii, values, NULL, count, 0, most };
     double u[3], error;
-    /* starts from the curve through both ends */
+    /* the descent starts from the curve through both ends */
     q[0] = first > 1e-9 * most ? 1.0 / first : 1e9 * m;
     q[2] = last > 1e-9 * most ? 1.0 / last : 1e9 * m;
     for (int i = 0; i < 3; i += 2) u[i] = log(q[i] - m > 1e-9 * m ? q[i] - m : 1e-6 * m);
@@ -2795,8 +2809,8 @@ SSGI__FN double ssgi__field_fit(double q[3], const double *radii, const double *
     return error;
 }
 
-/* The sum over directions of |from point to c - direction|^2 (chord) or (1 - cosine)^2; beyond the hull's tangent at
-   the first radius, where directions would flip, too far. */
+/* How far directions miss a point c, summed: as squared chords, |unit vector to c - direction|^2, or as (1 - cosine)^2.
+   A point beyond the hull's tangent at the first radius, where directions would flip, is too far. */
 SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const double c[3], double a[3][3], double b[3])
 {
     double sum = 0.0;
@@ -2820,9 +2834,11 @@ SSGI__FN double ssgi__field_centre_error(const ssgi__field_data *data, const dou
     return sum;
 }
 
-/* The point c that directions (unit, 3 each; zero vectors do not count) from radius * w point to [AOF05 eq. 7, 10]; 0 0
-   0 when nothing tells. Returns the sum of (1 - cosine)^2, never above that of c = 0. That error is flat near its
-   least: the chord leads there, the error polishes. flat: an error that tells nothing. */
+/* The characteristic centre c [AOF05 eq. 7, 10]: the point that the directions seen from radius * w point to; the
+   origin where they do not tell. Returns the sum of (1 - cosine)^2, never above that of the origin. That error is flat
+   near its least: the chord leads there, the error polishes.
+     directions   unit, 3 each; zero vectors do not count
+     flat         an error that tells nothing */
 SSGI__FN double ssgi__field_centre(double c[3], const double w[3], const double *radii, const double *directions,
                                    int count, double flat)
 {
@@ -2852,7 +2868,8 @@ typedef struct ssgi__field_occluder {
     double few[SSGI__FIELD_FEW][3], loose;
 } ssgi__field_occluder;
 
-/* The farthest corner along n, about the centre; returns how far. Boxes that end before what is found stay closed. */
+/* The corner that is farthest along n, about the centre; returns how far. Boxes that end before what is found are not
+   opened. */
 SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double n[3], double out[3])
 {
     const ssgi__trace_node *nodes = (const ssgi__trace_node *)m->trace.nodes;
@@ -2899,7 +2916,7 @@ SSGI__FN double ssgi__field_farthest(const ssgi__field_occluder *m, const double
     return best;
 }
 
-/* A triangle of hull corners that the ray from the centre crosses: it leaves on the plane normal . x = distance. */
+/* A triangle of hull corners that a ray from the centre crosses, in the plane normal . x = distance. */
 typedef struct ssgi__field_portal {
     double corner[3][3], normal[3], distance;
 } ssgi__field_portal;
@@ -2917,8 +2934,9 @@ SSGI__FN void ssgi__field_portal_plane(ssgi__field_portal *p)
 /* Distance beyond the hull at which samples start, so that none starts inside the mesh. */
 SSGI__FN double ssgi__field_slack(const ssgi__field_occluder *m) { return 1e-4 * m->radius; }
 
-/* Where the ray leaves the hull. From a face of a small octahedron about the centre, part of the hull so that even flat
-   occluders have one: the farthest corner along the portal's normal splits it, until none is beyond its plane. */
+/* Distance at which a ray from the centre along w leaves the hull. The portal is at first a face of a small octahedron
+   about the centre, which counts as part of the hull so that even flat occluders have one. The farthest corner along
+   its normal splits it, until none is beyond its plane. */
 SSGI__FN double ssgi__field_exit(const ssgi__field_occluder *m, const double w[3], ssgi__field_portal *p)
 {
     const int turned = (w[0] < 0.0) ^ (w[1] < 0.0) ^ (w[2] < 0.0); /* an odd number of mirrors */
@@ -2958,7 +2976,8 @@ SSGI__FN void ssgi__field_spiral(double w[3], int i, int n)
     ssgi__polar(w, 1.0 - (2.0 * i + 1.0) / n, 2.39996322972865332 * i);
 }
 
-/* Centre: the mean of the farthest corners over all directions, the hull's Steiner point, inside. 0: has no extent. */
+/* Centre, radius, corners of the hull. The centre is the mean of the farthest corners over all directions: the hull's
+   Steiner point, which is inside. 0: the occluder has no extent. */
 SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
 {
     const ssgi__trace_block *blocks = (const ssgi__trace_block *)m->trace.blocks;
@@ -2992,12 +3011,12 @@ SSGI__FN int ssgi__field_measure(ssgi__field_occluder *m)
         beyond = ssgi__field_farthest(m, w, p) - most;
         if (beyond > m->loose) m->loose = beyond;
     }
-    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* a margin for the directions between */
+    m->loose = 1.5 * m->loose + 1e-3 * m->radius; /* for the directions between those that were tried */
     return 1;
 }
 
-/* A cone about a point outside of the hull that holds all of the occluder: about the mean direction to some corners,
-   wider by what they lack; or the half space below the hull's plane. */
+/* A cone from a point outside of the hull that holds all of the occluder: its axis, and the cosine of its half-angle.
+   It is about the mean direction to some corners, wider by what they lack; or the half space below the hull's plane. */
 SSGI__FN float ssgi__field_cone(double axis[3], const ssgi__field_occluder *m, const double point[3],
                                 const double normal[3])
 {
@@ -3025,8 +3044,8 @@ typedef struct ssgi__field_bake {
     const ssgi_field_desc *desc;
     ssgi__field_occluder occluder;
     ssgi_field *field;
-    float *fine, *coarse; /* eight components a texel, six faces; of twice the resolution, and of it */
-    float *error;         /* at validation receivers; reuses fine */
+    float *fine, *coarse; /* eight components a texel, six faces; of twice the field's resolution, and of that */
+    float *error;         /* of validation receivers; reuses fine */
     int first;
 } ssgi__field_bake;
 
@@ -3100,7 +3119,7 @@ SSGI__FN void ssgi__field_texel(void *context, int job)
     out[7] = seen > 0.0 ? (float)(fill / seen) : 1.0f;
 }
 
-/* Reduction by a Gaussian as wide as a fine texel. */
+/* The coarse map: each texel by a Gaussian over 4 x 4 fine ones, a fine texel in deviation. */
 SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
 {
     static const float weight[4] = { 0.13447f, 0.36553f, 0.36553f, 0.13447f };
@@ -3118,7 +3137,7 @@ SSGI__FN void ssgi__field_reduce(const ssgi__field_bake *b)
             }
 }
 
-/* Ranges, integers, borders. */
+/* The field's texels: 8 bits a component over its range, and borders. */
 SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
 {
     ssgi_field *f = b->field;
@@ -3150,7 +3169,8 @@ SSGI__FN void ssgi__field_quantise(const ssgi__field_bake *b, uint32_t *texels)
             }
 }
 
-/* A_0: mean occlusion of points inside the hull, without those enclosed by the mesh. */
+/* A_0: mean occlusion of points in the hull, weighted toward the centre. Where more than 95 % of the rays hit, the mesh
+   encloses the point, which does not count. */
 SSGI__FN float ssgi__field_inside(const ssgi__field_bake *b)
 {
     const double up[3] = { 0.0, 0.0, 1.0 }, sphere = 4.0 * SSGI__PI;
@@ -3202,7 +3222,7 @@ SSGI__FN void ssgi__field_run(const ssgi_field_desc *desc, int count, void (*job
         for (int i = 0; i < count; ++i) job(context, i);
 }
 
-/* The error that this share of the validation receivers does not exceed. */
+/* The least error that this share of the validation receivers does not exceed. */
 SSGI__FN float ssgi__field_rank(const ssgi__field_bake *b, double share)
 {
     const int all = 4 * SSGI__FIELD_HELD;
@@ -3305,7 +3325,8 @@ SSGI_DEF ssgi_result ssgi_field_bake(ssgi_field *field, uint32_t *texels, void *
 
 /* ---- looking up */
 
-/* The integral of the clamped cosine over a cap: by the two arcs that bound its part above the horizon. */
+/* The integral of the clamped cosine over a cap [AOF05 eq. 3], by the two arcs that bound its part above the
+   horizon. */
 SSGI_DEF float ssgi_cap_occlusionf(float solid_angle, float cosine)
 {
     const float pi = 3.14159265f;
@@ -3334,7 +3355,7 @@ SSGI_DEF ssgi_field_limits ssgi_field_limits_of(const ssgi_field *field)
     return l;
 }
 
-/* The components along w, bilinear between texels. */
+/* A field's components along w, bilinear between texels. */
 SSGI__FN void ssgi__field_fetch(float out[8], const ssgi_field *f, const float w[3])
 {
     float at[2];
@@ -3609,7 +3630,7 @@ enum {
     SSGI__PLAN_TERMS           /* how many */
 };
 
-/* A choice: for what quantity, settings, cost in software and on a GPU, weights of the terms. */
+/* A choice: what it is for, its settings, its cost in software and on a GPU, weights of the terms. */
 typedef struct ssgi__plan_row {
     signed char wanted, method, thickness, half, directions, steps, bands, history, resolution;
     float size, cost[2], term[SSGI__PLAN_TERMS];
@@ -3678,10 +3699,6 @@ static const ssgi__plan_row ssgi__plan_rows[SSGI_PLAN_CHOICES] = {
 #define SSGI__PLAN_TEXELS 170.0  /* splats */
 #define SSGI__PLAN_COVERAGE 0.1f /* coverage */
 #define SSGI__PLAN_SURFEL 0.015f /* the size of surfels that scene.surfels and .splats count */
-#define SSGI__PLAN_NO_SURVEY \
-    { \
-        0.02, 0.003, 0.003 \
-    } /* squared errors without occlusion, of hsao, of slabs */
 /* An error below a tenth of the one asked for is negligible: in squares it adds a hundredth. */
 #define SSGI__PLAN_NEGLIGIBLE 0.1
 
@@ -3715,7 +3732,7 @@ static const float *ssgi__plan_energy(const ssgi_plan_scene *s)
    guess. A calibration without slabs scales what else is known of them. */
 SSGI__FN void ssgi__plan_errors(double square[3], const ssgi_plan_scene *s)
 {
-    static const double guess[3] = SSGI__PLAN_NO_SURVEY;
+    static const double guess[3] = { 0.02, 0.003, 0.003 };
     const double known[3] = { (double)s->calibration.unoccluded, (double)s->calibration.hsao,
                               (double)s->calibration.slabs };
     const float v[4] = { s->survey.occlusion, s->survey.detail, s->survey.solid, s->survey.slabs };
@@ -3912,6 +3929,7 @@ SSGI_DEF ssgi_result ssgi_plan_make(ssgi_plan *plan, const ssgi_plan_scene *s, c
    Before that a minor version may rename: its changes are listed here, old -> new.
 
    CHANGES in 0.3, November 2026
+   Members of ssgi_gl_desc and ssgi_gl_chain stand in another order.
    Renamed: desc.behind, SSGI_GL_BEHIND_* -> desc.thickness, SSGI_GL_THICKNESS_*; plan_scene.behind, plan.behind ->
    .thickness; functions in the GLSL, which has words in whole.
    ssgi_gl_steps refuses by name what it could not draw; setters refuse NaN and infinity.
