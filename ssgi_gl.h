@@ -87,6 +87,7 @@ extern "C" {
 #endif
 
 /* ==== >>desc ====================================================================================================== */
+
 /* desc.pass: see PASSES above. */
 enum {
     SSGI_GL_SSAO = 0,
@@ -432,6 +433,7 @@ SSGI_DEF const ssgi_gl_choice *ssgi_gl_choice_at(int i);
 SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc);
 
 /* ==== >>emit ====================================================================================================== */
+
 /* Writes the GLSL of one stage. Like snprintf: returns the length of the whole text without its terminating 0, writes
    at most capacity bytes and always terminates them (capacity > 0); out may be NULL when capacity is 0. A stage that
    the pass does not have gives an empty text. A bad desc or stage returns 0 and writes nothing. The same desc gives
@@ -460,6 +462,7 @@ SSGI_DEF const char *ssgi_gl_pass_name(int pass);       /* "hsao"; NULL past the
 SSGI_DEF const char *ssgi_gl_dialect_name(int dialect); /* "330", "vulkan"; NULL past the last */
 
 /* ==== >>io ======================================================================================================== */
+
 /* ssgi_gl_io.kind. PARAM: a member of a uniform block. CAPTURE: a varying for transform feedback. */
 enum { SSGI_GL_TEXTURE, SSGI_GL_PARAM, SSGI_GL_OUTPUT, SSGI_GL_CONSTANT, SSGI_GL_ATTRIBUTE, SSGI_GL_CAPTURE };
 
@@ -485,6 +488,7 @@ SSGI_DEF int ssgi_gl_reflect(const ssgi_gl_desc *desc, ssgi_gl_io *rows, int cap
 SSGI_DEF const ssgi_gl_io *ssgi_gl_member_at(int i);
 
 /* ==== >>steps ================================================================================================== */
+
 /* What is drawn for a desc: its pass, and the passes before and behind it. Zero: the pass alone. */
 typedef struct ssgi_gl_chain {
     /* ---- what is drawn */
@@ -625,6 +629,7 @@ SSGI_DEF size_t ssgi_gl_step_check(char *out, size_t capacity, const ssgi_gl_ste
                                    const ssgi_gl_bound *targets);
 
 /* ==== >>frame ================================================================================================== */
+
 /* What changes per frame, for all passes: upload it whole as the uniform block "ssgi_frame" (std140), in whose order
    the members are. */
 typedef struct ssgi_gl_frame {
@@ -3236,6 +3241,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 /* clang-format on */
 
 /* ==== >>rows: inputs and outputs ================================================================================== */
+
 /* A row is printed where a kept function names it and `when`, a condition as in #if lines, holds (NULL: always).
    Texture units are fixed, and differ where textures meet in a pass. Locations of outputs and attributes, and places
    of captures, count up in this order. */
@@ -3422,6 +3428,7 @@ static const ssgi_gl__row ssgi_gl__rows[] = {
 /* clang-format on */
 
 /* ==== >>passes: the main function of each stage =================================================================== */
+
 typedef struct ssgi_gl__pass {
     int pass;
     const char *name, *when, *mains[SSGI_GL_STAGES];
@@ -3477,6 +3484,7 @@ enum {
 };
 
 /* ==== >>desc (implementation) ===================================================================================== */
+
 static ssgi_result ssgi_gl__bad(const char **why, const char *sentence)
 {
     if (why) *why = sentence;
@@ -3614,7 +3622,7 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d);
 
 static int ssgi_gl__holds(const char *when, const ssgi_gl_desc *d) { return !when || ssgi_gl__any(&when, d); }
 
-/* What does not go together, as in #if lines. */
+/* What does not go together, as a condition of #if lines, and the sentence that says so. */
 #define SSGI_GL__SLICED "pass > SSAO && pass < LIGHTS && search == SLICES && "
 static const char *const ssgi_gl__rules[][2] = {
     { "pass == HSAO && search == POINTS", "desc.search: hsao is SSGI_GL_SLICES or _MARCH; points are ssao's" },
@@ -3813,6 +3821,7 @@ SSGI_DEF ssgi_gl_desc ssgi_gl_resolve(const ssgi_gl_desc *desc)
 }
 
 /* ==== >>emit (implementation) ===================================================================================== */
+
 /* ---- conditions: || && ! == != < > ( ) over fields of the desc, names of their values, and numbers. A function reads
    from *s on and leaves *s behind what it has read. */
 
@@ -3894,8 +3903,9 @@ static int ssgi_gl__any(const char **s, const ssgi_gl_desc *d)
 typedef struct ssgi_gl__reader {
     const char *at; /* what is not read yet */
     const ssgi_gl_desc *d;
-    int line, depth; /* of the header; how many #if are open */
-    char state[8];   /* of each of them: '+' kept, '-' not yet, '.' no more */
+    int line;      /* of the header */
+    int depth;     /* how many #if are open */
+    char state[8]; /* of each of them: '+' kept, '-' not yet, '.' no more */
 } ssgi_gl__reader;
 
 /* The next line that is kept, without its newline and guard; NULL after the last. */
@@ -3981,7 +3991,8 @@ typedef struct ssgi_gl__stage {
     unsigned char fetch;                                    /* 1: desc.fetch is read; 2: and calls ssgi_decode */
 } ssgi_gl__stage;
 
-/* Keeps, from the last function to the first, those that are named in what is kept; then the rows that are. */
+/* Keeps, from the last function to the first, those that are named in what is kept, beginning with the roots; then the
+   rows that are named. */
 static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const char *roots)
 {
     const int decodes = d->fetch && strstr(d->fetch, "ssgi_decode");
@@ -4006,14 +4017,14 @@ static void ssgi_gl__link(ssgi_gl__stage *stage, const ssgi_gl_desc *d, const ch
     stage->fetch = (unsigned char)(names.custom << decodes);
 }
 
-/* A desc resolved and linked: its pass, what each stage keeps. */
+/* A desc resolved and linked: the row of its pass, and what each stage keeps. */
 typedef struct ssgi_gl__program {
     ssgi_gl_desc d;
     const ssgi_gl__pass *pass;
     ssgi_gl__stage stage[SSGI_GL_STAGES];
 } ssgi_gl__program;
 
-/* 0 where the pass has no such stage; SSGI_GL_STAGES: all of them. */
+/* Links one stage, or with SSGI_GL_STAGES all of them. 0 where the pass has no such stage. */
 static int ssgi_gl__link_all(ssgi_gl__program *p, const ssgi_gl_desc *desc, int stage)
 {
     memset(p, 0, sizeof *p);
@@ -4168,40 +4179,47 @@ static void ssgi_gl__put_vulkan(ssgi_gl__text *t, const char *s, size_t length, 
     }
 }
 
+/* A line of a kept function; where your textures are arrays (desc.array) it fetches them from a slice. */
+static void ssgi_gl__print_line(ssgi_gl__text *t, const char *line, size_t length, const ssgi_gl_desc *d, int place[2])
+{
+    static const char flat[] = ", p + u_ssgi_origin"; /* a slice is put in where ", 0" follows */
+    const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
+    for (;;) {
+        const size_t part = yours && yours < line + length ? (size_t)(yours - line) : length;
+        if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
+        else ssgi_gl__put(t, line, part);
+        if (part == length) break;
+        ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
+        length -= part + sizeof flat - 1;
+        line = yours + sizeof flat - 1;
+        yours = NULL;
+    }
+    ssgi_gl__put(t, "\n", 1);
+}
+
 /* The kept functions, in the order of the library. */
 static void ssgi_gl__print_codes(ssgi_gl__text *t, const ssgi_gl__stage *stage, const ssgi_gl_desc *d)
 {
     int place[2] = { 0, 0 };
-    for (int i = 0; i < SSGI_GL__CODES; ++i)
-        if (stage->code[i]) {
-            ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
-            const char *line;
-            size_t n;
-            int last = -1;
-            ssgi_gl__print(t, "\n");
-            while ((line = ssgi_gl__next(&r, &n)) != NULL) {
-                const char *yours = d->array ? strstr(line, ", p + u_ssgi_origin, 0") : NULL;
-                if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
-                last = r.line;
-                for (;;) {
-                    const size_t part = yours && yours < line + n ? (size_t)(yours - line) : n;
-                    if (d->dialect == SSGI_GL_VULKAN) ssgi_gl__put_vulkan(t, line, part, place);
-                    else ssgi_gl__put(t, line, part);
-                    if (part == n) break;
-                    ssgi_gl__print(t, ", ivec3(p + u_ssgi_origin, u_ssgi_slice)");
-                    n -= part + 19; /* ", p + u_ssgi_origin" */
-                    line = yours + 19;
-                    yours = NULL;
-                }
-                ssgi_gl__put(t, "\n", 1);
-            }
-            if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
+    for (int i = 0; i < SSGI_GL__CODES; ++i) {
+        ssgi_gl__reader r = { ssgi_gl__library[i].text, d, ssgi_gl__library[i].line - 1, 0, { 0 } };
+        const char *line;
+        size_t n;
+        int last = -1;
+        if (!stage->code[i]) continue;
+        ssgi_gl__print(t, "\n");
+        while ((line = ssgi_gl__next(&r, &n)) != NULL) {
+            if (d->lines && r.line != last + 1) ssgi_gl__print(t, "#line %d\n", r.line);
+            last = r.line;
+            ssgi_gl__print_line(t, line, n, d, place);
         }
+        if (!strcmp(ssgi_gl__library[i].name, "SSGI_KERNEL")) ssgi_gl__print_kernel(t, d->samples);
+    }
 }
 
 static void ssgi_gl__write(ssgi_gl__text *t, const ssgi_gl__program *p, int stage)
 {
-    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by kind */
+    static const char *const words[] = { "uniform", "", "out", "", "in", "out" }; /* by ssgi_gl_io.kind */
     const ssgi_gl_desc *d = &p->d;
     const ssgi_gl__dialect *dialect = &ssgi_gl__dialects[d->dialect];
     const char *version = d->version ? d->version : dialect->version;
@@ -4320,7 +4338,8 @@ SSGI_DEF const char *ssgi_gl_dialect_name(int dialect)
 }
 
 /* ==== >>frame (implementation) ==================================================================================== */
-/* Whether all are finite and none is larger than the most [limit: >= 0]; by the bits, which -ffast-math leaves. */
+
+/* Whether all are finite and none is larger than `most` [limit: >= 0], by the bits, which -ffast-math leaves. */
 static int ssgi_gl__within(const float *v, int count, float most)
 {
     uint32_t limit, bits;
@@ -4582,7 +4601,7 @@ SSGI_DEF ssgi_result ssgi_gl_frame_history(ssgi_gl_frame *frame, const ssgi_view
 
 SSGI_DEF float ssgi_gl_phase(uint32_t k)
 {
-    return (float)((k * 2654435769u) >> 8) / 16777216.0f; /* the golden ratio's multiples, less the whole */
+    return (float)((k * 2654435769u) >> 8) / 16777216.0f; /* the fraction of k times the golden ratio */
 }
 
 SSGI_DEF ssgi_result ssgi_gl_light_map(ssgi_gl_light *light, const ssgi_view *view, int x, int y,
@@ -4659,6 +4678,7 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 }
 
 /* ==== >>steps (implementation) ==================================================================================== */
+
 /* GL's numbers by GL's names, as no GL header is read here. */
 #define SSGI_GL__POINTS 0x0000u
 #define SSGI_GL__TRIANGLES 0x0004u
@@ -4684,7 +4704,8 @@ SSGI_DEF ssgi_result ssgi_gl_occluder_set(ssgi_gl_occluder *occluder, const ssgi
 #define SSGI_GL__RGBA32UI 0x8d70u /* of three and four channels between these */
 #define SSGI_GL__RGB8I 0x8d8fu
 
-/* Formats of targets: by their channels, then by the kind of number. The columns are internal format, format, type. */
+/* Formats of targets: by their channels, then by the kind of number. Columns: name, internal format, format, type,
+   bytes of a texel. */
 enum { SSGI_GL__R, SSGI_GL__RG, SSGI_GL__RGBA, SSGI_GL__CHANNELS };
 
 enum { SSGI_GL__HALF, SSGI_GL__FLOAT, SSGI_GL__UINT, SSGI_GL__KINDS };
