@@ -21,17 +21,21 @@
       ssgi_gl_frame_init(&frame, &view, 0.5f, NULL);        // view: an ssgi_view, see ssgi.h; radius 0.5 view units
 
    HOW A PASS IS DRAWN
-      Vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image inside the
-      target, glDrawArrays(GL_TRIANGLES, 0, 3). Off: tests of depth (its mask does not matter then), stencil, scissor,
-      alpha (compatibility contexts); blending, but where told below; culling, rasteriser discard, logic op, clip
-      distances. Colour mask on, polygons filled, no sampler object on its units: it would override textures' filters.
-      Textures are read by texelFetch at level 0, so wrap modes do not matter, but a texture must be complete: one
-      without mip levels reads 0 under GL's default minifying filter, and the result is black. GL_NEAREST is right for
-      all; depth and 32-bit float textures need it in GLES and WebGL. A texture has one unit, by its name, in every
-      variant of a pass. The uniform block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have
-      layout(binding) the rows' slots are in the text; in the others set them once by name (glUniform1i,
-      glUniformBlockBinding). The projection is the one that depth was drawn with: some engines (OpenSceneGraph) move
-      near and far behind its getter; for left-handed ones see ssgi_view_from_projection (ssgi.h). No GL is called here.
+      draw         vertex stage and fragment stage from ssgi_gl_emit, an empty vertex array, the viewport on the image
+                   inside the target, glDrawArrays(GL_TRIANGLES, 0, 3)
+      state        off: tests of depth (its mask does not matter then), of stencil, scissor and alpha (compatibility
+                   contexts); blending, but where told below; culling, rasteriser discard, logic op, clip distances.
+                   Colour mask on, polygons filled
+      textures     have one unit, by name, in every variant of a pass. They are read by texelFetch at level 0: wrap
+                   modes do not matter, but a texture must be complete. One without mip levels reads 0 under GL's
+                   default minifying filter, and the result is black. GL_NEAREST is right for all; depth and 32-bit
+                   floats need it in GLES and WebGL. No sampler object on their units: it would override their filters
+      uniforms     the block "ssgi_frame" is ssgi_gl_frame byte for byte (std140). In dialects that have layout(binding)
+                   the slots of ssgi_gl_reflect's rows are in the text; in the others set them once by name
+                   (glUniform1i, glUniformBlockBinding)
+      projection   the one that depth was drawn with: some engines (OpenSceneGraph) move near and far behind its getter.
+                   For left-handed ones see ssgi_view_from_projection (ssgi.h)
+      No GL is called here.
 
    PASSES       ssao     ambient visibility: point samples in the hemisphere [SA07]
                 hsao     ambient visibility: slices through the view direction [TLG23], or the paper's march [HSAO08]
@@ -46,6 +50,7 @@
                 unshuffle, smooth, sum   deinterleaves; filters within surfaces; adds the levels up
                 blur, history            edge-preserving filter of what the others wrote; before it, mean over frames
                 compose  blends the result onto your picture; of ambient visibility blur does that itself
+
    SOURCES      as in ssgi.h, and
                 [SA07]   Shanmugam, Arikan 2007, Hardware accelerated ambient occlusion techniques on GPUs
                 [TLG23]  Therrien, Levesque, Gilet 2023, Screen space indirect lighting with visibility bitmask: slices
@@ -64,9 +69,16 @@
                    the buffer's three vec4 a surfel with divisor 1; with tessellate from patches, and nothing is kept
 
    ROOMS        search for ">>"
-      >>desc  what you choose      >>emit  text out          >>io  what a pass reads and writes      >>steps  the draws
-      >>frame  what changes per frame    >>rows  the table of inputs and outputs    >>passes  main of each stage
-      >>library  GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
+      >>desc       what you choose, and in which limits
+      >>emit       a desc in, text out
+      >>io         what a pass reads and writes
+      >>steps      the draws of a whole chain
+      >>frame      what changes per frame; extra cameras, lights, occluders
+      >>library    GLSL, a function an entry: >>fetch >>visibility >>harmonics >>light >>gather >>field >>splat >>filter
+      >>rows       the table of inputs and outputs
+      >>passes     the main function of each stage
+      and the implementations of >>desc, >>emit (with >>io), >>frame, >>steps
+
    TO ADD       a pass: an enumerator and its name (>>desc), its main function (>>library), its line in >>passes, its
                 outputs in >>rows. An accumulator: a member of ssgi_sums, where taps are added to it, an output row, its
                 field in >>desc. An input: a row. What a text reads is what its functions name; nothing else says it.
@@ -75,6 +87,7 @@
                        make glsl writes them beside the texts (manifest.json), make wasm serves JavaScript. cffi takes
                        what gcc -E -P '-D__attribute__(x)=' prints; bindgen -- --target=x86_64-pc-windows-msvc
                        -ffreestanding has constants of the fields' type. desc.pass in Python: setattr(desc, "pass", ..)
+
    NAMES IN THE TEXT   u_ssgi_* uniforms, t_ssgi_* samplers, o_ssgi_* outputs, a_ssgi_* attributes, v_ssgi_* between
                        stages, ssgi_*() functions, SSGI_* constants; nothing else at global scope. */
 #ifndef SSGI_GL_H
@@ -1275,7 +1288,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "#endif\n" },
 
 { "ssgi_sending_depth", __LINE__ + 1,
-    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel's surface, which becomes the sender\n"
+    "float ssgi_sending_depth(ivec2 p) { // view depth of a pixel, whose surface becomes the sender\n"
     "    uvec2 s = ssgi_sender_texel(-1, p, 0);\n"
     "    float z = ssgi_unpack_depth(s.y);\n"
     "    ssgi_sender.xyz = ssgi_radiance_from(s, ssgi_point(-1, p, z));\n"
@@ -1404,7 +1417,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_sh_quarter", __LINE__ + 1,
-    "// and about x by a quarter, forth (1) or back (-1)\n"
+    "// turns them about x by a quarter, forth (1) or back (-1)\n"
     "void ssgi_sh_quarter(inout ssgi_sh s, float way) {\n"
     "    float q = s.c.x;\n"
     "    s.c.x = 0.5 * q - 0.86602540 * s.b.z;\n"
@@ -1496,14 +1509,14 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_pack_first", __LINE__ + 1,
-    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7, 8..15\n"
+    "uvec4 ssgi_pack_first(ssgi_sh s) { // coefficients 0..7\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.a.xy), ssgi_pack_half(s.a.zw), 0u, 0u);\n"
     "    u.zw = uvec2(ssgi_pack_half(s.b.xy), ssgi_pack_half(s.b.zw)); // #if bands > 2\n"
     "    return u;\n"
     "}\n" },
 
 { "ssgi_pack_more", __LINE__ + 1,
-    "uvec4 ssgi_pack_more(ssgi_sh s) {\n"
+    "uvec4 ssgi_pack_more(ssgi_sh s) { // 8..15\n"
     "    uvec4 u = uvec4(ssgi_pack_half(s.c.xy), 0u, 0u, 0u);\n"
     "    u.yzw = uvec3(ssgi_pack_half(s.c.zw), ssgi_pack_half(s.d.xy), ssgi_pack_half(s.d.zw)); // #if bands > 3\n"
     "    return u;\n"
@@ -1548,7 +1561,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_irradiance", __LINE__ + 1,
-    "// and all three, over pi, of a surface with normal n\n"
+    "// irradiance over pi of a surface with normal n\n"
     "vec3 ssgi_irradiance(ssgi_coefficients v, vec3 n) {\n"
     "    float r = ssgi_incoming(0, v.c[0]), g = ssgi_incoming(1, v.c[1 % v.c.length()]);\n"
     "    vec3 e = vec3(r, g, ssgi_incoming(2, v.c[2 % v.c.length()])) * SSGI_OVER_PI;\n"
@@ -2002,7 +2015,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
 
 { "ssgi_surfel_radius", __LINE__ + 1,
-    "float ssgi_surfel_radius(float depth) {\n"
+    "float ssgi_surfel_radius(float depth) { // [DSS14 3.1]\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
@@ -2396,8 +2409,8 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap: k, S: cosine of its radius, squared sine,\n"
-    "// at most a hemisphere; c: cosine between its axis and the normal\n"
+    "// cosine-weighted occlusion of a spherical cap [AOF05 eq. 3], at most a hemisphere; k, S: cosine and\n"
+    "// squared sine of its radius; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
@@ -2414,7 +2427,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_field_occlusion", __LINE__ + 1,
-    "// occlusion by an occluder, in [0,1]; n: unit normal\n"
+    "// occlusion by an occluder, in [0,1] [AOF05 algorithm 1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
@@ -2665,7 +2678,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_shell", __LINE__ + 1,
-    "// the rectangle of one sub-buffer that a surfel covers at a level\n"
+    "// the rectangle of one sub-buffer that a surfel covers at a level [DSS14 3.2]\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
     "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
@@ -2791,7 +2804,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
+    "    // the dipole [JMLH01 2.3]; surfels wider than its depths would show as dots: h makes these deeper\n"
     "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
     "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
@@ -2887,7 +2900,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_scatter = vec4(sum.xyz, z); // #if effect == SCATTER\n"
     "}\n" },
 
-/* ---- blur: what a pixel's neighbours on its surface have. In half size the four or more of half size around it. */
+/* ---- blur: the mean of a pixel's neighbours on its surface; from half size, of the pixels of half size around it. */
 
 { "ssgi_blurred", __LINE__ + 1,
     "struct ssgi_blurred { // the pixel that is filtered\n"
@@ -2905,7 +2918,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_neighbour", __LINE__ + 1,
-    "struct ssgi_neighbour { ivec2 at, q, o; }; // its texel, its pixel, from the one that is filtered\n" },
+    "struct ssgi_neighbour { ivec2 at, q, o; }; // texel; pixel; offset from the one that is filtered\n" },
 
 { "ssgi_neighbour_at", __LINE__ + 1,
     "ssgi_neighbour ssgi_neighbour_at(ivec2 p, int x, int y) {\n"
@@ -3044,8 +3057,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
 { "SSGI_DRIFT", __LINE__ + 1,
     "const vec2 SSGI_DRIFT = vec2(0.2, 0.005);\n" },
 
-/* What share of the frames is forgotten where the mean had to follow as far as SSGI_DRIFT or more: of 16 frames two
-   stay. */
+/* What share of the frames is forgotten where the mean had to follow by a drift or more: of 16 frames two stay. */
 { "SSGI_FORGOTTEN", __LINE__ + 1,
     "const float SSGI_FORGOTTEN = 0.85;\n" },
 
@@ -3083,7 +3095,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "}\n" },
 
 { "ssgi_image", __LINE__ + 1,
-    "struct ssgi_image { int wide; ivec2 first, size; }; // what is averaged: pixels a texel, its place, its size\n" },
+    "struct ssgi_image { int wide; ivec2 first, size; }; // the averaged image: pixels a texel; its place, size\n" },
 
 { "ssgi_image_of", __LINE__ + 1,
     "ssgi_image ssgi_image_of() {\n"
@@ -3114,7 +3126,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    float slack = 0.5 * wide * footprint - 0.001 * P.z;\n"
     "#if motion\n"
     "    vec2 by = vec2(p) + 0.5 - texelFetch(t_ssgi_motion, p + u_ssgi_origin, 0).xy;\n"
-    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // it may have come closer as far\n"
+    "    slack += max(distance(at, by) - 0.5, 0.0) * footprint; // its depth may have changed as much\n"
     "    at = by;\n"
     "#endif\n"
     "    at = (at - 0.5) / wide;\n"
@@ -3157,8 +3169,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return abs(e - was.z) > slack && dot(n, Q) * (1.0 - l) > 0.05 * l;\n"
     "}\n" },
 
-/* The direction is interleaved gradient noise, as ssgi_noise has it, the distance a second one that it does not
-   follow. */
+/* The direction is interleaved gradient noise, as in ssgi_noise; the distance is a second one, independent of it. */
 { "ssgi_occluders_moved", __LINE__ + 1,
     "// whether one of two taps shows it, here or, by derivatives, in another pixel of the 2x2 quad\n"
     "bool ssgi_occluders_moved(ivec2 h, vec3 P, vec3 n, ssgi_image image) {\n"
@@ -3208,7 +3219,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    bool moved = ssgi_occluders_moved(h, P, n, image);\n"
     "    o_ssgi_light = now; // #if colour == COLOUR\n"
     "    o_ssgi_ao = now.xw; // #if colour == GREY\n"
-    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528: carried by nothing\n"
+    "    o_ssgi_means = vec4(v, v, 1.0, 528.0); // 528 = 16 * 33: no offset is carried\n"
     "    if (z >= SSGI_FAR) return;\n"
     "    ssgi_last last = ssgi_last_of(p, P, n, image);\n"
     "    if (last.off.z > 0.0 && !moved) frames = min(last.means.z + 1.0, u_ssgi_history);\n"
