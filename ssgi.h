@@ -1000,6 +1000,20 @@ SSGI__FN double ssgi__view_aside(const ssgi_view *view, const double point[3])
     return most;
 }
 
+/* The rotation of the main camera's matrix, a row an axis. */
+SSGI__FN ssgi_result ssgi__main_axes(double axis[3][3], const float main_world_to_view[16], const char **why)
+{
+    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
+    for (int i = 0; i < 9; ++i) axis[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
+    for (int i = 0; i < 9; ++i)
+        if (fabs(ssgi__dot(axis[i / 3], axis[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
+            return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
+    for (int i = 0; i < 4; ++i)
+        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
+            return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+    return SSGI_OK;
+}
+
 SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection[16],
                                        const float main_world_to_view[16], const float centre[3], float radius,
                                        const float displacement[3], const char **why)
@@ -1010,14 +1024,7 @@ SSGI_DEF ssgi_result ssgi_extra_camera(float world_to_view[16], float projection
     float view[16] = { 0 }, clip[16] = { 0 };
     ssgi_view seen;
     SSGI__THERE3(world_to_view, projection, main_world_to_view);
-    SSGI__CHECK(ssgi__finites(main_world_to_view, 16), "main_world_to_view: must be finite");
-    for (int i = 0; i < 9; ++i) was[i % 3][i / 3] = (double)main_world_to_view[i / 3 * 4 + i % 3];
-    for (int i = 0; i < 9; ++i)
-        if (fabs(ssgi__dot(was[i / 3], was[i % 3]) - (i / 3 == i % 3 ? 1.0 : 0.0)) > 1e-3)
-            return ssgi__bad(why, "main_world_to_view: must be rigid: a rotation and a translation");
-    for (int i = 0; i < 4; ++i)
-        if (main_world_to_view[4 * i + 3] != (i < 3 ? 0.0f : 1.0f))
-            return ssgi__bad(why, "main_world_to_view: its last row must be (0,0,0,1)");
+    SSGI__TRY(ssgi__main_axes(was, main_world_to_view, why));
     SSGI__CHECK(ssgi__finites(centre, 3), "centre: must be there and finite");
     SSGI__CHECK(ssgi__finite(radius) && radius > 0.0f, "radius: must be finite and above 0");
     SSGI__CHECK(ssgi__finites(displacement, 3), "displacement: must be there and finite");

@@ -2014,8 +2014,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
    sectors between them, at their mean distance. n over the length l of its projection makes dot(d, n) the height over
    the tangent plane within the slice: exactly 0 on a plane, wherever texels lie. A slice's two sides are .x and .y. */
 
+/* [DSS14 section 3.1] */
 { "ssgi_surfel_radius", __LINE__ + 1,
-    "float ssgi_surfel_radius(float depth) { // [DSS14 3.1]\n"
+    "float ssgi_surfel_radius(float depth) {\n"
     "    return u_ssgi_surfel.x; // #if orthographic\n"
     "    return u_ssgi_surfel.x * (abs(depth - u_ssgi_surfel.y) + u_ssgi_surfel.y); // #if !orthographic\n"
     "}\n" },
@@ -2408,9 +2409,10 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    a *= 1.0 / 255.0, b *= 1.0 / 255.0;\n"
     "}\n" },
 
+/* [AOF05 eq. 3] */
 { "ssgi_cap", __LINE__ + 1,
-    "// cosine-weighted occlusion of a spherical cap [AOF05 eq. 3], at most a hemisphere; k, S: cosine and\n"
-    "// squared sine of its radius; c: cosine between its axis and the normal\n"
+    "// cosine-weighted occlusion of a spherical cap, at most a hemisphere; k, S: cosine of its radius,\n"
+    "// squared sine; c: cosine between its axis and the normal\n"
     "float ssgi_cap(float k, float S, float c) {\n"
     "    if (c * c >= S) return S * max(c, 0.0);\n"
     "    float x = k * inversesqrt(S), w = sqrt(max(1.0 - c * c / S, 0.0));\n"
@@ -2426,8 +2428,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    return r > 0.0 ? vec4(w / r, r) : vec4(0.0, 0.0, 1.0, 0.0);\n"
     "}\n" },
 
+/* [AOF05 algorithm 1] */
 { "ssgi_field_occlusion", __LINE__ + 1,
-    "// occlusion by an occluder, in [0,1] [AOF05 algorithm 1]; n: unit normal\n"
+    "// occlusion by an occluder, in [0,1]; n: unit normal\n"
     "float ssgi_field_occlusion(vec4 occluder[9], vec4 at, vec3 n) {\n"
     "    vec4 a, b;\n"
     "    ssgi_field_fetch(at.xyz, occluder[8].xy, a, b);\n"
@@ -2677,8 +2680,9 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = texelFetch(t_ssgi_levels, at, 0); // #if effect != OCCLUSION\n"
     "}\n" },
 
+/* [DSS14 section 3.2] */
 { "ssgi_shell", __LINE__ + 1,
-    "// the rectangle of one sub-buffer that a surfel covers at a level [DSS14 3.2]\n"
+    "// the rectangle of one sub-buffer that a surfel covers at a level\n"
     "flat out vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent; // position, r^2; normal, weight; sent, inner^2\n"
     "flat out float v_ssgi_end; // outer^2\n"
     "flat out float v_ssgi_seen; // 1: slices can see it // #if span\n"
@@ -2796,6 +2800,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    o_ssgi_levels = ssgi_effect(v_ssgi_sent.xyz, v, form, area); // #if effect != OCCLUSION\n"
     "}\n" },
 
+/* The dipole [JMLH01 section 2.3, DSS14 section 4]. */
 { "main_splat_scatter", __LINE__ + 1,
     "flat in vec4 v_ssgi_at, v_ssgi_turned, v_ssgi_sent;\n"
     "flat in float v_ssgi_end;\n"
@@ -2804,7 +2809,7 @@ static const ssgi_gl__code ssgi_gl__library[] = {
     "    vec3 v = v_ssgi_at.xyz - P;\n"
     "    float dd = dot(v, v);\n"
     "    if (!(dd > v_ssgi_sent.w && dd <= v_ssgi_end)) discard;\n"
-    "    // the dipole [JMLH01 2.3]; surfels wider than its depths would show as dots: h makes these deeper\n"
+    "    // surfels wider than their sources are deep would show as dots: deeper sources blur them\n"
     "    vec3 s = u_ssgi_dipole[2].xyz, h = max(sqrt(v_ssgi_at.w) - u_ssgi_dipole[0].xyz, 0.0);\n"
     "    vec3 y = u_ssgi_dipole[0].xyz + h, z = u_ssgi_dipole[1].xyz + h;\n"
     "    vec3 a = inversesqrt(dd + y * y), b = inversesqrt(dd + z * z);\n"
